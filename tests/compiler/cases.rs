@@ -1,5 +1,5 @@
-//! What is said of small documents, node files and code: `tests/cases`, each with its messages
-//! beside it.
+//! Diagnostics of small documents, node files and code: the inputs of `tests/cases`, each with its
+//! text beside it.
 
 use std::str;
 
@@ -15,7 +15,7 @@ fn text(bytes: &[u8]) -> &str {
     str::from_utf8(bytes).expect("a case of text is UTF-8")
 }
 
-/// What is told of a document names its file.
+/// Asserts that the diagnostics of a document name its file.
 fn in_file(name: &str, problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     assert!(problems.iter().all(|d| d.place.file.as_deref() == Some(name)), "{problems:?}");
     problems
@@ -37,7 +37,7 @@ fn scenes() {
     });
 }
 
-/// Looks that are read without complaint, compiled.
+/// Looks of `tests/cases/check`, which are read without complaint, compiled.
 #[test]
 fn checks() {
     hold("check", |name, bytes| {
@@ -54,7 +54,7 @@ fn checks() {
     });
 }
 
-/// Files of a project's `nodes/`.
+/// Node files of a project's `nodes/`.
 #[test]
 fn node_files() {
     hold("node-file", |_, bytes| {
@@ -65,8 +65,8 @@ fn node_files() {
     });
 }
 
-/// The code of a WGSL node: what no look can run. A node file with that code is refused alike, and
-/// adds no node.
+/// Code of a WGSL node that no look can run. A node file with that code is refused with the same
+/// diagnostic, and adds no node.
 #[test]
 fn node_code() {
     hold("node", |name, bytes| {

@@ -1,5 +1,6 @@
-//! docs/format.md and the JSON Schemas say what the code does. `CHIARO_BLESS=1 cargo test
-//! -p chiaro-compiler --test compiler document_format` writes what the code makes; the difference is then reviewed like any other.
+//! docs/format.md and the JSON Schemas agree with the code. `CHIARO_BLESS=1 cargo test -p
+//! chiaro-compiler --test compiler document_format` writes the files that the code makes; the
+//! difference is then reviewed like any other.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -16,7 +17,7 @@ fn docs(file: &str) -> PathBuf {
     support::root().join("docs").join(file)
 }
 
-/// Compares a file with what the code makes, or writes it when blessing.
+/// Compares a file of `docs/` with the text that the code makes, or writes the file when blessing.
 fn held(file: &str, made: &str) {
     let path = docs(file);
     if std::env::var_os("CHIARO_BLESS").is_some() {
@@ -80,7 +81,7 @@ fn storages_are_told_of_in_the_words_of_the_code() {
     }
 }
 
-/// The links of docs/format.md lead to its headings.
+/// Links of docs/format.md lead to its headings.
 #[test]
 fn links_lead_somewhere() {
     let text = std::fs::read_to_string(docs("format.md")).unwrap();
@@ -101,7 +102,7 @@ fn the_examples_are_read() {
         text.split("```json\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
     assert!(blocks.len() >= 3);
     for block in blocks {
-        // Examples of single fields stand alone in the text.
+        // An example of a single field stands in the text without braces.
         let block = if block.starts_with('{') { block.to_owned() } else { format!("{{{block}}}") };
         let document = Document::read(&block, "docs/format.md");
         assert!(document.diagnostics().is_empty(), "{:?}\n{block}", document.diagnostics());
@@ -120,7 +121,7 @@ fn nested(path: &[String], value: Value) -> Value {
     }
 }
 
-/// Every path to an object of the schema, with the names of its fields.
+/// Path of every object of the schema, with the names of the object's fields.
 fn objects(schema: &Value) -> Vec<(Vec<String>, Vec<String>)> {
     let mut found = Vec::new();
     let mut open: Vec<(Vec<String>, &Value)> = vec![(Vec::new(), schema)];
@@ -151,8 +152,8 @@ fn objects(schema: &Value) -> Vec<(Vec<String>, Vec<String>)> {
     found
 }
 
-/// The reader knows every field of the schemas, and the schemas every field that the reader knows:
-/// the reader warns about any other.
+/// The reader knows every field of the schemas, and the schemas have every field that the reader
+/// knows: the reader warns about any other.
 #[test]
 fn the_reader_knows_the_fields_of_the_schemas() {
     type Reader = fn(&str) -> Vec<chiaro_language::diag::Diagnostic>;
@@ -164,15 +165,15 @@ fn the_reader_knows_the_fields_of_the_schemas() {
         let objects = objects(&schema);
         assert!(objects.len() >= 7, "{objects:?}");
         for (path, fields) in objects {
-            // What is under `by` of direction keys takes one object with one field, and is no
-            // table.
+            // `by` of direction keys takes an object with one of several fields, and is no table of
+            // fields.
             if path.iter().any(|step| step == "by") {
                 continue;
             }
             let mut all: serde_json::Map<String, Value> =
                 fields.iter().map(|field| (field.clone(), Value::Null)).collect();
             all.insert("no such field".to_owned(), Value::Null);
-            // Curves and ramps are told from others by their own fields.
+            // A curve or a ramp is recognized by its own fields.
             let text = nested(&path, Value::Object(all)).to_string();
             let found = read(&text);
             let unknown: Vec<&str> = found
@@ -186,7 +187,7 @@ fn the_reader_knows_the_fields_of_the_schemas() {
     }
 }
 
-/// A field of the tables with its default means the same as without it.
+/// A field of the schema's tables with its default means the same as no field.
 #[test]
 fn defaults_are_what_is_left_out() {
     for (schema, empty) in

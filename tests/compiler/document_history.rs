@@ -1,4 +1,4 @@
-//! Undo and redo as people meet them.
+//! Undo and redo as users meet them.
 
 use chiaro_compiler::document::{Edit, Endpoint, GraphId, History, Look, Value, Wire};
 
@@ -44,7 +44,7 @@ fn a_drag_is_one_step() {
     assert_eq!(offset(&history), Some(&Value::Number(0.5)));
     history.redo();
     assert_eq!(offset(&history), Some(&Value::Number(99.0)));
-    // The gesture is over: more of it is a step of its own.
+    // The undo ended the gesture: another edit of it is a step of its own.
     history.apply_in(7, set(3.0)).unwrap();
     assert!(history.redo().is_none(), "a new edit ends what could be redone");
     history.undo();
@@ -91,7 +91,7 @@ fn removing_a_node_takes_all_that_names_it_and_undo_brings_it_back() {
     assert_eq!(history.undo(), Some("remove rim"));
     assert_eq!(history.document().to_text(), before);
 
-    // A node in a group, and the group node itself.
+    // First a node in a group, then the group's node itself.
     for (graph, id) in [(GraphId::Definition("group".into()), "inner"), (GraphId::Look, "g")] {
         history.apply(Edit::RemoveNode { graph, id: id.into() }).unwrap();
         assert_eq!(history.document().exposed.len(), 2);

@@ -1,5 +1,5 @@
-//! Reading documents: what is read, kept and found again. What is told of mistakes stands in
-//! `tests/cases`.
+//! Documents are read: their values, the texts that are kept, and the places that are found again.
+//! Diagnostics of mistakes stand in `tests/cases`.
 
 use chiaro_compiler::document::{Document, GraphId, Look, Scene, Target, Value};
 use chiaro_language::diag::{Diagnostic, has_errors};
@@ -21,7 +21,7 @@ const LOOK: &str = r##"{
 }
 "##;
 
-/// The problems as people see them.
+/// Text of problems as users see it.
 fn shown(problems: &[Diagnostic]) -> String {
     problems.iter().map(|problem| format!("{problem}\n")).collect()
 }
@@ -192,7 +192,7 @@ fn places_are_found_for_others() {
         format!("{}:{} {}", at.line, at.column, problem.place.json_path.unwrap())
     };
     let problem = || Diagnostic::error("x", "");
-    // By node and port; what the text does not have is at the node.
+    // Places by node and port; a port that the text does not have is placed at its node.
     assert_eq!(
         place(problem().node(NodePath::parse("rim")).port("offset".into())),
         "5:65 nodes[2].values.offset"
@@ -209,7 +209,7 @@ fn places_are_found_for_others() {
         place(problem().node(NodePath::parse("g/inner")).port("a".into())),
         "11:88 definitions.group.nodes[0].values.a"
     );
-    // By a path of the value, whose lists lack the broken items of the text.
+    // Places by a path of the value, whose lists lack the text's broken items.
     let rim = look.json_path_of_node(&NodePath::parse("rim")).unwrap();
     assert_eq!(rim, "nodes[1]");
     assert_eq!(place(problem().json_path(rim)), "5:5 nodes[2]");
@@ -228,7 +228,7 @@ fn places_are_found_for_others() {
         look.find(&NodePath::parse("g/nothing")).is_none()
             && look.find(&NodePath::default()).is_none()
     );
-    // A node that does not exist still has its file.
+    // A problem of a node that does not exist still names the file.
     let mut lost = problem().node(NodePath::parse("no/such"));
     loaded.source.locate(&mut lost);
     assert_eq!(lost.place.file.as_deref(), Some("a.json"));

@@ -1,4 +1,4 @@
-//! The examples that the program brings along are those of the source.
+//! The examples embedded in the program are those of the source tree.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,9 +1,9 @@
-//! The house stands: a room imports only from floors below its own.
+//! Layers of the source: a module ("room") imports only from floors below its own.
 //!
-//! Cargo holds the floors that are crates; the manifests are read here for what Cargo would let
-//! pass. Inside a crate the test reads every source file, comments and strings left out, and
-//! follows each path that starts at the crate's root, whether it says `crate::` or climbs there by
-//! `super::`. Test code inside `src/` is held to the same rule.
+//! Cargo holds the floors that are crates; their manifests are read here for dependencies that
+//! Cargo would let pass. Inside a crate the test reads every source file, comments and strings left
+//! out, and follows each path that starts at the crate's root, by `crate::` or by `super::`. Test
+//! code inside `src/` is held to the same rule.
 
 mod scan;
 
@@ -64,19 +64,19 @@ const CRATES: &[(&str, &[&[&str]])] = &[
 /// the compiler's output, so it must not be built on the compiler.
 const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile")];
 
-/// What the compiler may not ask of the system: whoever runs it says where files come from, and on
-/// which thread.
+/// Modules of `std` that the compiler may not use: its caller decides where files come from, and
+/// which thread work runs on.
 const NOT_FOR_THE_COMPILER: &[&str] = &["env", "fs", "net", "process", "thread"];
 
-/// What a room of a crate may not know although the floors would allow it: modules of the crate and
-/// packages. The window's state goes without a window, and its widgets fit any state.
+/// Modules and packages that a room may not use although the floors would allow them. The window's
+/// state works without a window, and its widgets fit any state.
 const STRANGERS: &[(&str, &str, &[&str])] = &[
     ("editor", "state", &["eframe", "egui", "egui_tiles", "egui_extras"]),
     ("editor", "widgets", &["state"]),
 ];
 
-/// Packages that belong to some crates only: the compiler is to build without a GPU and without a
-/// window, and who wants WGSL from a graph pays for no command line and no archives.
+/// Packages that only some crates may use: the compiler builds without a GPU and a window, and
+/// users who only want WGSL from a graph pay for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[
     ("wgpu", &["render", "editor"]),
     ("egui", &["editor"]),
@@ -93,13 +93,13 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("rayon", &["scene", "reference", "laboratory"]),
 ];
 
-/// The rank of a room among the floors of its crate.
+/// The rank of a room among the floors of its crate, from 0.
 fn floor_of(krate: &str, room: &str) -> Option<usize> {
     let (_, floors) = CRATES.iter().find(|(name, _)| *name == krate)?;
     floors.iter().position(|rooms| rooms.contains(&room))
 }
 
-/// What is wrong with `reference` standing in the room `importer` of a crate, if anything.
+/// The complaint about `reference` in the room `importer` of a crate, if it is not allowed.
 fn complaint(krate: &str, importer: &str, reference: &Reference) -> Option<String> {
     let imported = match reference {
         Reference::Module(name) => name.as_str(),
@@ -109,7 +109,7 @@ fn complaint(krate: &str, importer: &str, reference: &Reference) -> Option<Strin
     if imported == importer {
         return None;
     }
-    // What the crate's root takes in from crates below, which Cargo holds.
+    // Names that are no room come from crates below, which Cargo holds.
     let upper = floor_of(krate, imported)?;
     let own = floor_of(krate, importer)?;
     if upper > own {
@@ -122,12 +122,12 @@ fn complaint(krate: &str, importer: &str, reference: &Reference) -> Option<Strin
     })
 }
 
-/// Everything wrong with the source `text` of the file at `path`, relative to `src/`.
+/// All complaints about the source `text` of the file at `path`, relative to `src/`.
 fn check_source(path: &Path, text: &str) -> Vec<String> {
     let parts: Vec<_> = path.iter().map(|part| part.to_string_lossy().into_owned()).collect();
     let [krate, inside @ ..] = parts.as_slice() else { return Vec::new() };
     match (krate.as_str(), inside.first().map(String::as_str)) {
-        // The root declares what the library is, so it may name everything.
+        // The root declares the library, so it may name everything.
         ("lib.rs", None) => return Vec::new(),
         ("main.rs", None) => return check_main(text),
         _ => {}
@@ -139,7 +139,7 @@ fn check_source(path: &Path, text: &str) -> Vec<String> {
     else {
         return complaints;
     };
-    // The crate's root declares its rooms; a build script is no part of it.
+    // The crate's root declares its rooms; a build script is no part of the crate.
     if matches!(room, "lib" | "build") {
         return complaints;
     }
@@ -153,7 +153,7 @@ fn check_source(path: &Path, text: &str) -> Vec<String> {
     complaints
 }
 
-/// What a crate imports although a proof would be worthless then.
+/// Complaints about imports that would make a proof worthless.
 fn check_apart(krate: &str, path: &Path, text: &str) -> Vec<String> {
     let mut complaints = Vec::new();
     for (_, package, room) in APART.iter().filter(|(name, ..)| *name == krate) {
@@ -176,7 +176,7 @@ fn check_apart(krate: &str, path: &Path, text: &str) -> Vec<String> {
     complaints
 }
 
-/// What a room names that it may not know.
+/// Complaints about modules and packages that a room may not use.
 fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<String> {
     let rules = STRANGERS.iter().filter(|(of, name, _)| *of == krate && *name == room);
     let strangers = rules.flat_map(|(.., strangers)| strangers.iter());
@@ -196,8 +196,8 @@ fn check_strangers(krate: &str, room: &str, path: &Path, text: &str) -> Vec<Stri
         .collect()
 }
 
-/// The program only hands over: it may know `chiaro::cli` and `chiaro::editor`, and nothing else of
-/// the library.
+/// Complaints about the program's root, which only hands over: it may use `chiaro::cli` and
+/// `chiaro::editor`, and no other module of the library.
 fn check_main(text: &str) -> Vec<String> {
     scan::crate_paths(text, "chiaro")
         .into_iter()
@@ -212,8 +212,8 @@ fn check_main(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// What the manifest of a crate asks for that it may not have. Sections of tests count as well, but
-/// for other crates of the house's own.
+/// Complaints about dependencies in the manifest of a crate. Sections of tests count as well,
+/// except for the project's own crates.
 fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
     let rank = |name: &str| CRATES.iter().position(|(known, _)| *known == name);
     let mut complaints = Vec::new();
@@ -243,8 +243,8 @@ fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
     complaints
 }
 
-/// The folder of the sources, and every `.rs` file in it with its path from there; links lead to
-/// what is no source.
+/// The folder of the sources, and every `.rs` file in it by its path from there; links are not
+/// followed to other files.
 fn sources() -> (PathBuf, Vec<PathBuf>) {
     let src = support::root().join("src");
     let is_rust = |path: &PathBuf| path.extension().is_some_and(|name| name == "rs");
@@ -271,7 +271,7 @@ fn imports_go_down() {
     assert!(complaints.is_empty(), "imports that break the floors:\n{}", complaints.join("\n"));
 }
 
-/// Where a source of the compiler asks the system for what it may not.
+/// Complaints about modules of `std` that the compiler may not use.
 fn check_bytes_in_text_out(path: &Path, text: &str) -> Vec<String> {
     let found = scan::crate_paths(text, "std").into_iter();
     let is_system = |reference: &Reference| match reference {
@@ -326,8 +326,8 @@ fn every_room_stands_on_one_floor() {
     }
 }
 
-/// Cargo finds no test program by itself, for one is of another package: one that nobody names
-/// would never run.
+/// Cargo finds no test program by itself, because one belongs to another package; so a test program
+/// that no manifest names would never run.
 #[test]
 fn every_test_program_is_of_one_package() {
     let manifests = ["Cargo.toml", "src/compiler/Cargo.toml"]

@@ -1,5 +1,5 @@
-//! Generated looks in the interpreter's lanes: every entry point compiles with all that it reads,
-//! and lanes give what a single call gives.
+//! Generated looks in the interpreter's lanes: every entry point compiles with all the resources
+//! that it reads, and lanes give the values of single calls.
 
 use std::path::{Path, PathBuf};
 
@@ -23,11 +23,11 @@ fn looks() -> Vec<PathBuf> {
     files
 }
 
-/// Numbers that are neither random nor regular.
+/// A fixed sequence of numbers, neither random nor regular (a linear congruential generator).
 struct Numbers(u64);
 
 impl Numbers {
-    /// From 0 to 1.
+    /// The next number, from 0 to 1.
     fn next(&mut self) -> f64 {
         self.0 =
             self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -65,7 +65,7 @@ impl Numbers {
     }
 }
 
-/// Something for everything that a program reads.
+/// A binding for every resource that a program reads.
 fn bindings(program: &Program, numbers: &mut Numbers) -> Bindings {
     let mut bindings = Bindings::new();
     for resource in program.resources() {
@@ -103,7 +103,8 @@ fn bindings(program: &Program, numbers: &mut Numbers) -> Bindings {
     bindings
 }
 
-/// Writes an input that bends a little from lane to lane, or is the same in all.
+/// Writes an input that varies linearly from lane to lane, by up to `bend`; with `bend` 0 it is the
+/// same in all lanes.
 fn write(lanes: &mut Lanes<'_>, port: &Port, numbers: &mut Numbers, bend: f64) {
     for component in 0..port.size {
         let (base, slope) = (numbers.next() * 2.0 - 1.0, bend * (numbers.next() - 0.5));
@@ -115,7 +116,7 @@ fn write(lanes: &mut Lanes<'_>, port: &Port, numbers: &mut Numbers, bend: f64) {
 fn components(value: &Value) -> Vec<u64> {
     match value.parts() {
         Some(parts) => parts.iter().flat_map(components).collect(),
-        // The bits of a NaN may depend on the order of operands.
+        // The bits of a NaN may depend on the order of operands, so all NaNs count as equal.
         None => value
             .components()
             .unwrap()
@@ -125,7 +126,7 @@ fn components(value: &Value) -> Vec<u64> {
     }
 }
 
-/// Something for every argument.
+/// A value for every argument of a program.
 fn arguments(program: &Program, numbers: &mut Numbers) -> Vec<Value> {
     program.parameters().iter().map(|parameter| numbers.value(&parameter.shape)).collect()
 }
@@ -172,7 +173,7 @@ fn compare(program: &Program, path: &Path) {
         let bound = program.bind(&bindings, precision).unwrap();
         let mut lanes = bound.lanes().unwrap();
         let mut machine = bound.machine();
-        // Alone there are no derivatives, so all lanes of a quad are given the same.
+        // A single call has no derivatives, so all lanes of a quad get the same arguments.
         let quads: Vec<Vec<Value>> =
             (0..LANES / 4).map(|_| arguments(program, &mut numbers)).collect();
         for lane in 0..LANES {
@@ -191,8 +192,8 @@ fn compare(program: &Program, path: &Path) {
     }
 }
 
-/// Prints what an instruction costs: `cargo test --release --test interp_lanes -- --ignored
-/// --nocapture`.
+/// Prints the time of an instruction: `cargo test --release -p chiaro-compiler --test compiler
+/// interp_lanes -- --ignored --nocapture`.
 #[test]
 #[ignore = "it measures, and asserts nothing"]
 #[expect(clippy::disallowed_methods, clippy::print_stdout, reason = "it measures")]
@@ -233,7 +234,7 @@ fn measure() {
     }
 }
 
-/// Prints what an instruction costs that is run alone, as folding does.
+/// Prints the time of an instruction in a single call, as constant folding makes them.
 #[test]
 #[ignore = "it measures, and asserts nothing"]
 #[expect(clippy::disallowed_methods, clippy::print_stdout, reason = "it measures")]

@@ -1,4 +1,4 @@
-//! Documents, the compiler and the house itself: what needs no GPU.
+//! Tests of documents, the compiler and the source tree itself, which need no GPU.
 
 use chiaro_test_support as support;
 

@@ -1,5 +1,5 @@
-//! `docs/math.md`: what cites it finds a section, every node is in its table, and the functions
-//! that it names are there.
+//! `docs/math.md`: every citation of it finds a section, every node is in its table, and the
+//! functions that it names exist.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -21,7 +21,7 @@ fn page() -> String {
     read(&root().join("docs/math.md"))
 }
 
-/// The page's lines outside of its blocks of formulas.
+/// Lines of the page outside of its blocks of formulas.
 fn prose(page: &str) -> Vec<&str> {
     let mut lines = Vec::new();
     let mut is_formula = false;
@@ -35,7 +35,7 @@ fn prose(page: &str) -> Vec<&str> {
     lines
 }
 
-/// The section that a text begins with: `2.3`, `5` or `D2`.
+/// Number of the section that a text begins with: `2.3`, `5` or `D2`.
 fn number(text: &str) -> Option<&str> {
     let is_other = |c: char| !c.is_ascii_alphanumeric() && c != '.';
     let end = text.find(is_other).unwrap_or(text.len());
@@ -45,7 +45,7 @@ fn number(text: &str) -> Option<&str> {
     is_number.then_some(word)
 }
 
-/// The numbers of the page's sections. Links need an anchor of that name in the line above each.
+/// Numbers of the page's sections, each of which needs an anchor of that name in the line above.
 fn sections(page: &str) -> BTreeSet<&str> {
     let mut found = BTreeSet::new();
     for pair in prose(page).windows(2) {
@@ -63,7 +63,8 @@ fn sections(page: &str) -> BTreeSet<&str> {
     found
 }
 
-/// The sections that a text cites, as `math.md 2.3`, `math.md D2` or `math.md 2.1 to 2.3`.
+/// Numbers of the sections that a text cites, as `math.md 2.3`, `math.md D2` or `math.md 2.1 to
+/// 2.3`.
 fn citations(text: &str) -> Vec<&str> {
     let mut cited = Vec::new();
     for rest in text.split("math.md ").skip(1) {
@@ -74,12 +75,12 @@ fn citations(text: &str) -> Vec<&str> {
     cited
 }
 
-/// Where a text leads within its own page.
+/// Anchors that the links of a text lead to within its own page.
 fn places(text: &str) -> Vec<&str> {
     text.split("](#").skip(1).filter_map(|rest| rest.split(')').next()).collect()
 }
 
-/// The rows of the closing table: a kind, and the sections of its formulas.
+/// Rows of the closing table: a kind, and the sections of its formulas.
 fn rows(page: &str) -> Vec<(&str, Vec<&str>)> {
     let Some((_, table)) = page.split_once("\n## 18 ") else { panic!("there is no closing table") };
     let mut rows = Vec::new();
@@ -91,7 +92,7 @@ fn rows(page: &str) -> Vec<(&str, Vec<&str>)> {
     rows
 }
 
-/// The files and functions that the page names, as `lib/curve.wgsl: curve_at, hermite`.
+/// Files and functions that the page names, as `lib/curve.wgsl: curve_at, hermite`.
 fn functions(page: &str) -> Vec<(&str, &str)> {
     let mut named = Vec::new();
     for line in prose(page) {
@@ -162,7 +163,8 @@ fn every_node_is_in_the_closing_table() {
     assert!(missing.is_empty(), "docs/math.md does not list {missing:?}");
 }
 
-/// Every file of shaders is told of, too: what is new there needs its formula.
+/// Every function that the page names exists, and the page names every file of shaders: a new file
+/// needs its formulas there.
 #[test]
 fn every_function_that_is_named_is_there() {
     let page = page();

@@ -1,5 +1,5 @@
-//! `docs/techniques.md`: every technique has nodes that are there, a look that uses them, and tests
-//! that are there.
+//! `docs/techniques.md`: every technique has nodes that exist, a look that uses them, and tests
+//! that exist.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ fn root() -> &'static Path {
     support::root()
 }
 
-/// Where the links of a cell lead, from `docs/`.
+/// Files that the links of a cell lead to, from `docs/`.
 fn links(cell: &str) -> Vec<PathBuf> {
     cell.split("](")
         .skip(1)
@@ -23,7 +23,7 @@ fn links(cell: &str) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The looks that a document is of: itself, or those of a scene's objects.
+/// Looks of a document: the look itself, or those of a scene's objects.
 fn looks(path: &Path) -> Vec<Json> {
     let text =
         std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -37,7 +37,7 @@ fn looks(path: &Path) -> Vec<Json> {
     named.iter().flat_map(|name| looks(&path.with_file_name(name))).collect()
 }
 
-/// The words that a node stands under: its kind, and its kind with each of its choices.
+/// Words that a node is listed under: its kind, and its kind with each of its choices.
 fn words_of_node(node: &Json, found: &mut BTreeSet<String>) {
     let kind = node["kind"].as_str().unwrap();
     found.insert(kind.to_owned());
@@ -53,7 +53,7 @@ fn words_of_node(node: &Json, found: &mut BTreeSet<String>) {
     }
 }
 
-/// The words of what drives a set of keys.
+/// Words for the drivers of a set of keys.
 fn words_of_drivers(by: &Json, found: &mut BTreeSet<String>) {
     match by {
         Json::String(word) => drop(found.insert(format!("by.{word}"))),
@@ -69,7 +69,7 @@ fn words_of_drivers(by: &Json, found: &mut BTreeSet<String>) {
     }
 }
 
-/// The rows of the page's tables, in cells.
+/// Rows of the page's tables, in cells.
 fn rows(text: &str) -> Vec<Vec<&str>> {
     let rows: Vec<Vec<&str>> = text
         .lines()
@@ -82,7 +82,7 @@ fn rows(text: &str) -> Vec<Vec<&str>> {
     rows
 }
 
-/// The words between backticks.
+/// Words between backticks.
 fn words(cell: &str) -> Vec<&str> {
     cell.split('`').filter(|word| !word.trim().is_empty()).collect()
 }
@@ -91,7 +91,7 @@ fn page() -> String {
     std::fs::read_to_string(root().join("docs/techniques.md")).unwrap()
 }
 
-/// What is told of a node or a group.
+/// Texts of a node's or a group's documentation.
 fn docs(kind: &str) -> Vec<&'static str> {
     let library = Library::built_in();
     let node = library.nodes.get(kind).into_iter();
@@ -105,7 +105,7 @@ fn about(look: &Json) -> String {
     look["about"].as_str().unwrap_or_default().to_owned()
 }
 
-/// Whoever meets a node finds the paper that it comes from.
+/// Nodes and looks of a technique name the papers that the technique comes from.
 #[test]
 fn a_techniques_nodes_name_its_papers() {
     let page = page();
@@ -116,7 +116,7 @@ fn a_techniques_nodes_name_its_papers() {
         };
         let kinds = words(nodes).into_iter().filter_map(|word| word.split('.').next());
         let docs: Vec<String> = match technique {
-            // No node does it: its looks tell.
+            // No node does this technique: its looks name the papers.
             "Painted shading" => links(examples)
                 .iter()
                 .flat_map(|path| looks(path))

@@ -1,9 +1,9 @@
-//! Words: a type's name says what the thing is, and the glossary names things that there are.
+//! Names: a type's name says what the type is, and the glossary names types and modules that exist.
 //!
 //! A name that is a pronoun, a question or a bare participle (`What`, `Of`, `Shown`) tells nobody
-//! what the thing is, and comes again in the next module for another thing. Such names are refused.
+//! what the type is, and comes again in the next module for another type. Such names are refused.
 //! Those that stand from before are listed in `words_to_rename.txt`; the list may only become
-//! shorter, and `CHIARO_BLESS=1` takes off what was renamed.
+//! shorter, and `CHIARO_BLESS=1` removes renamed types from it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -11,25 +11,25 @@ use std::fs;
 use crate::support::files::below;
 use crate::support::root;
 
-/// Names that are no name of a thing.
+/// Type names that do not name a thing.
 const RIDDLES: &[&str] = &[
     // Pronouns and questions.
     "All", "Anything", "How", "It", "Of", "One", "Other", "Some", "That", "These", "Thing",
     "Things", "This", "Those", "What", "When", "Where", "Which", "Who", "Whose", "Why",
     // Adverbs and the like.
     "Again", "Here", "Now", "Still", "Then", "There", "Until", "Way",
-    // Participles: what happened to a thing.
+    // Participles: they say what happened to a thing.
     "Added", "Asked", "Awaited", "Baked", "Begun", "Built", "Called", "Chosen", "Compared", "Done",
     "Drawn", "Filled", "Fitted", "Found", "Given", "Going", "Held", "Kept", "Known", "Laid",
     "Left", "Made", "Making", "Meant", "Measured", "Missed", "Named", "Needed", "Noted", "Offered",
     "Opened", "Parted", "Placed", "Probed", "Put", "Read", "Reading", "Reused", "Running", "Said",
     "Seen", "Shown", "Showing", "Staged", "Taken", "Told", "Tried", "Tuned", "Used", "Waiting",
     "Walked", "Wanted", "Wished", "Worn", "Written",
-    // Riddles: another word is the field's.
+    // Riddles: the field has another word.
     "Job", "Keeper", "Lamp", "Moment", "Station", "Wardrobe", "Wish",
 ];
 
-/// The type that a line declares.
+/// The type name that a line declares.
 fn declared(line: &str) -> Option<&str> {
     let mut words = line.split_whitespace().filter(|word| !word.starts_with("pub"));
     let keyword = words.next()?;
@@ -83,7 +83,8 @@ fn types_are_called_what_they_are() {
     panic!("these are renamed: take them off the list (CHIARO_BLESS=1 does): {gone:#?}");
 }
 
-/// Words of the glossary's last column: types, and modules by their paths from `src/`.
+/// Types and modules in the glossary's last column exist; modules by their paths from `src/` or the
+/// top.
 #[test]
 fn the_glossary_names_what_there_is() {
     let text = fs::read_to_string(root().join("docs/glossary.md")).unwrap();

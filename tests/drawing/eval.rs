@@ -16,8 +16,7 @@ use chiaro_scene::frame::{
 use chiaro_scene::geometry::Mesh;
 use chiaro_test_support::wait::block_on;
 
-/// One of the test program's devices, whichever is free; with more tests at once than devices they
-/// take turns.
+/// A device of the test program that is free; tests that find none free wait for one.
 pub fn renderer() -> MutexGuard<'static, Renderer> {
     static RENDERERS: [OnceLock<Mutex<Renderer>>; 2] = [const { OnceLock::new() }; 2];
     let make = || {
@@ -35,7 +34,7 @@ pub fn renderer() -> MutexGuard<'static, Renderer> {
     RENDERERS[0].get_or_init(make).lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A look that must be flawless.
+/// A look of JSON, read without any diagnostic.
 pub fn look(json: &serde_json::Value) -> SetupLook {
     let text = serde_json::to_string_pretty(json).expect("JSON");
     let loaded = Look::read(&text, "test.json");
@@ -55,17 +54,17 @@ pub fn options(output: &str) -> Options {
     Options { root, live: Live::Exposed, ..Options::default() }
 }
 
-/// The first problems as one text.
+/// Text of the first ten problems, a line each.
 pub fn told(problems: &[Diagnostic]) -> String {
     problems.iter().take(10).map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// The look's value at each sample, or an output's (`node.port`).
+/// Values of the look at each sample, or of one output (`node.port`).
 pub fn eval(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
     eval_with(look, Library::built_in(), &options(output), samples)
 }
 
-/// [`eval`] with all choices open. An angle is given in radians, in the first number.
+/// [`eval`] with any library and options. An angle is given in radians, in the first number.
 pub fn eval_with(
     look: &SetupLook,
     library: &Library,
@@ -75,8 +74,8 @@ pub fn eval_with(
     eval_on(&mut renderer(), look, library, options, samples)
 }
 
-/// Hands over everything that decides on what samples of a look come to, but for the engines that
-/// run it: modules, numbers and images.
+/// Hands `sink` everything that the values of a look's samples depend on, except the engines that
+/// run the shaders: modules, numbers and images.
 pub fn content(
     look: &SetupLook,
     library: &Library,
@@ -94,7 +93,7 @@ pub fn content(
     }
 }
 
-/// The same on any device.
+/// Values of [`eval`] with any library and options, on any device.
 pub fn eval_on(
     renderer: &mut Renderer,
     look: &SetupLook,
@@ -120,8 +119,7 @@ pub fn eval_on(
     answers
 }
 
-/// [`eval`] on the reference in f64, of the exact tier as it is written: nothing folded, every
-/// value in f64.
+/// [`eval`] on the reference, in the exact tier as written: nothing folded, every value in f64.
 pub fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
     let options = Options { unspecialized: true, ..options(output) };
     let batches =
@@ -142,12 +140,12 @@ pub fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64
     answers
 }
 
-/// A scene of one mesh as it is (not fitted) that wears `look`.
+/// A scene of one mesh that wears `look`, in the mesh's own size (not fitted).
 pub fn scene(look: SetupLook, mesh: Mesh, scene: Scene) -> Setup {
     scene_of(vec![(look, mesh, glam::DMat4::IDENTITY)], scene)
 }
 
-/// A scene of several meshes.
+/// A scene of several meshes, each with its look and its place.
 pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Setup {
     let mut setup = Setup { scene, ..Setup::default() };
     for (index, (look, mesh, world_from_object)) in parts.into_iter().enumerate() {
@@ -163,7 +161,7 @@ pub fn scene_of(parts: Vec<(SetupLook, Mesh, glam::DMat4)>, scene: Scene) -> Set
     setup
 }
 
-/// An own shape, fitted into a sphere of radius 1.
+/// An own shape, with the matrix that fits it into a sphere of radius 1.
 pub fn shape(name: &str) -> (Mesh, glam::DMat4) {
     let mesh = Assets::default()
         .mesh(std::path::Path::new(""), &format!("shape:{name}"))
@@ -173,7 +171,7 @@ pub fn shape(name: &str) -> (Mesh, glam::DMat4) {
     (Mesh::clone(&mesh), matrix)
 }
 
-/// Draws a picture.
+/// Draws a picture of a scene.
 pub fn draw(
     setup: &Setup,
     library: &Library,

@@ -1,4 +1,4 @@
-//! The example looks, and places to look at them.
+//! The example looks, and random samples of a surface to evaluate looks at.
 
 use chiaro_compiler::document::Look;
 use chiaro_scene::frame::{EvalSample, SetupLook};
@@ -26,7 +26,7 @@ pub fn looks() -> Vec<(String, SetupLook)> {
     looks
 }
 
-/// Places of a surface that are as different as random ones are.
+/// Samples of a surface, random in normal, view, position, camera, frame, UV, curvature and color.
 pub fn samples(seed: u64, count: usize) -> Vec<EvalSample> {
     let mut random = Random::new(seed);
     (0..count)

@@ -1,4 +1,4 @@
-//! A node with a constant, and a look that shows it: for tests of what a changed constant changes.
+//! A node with a constant, and a look that shows the node: for tests of what depends on a constant.
 
 use chiaro_compiler::library::Library;
 use chiaro_scene::frame::SetupLook;
@@ -18,7 +18,7 @@ pub fn library(constant: &str) -> Library {
     library
 }
 
-/// The text of a look that shows half of what faces the eye.
+/// The text of a look that shows half of the `facing` node's value.
 pub fn text() -> Json {
     json!({
         "nodes": [
@@ -30,7 +30,7 @@ pub fn text() -> Json {
     })
 }
 
-/// The look.
+/// The look that shows half of the `facing` node's value.
 pub fn look() -> SetupLook {
     eval::look(&text())
 }

@@ -9,14 +9,14 @@ use chiaro_compiler::library::Library;
 use chiaro_language::wgsl;
 use chiaro_scene::frame::{Assets, FramePlan, PassId, PlanOptions, Planner, Setup, open};
 
-/// The looks that there are by hand.
+/// The looks that have a module written by hand.
 pub const LOOKS: [&str; 3] = ["figure4-both", "figure6-comics", "figure6-minimal"];
 
 fn root(folder: &str) -> PathBuf {
     chiaro_test_support::root().join(folder)
 }
 
-/// A look of the examples on the creature that it is shown on.
+/// An example look on the mesh that its file names.
 pub fn setup(look: &str) -> Setup {
     let path = root("examples/looks").join(format!("{look}.json"));
     open(&path, None, &mut Assets::default())
@@ -24,7 +24,7 @@ pub fn setup(look: &str) -> Setup {
         .value
 }
 
-/// What the compiler makes of it, every node in one tier, one sample a pixel.
+/// The frame plan with the compiler's module, every node in one tier, one sample a pixel.
 pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
     let mut setup = setup.clone();
     for look in &mut setup.looks {
@@ -35,7 +35,7 @@ pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
     plan.unwrap_or_else(|problems| panic!("{}", problems[0]))
 }
 
-/// The same picture with the module written by hand in the generated one's place: it takes the same
+/// The frame plan with the module written by hand in the generated one's place, with the same
 /// bindings.
 pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
     let options = Options { display: true, ..Options::default() };
@@ -48,7 +48,7 @@ pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
     let shader = Arc::new(shader);
     let mut plan = plan.clone();
     plan.draws.iter_mut().for_each(|draw| draw.look = shader.clone());
-    // Renderers remember what they drew last.
+    // Renderers skip a pass whose inputs are those of the last picture.
     plan.passes
         .iter_mut()
         .filter(|pass| pass.id == PassId::LOOK)

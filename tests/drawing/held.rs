@@ -1,5 +1,5 @@
-//! One node at a time on the GPU: every number of it is set for each sample, and known to nobody
-//! before the fragment.
+//! One node at a time on the GPU: each of its numbers is set for each sample, and no number is
+//! known before the fragment.
 
 use chiaro_compiler::document::{Value, Values};
 use chiaro_compiler::library::{Input, Library, NodeDef, Type};
@@ -8,11 +8,11 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::eval::{eval_with, look, options};
 
-/// Numbers of all inputs that are no choices, in order.
+/// Numbers of all inputs that are no choices, in the order of `numeric`.
 pub type In<'a> = &'a [Vec<f64>];
 
-/// The library and a node that hands a value on at each fragment, so that nothing of it is known
-/// before.
+/// The library with nodes that hand a value on at each fragment, so that the compiler knows nothing
+/// of the value.
 pub fn library() -> Library {
     let mut library = Library::built_in().clone();
     for (name, ty, default) in [
@@ -45,7 +45,7 @@ pub fn hold_of(ty: &Type) -> &'static str {
     }
 }
 
-/// How many numbers a value of a type has.
+/// Number of components of a type.
 pub fn width(ty: &Type) -> usize {
     match ty {
         Type::Vec2 => 2,
@@ -55,7 +55,7 @@ pub fn width(ty: &Type) -> usize {
     }
 }
 
-/// The inputs that carry numbers.
+/// The visible inputs that carry numbers.
 pub fn numeric(def: &NodeDef) -> Vec<&Input> {
     let is_number = |input: &&Input| {
         input.options.is_empty()
@@ -84,7 +84,8 @@ pub fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> SetupLoo
         wires.push(json!({"from": hold, "to": format!("node.{}", input.name)}));
         exposed.push(json!({"name": input.name.as_str(), "target": format!("{hold}.value")}));
     }
-    // A light comes from `key`; an angle is that light's with the surface's normal.
+    // A light input is fed the light `key`; an angle input, that light's angle with the surface's
+    // normal.
     let feeds = def.visible_inputs().filter_map(|input| match input.ty {
         Type::Light => Some(("light", &input.name)),
         Type::Angle => Some(("angle", &input.name)),
@@ -109,7 +110,7 @@ pub fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> SetupLoo
     look(&json!({"lights": lights, "nodes": nodes, "wires": wires, "exposed": exposed}))
 }
 
-/// A place of a surface with these numbers of the node on a [`bench()`].
+/// A sample of a surface with these numbers as inputs of the node on a [`bench()`].
 pub fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSample {
     let value = |numbers: &Vec<f64>| match numbers.as_slice() {
         [x] => Value::Number(*x),
@@ -123,7 +124,7 @@ pub fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSample {
     EvalSample { values, ..at.clone() }
 }
 
-/// All outputs of a node, in one row for each sample.
+/// Values of all outputs of a node, one after the other in a row for each sample.
 pub fn run(
     def: &NodeDef,
     choice: &[(&str, &str)],
@@ -135,7 +136,7 @@ pub fn run(
     run_at(def, choice, types, rows, &at, library)
 }
 
-/// [`run`] at places of a surface, one for each row.
+/// [`run`] at samples of a surface, one for each row.
 pub fn run_at(
     def: &NodeDef,
     choice: &[(&str, &str)],
@@ -149,7 +150,7 @@ pub fn run_at(
         rows.iter().zip(at).map(|(row, at)| sample(def, row, at)).collect();
     let mut all = vec![Vec::new(); rows.len()];
     for output in &def.outputs {
-        // A node for any width gives the width that it is fed.
+        // A node for any width gives the width of its first input.
         let wide = types
             .first()
             .filter(|_| output.ty == Type::Float && def.variants.iter().any(|v| v.width.is_some()));
@@ -163,7 +164,7 @@ pub fn run_at(
     all
 }
 
-/// The words of a kind's choice, or one empty word.
+/// The name and the words of a kind's choice, or one pair of empty words.
 pub fn words(def: &NodeDef) -> Vec<(String, String)> {
     let choice = def.visible_inputs().find(|input| !input.options.is_empty());
     choice.map_or_else(

@@ -1,5 +1,5 @@
-//! What the test programs share that draw: looks and nodes evaluated on the GPU and in the
-//! reference, and scenes made for a test. All of `chiaro-test-support` goes by here as well.
+//! Helpers of the test programs that draw: looks and nodes evaluated on the GPU and in the
+//! reference, and scenes made for a test. All of `chiaro-test-support` is reexported.
 
 pub use chiaro_test_support::*;
 

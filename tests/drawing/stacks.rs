@@ -1,4 +1,4 @@
-//! Looks that are mostly idle.
+//! Looks with many layers without effect.
 
 use std::path::PathBuf;
 
@@ -8,8 +8,8 @@ use serde_json::json;
 
 use chiaro_test_support::random::Random;
 
-/// A stack of layers of which many do nothing: opacity 0, black, no warp, equal colors, the same
-/// layer twice.
+/// A random stack of layers of which many do nothing: opacity 0, black, no warp, equal colors, the
+/// same layer twice.
 pub fn idle_stack(random: &mut Random) -> SetupLook {
     let mut nodes =
         vec![json!({"id": "base", "kind": "base", "values": {"color": [0.2, 0.3, 0.4, 1]}})];

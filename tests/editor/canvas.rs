@@ -1,5 +1,5 @@
-//! The canvas, driven by pointer and keys as a hand would: groups, frames, notes and every gesture,
-//! each one undo step.
+//! The canvas, driven by pointer and keys: groups, frames, notes and every gesture, each one undo
+//! step.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -17,7 +17,7 @@ const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
 fn open(json: &serde_json::Value) -> Hand {
-    // The file stays: the window tells of one that goes, and what it tells takes room.
+    // The file is not deleted: the window tells of a deleted file, and the message takes room.
     static NUMBER: AtomicUsize = AtomicUsize::new(0);
     let number = NUMBER.fetch_add(1, Ordering::Relaxed);
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("canvas-{number}.json"));
@@ -28,7 +28,7 @@ fn open(json: &serde_json::Value) -> Hand {
     hand
 }
 
-/// Two numbers, their sum, its half, and an output.
+/// A window with two numbers, their sum, half of the sum, and an output.
 fn sums() -> Hand {
     open(&json!({"nodes": [
         {"id": "a", "kind": "invert", "at": [0, 0], "values": {"value": 0.25}},
@@ -72,13 +72,13 @@ fn errors(hand: &Hand) -> Vec<String> {
     problems.filter(|problem| problem.is_error()).map(ToString::to_string).collect()
 }
 
-/// The undo of all that was done gives back the file, byte for byte.
+/// Undoes all steps and asserts that the look is the file's again, byte for byte.
 fn undoes_to(hand: &mut Hand, text: &str) {
     while hand.app_mut().session_mut().undo() {}
     assert_eq!(hand.look().to_text(), text);
 }
 
-/// What was copied since the last frame.
+/// The text copied to the clipboard in the last frame.
 fn copied(hand: &Hand) -> String {
     let commands = &hand.harness.output().platform_output.commands;
     let mut texts = commands.iter().filter_map(|command| match command {
@@ -124,7 +124,7 @@ fn a_group_is_made_opened_edited_and_dissolved() {
         "it has a name for screen readers"
     );
 
-    // Into it, by a double click on its title.
+    // A double click on the group's title opens the group.
     hand.double_click(node_center(&hand, "group"));
     hand.settle();
     assert_eq!(hand.app().session().open_groups(), ["group".into()]);
@@ -133,7 +133,7 @@ fn a_group_is_made_opened_edited_and_dissolved() {
             && hand.app().canvas().node_rect("a").is_none()
     );
     assert!(hand.app().canvas().node_rect("inputs").is_some(), "the group's ends are there");
-    // An edit in it is an edit of the definition.
+    // An edit inside of the group is an edit of the definition.
     select(&mut hand, &["half"]);
     hand.key(Key::M);
     assert!(hand.look().definitions["group"].graph.nodes["half"].muted);
@@ -146,7 +146,7 @@ fn a_group_is_made_opened_edited_and_dissolved() {
     assert_eq!(hand.look().definitions["group"].inputs.len(), 3);
     hand.undo();
     assert_eq!(hand.look().definitions["group"].inputs.len(), 2);
-    // Back by the breadcrumbs.
+    // The breadcrumbs lead back to the look.
     let at = hand.harness.get_by_label("Go to Look").rect().center();
     hand.click(at);
     assert!(hand.app().session().open_groups().is_empty());
@@ -198,7 +198,7 @@ fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
     hand.click(node_center(&hand, inner.as_str()));
     hand.key(Key::Delete);
     assert!(!hand.app().session().graph().nodes.contains_key(&inner));
-    // Taken back, the layer is the library's again.
+    // After the undo the layer is the library's again.
     undoes_to(&mut hand, &before);
     hand.settle();
     assert!(hand.app().session().is_read_only());
@@ -245,7 +245,7 @@ fn a_frame_is_made_titled_moved_and_removed() {
     assert_eq!(frame.title, "Numbers");
     assert_eq!(frame.nodes, ["a".into(), "b".into()]);
     assert!(hand.harness.query_by_label("Frame Numbers").is_some());
-    // Its title moves both nodes, in one step.
+    // A drag of the frame's title moves both nodes, in one step.
     let place = hand.look().graph.nodes["b"].position;
     let title = hand.app().canvas().frame_title("frame").unwrap().center();
     hand.drag(title, title + vec2(-60.0, 90.0));
@@ -253,7 +253,7 @@ fn a_frame_is_made_titled_moved_and_removed() {
     assert_eq!(hand.look().graph.frames["frame"].nodes.len(), 2);
     hand.undo();
     assert_eq!(hand.look().graph.nodes["b"].position, place);
-    // A node is dropped into it, and dragged out again.
+    // A node is dropped into the frame, and dragged out again.
     let half = node_center(&hand, "half");
     let inside = hand.app().canvas().node_rect("b").unwrap().center_top() + vec2(-20.0, 30.0);
     hand.drag(half, inside);
@@ -261,7 +261,7 @@ fn a_frame_is_made_titled_moved_and_removed() {
     let half = node_center(&hand, "half");
     hand.drag(half, half + vec2(60.0, 300.0));
     assert_eq!(hand.look().graph.frames["frame"].nodes.len(), 2);
-    // Its title is selected and deleted; the nodes stay.
+    // The frame is selected by its title and deleted; its nodes stay.
     let title = hand.app().canvas().frame_title("frame").unwrap().center();
     hand.click(title);
     hand.key(Key::Delete);
@@ -332,7 +332,7 @@ fn nodes_are_renamed_collapsed_and_muted() {
     hand.key(Key::M);
     assert!(hand.look().graph.nodes["sum"].muted);
     assert!(hand.harness.query_by_label_contains("Node Together, selected, muted").is_some());
-    // By a double click on the title too; Escape leaves it as it was.
+    // A double click on the title begins renaming too; Escape leaves the name as it was.
     hand.double_click(node_center(&hand, "half"));
     hand.type_text("No");
     hand.key(Key::Escape);
@@ -359,7 +359,7 @@ fn a_node_is_dropped_on_a_wire() {
     hand.add("clamp_range", pos2(300.0, 340.0));
     let (from, to) = (hand.output("half", "product"), hand.input("output", "color"));
     let rect = hand.app().canvas().node_rect("clamp_range").unwrap();
-    // Its middle comes to lie on the wire's.
+    // The node is dropped with its middle on the wire's middle.
     let grab = node_center(&hand, "clamp_range");
     hand.drag(grab, from + (to - from) / 2.0 + (grab - rect.center()));
     assert_eq!(wire_into(&hand, "clamp_range", "value").unwrap(), "half.product");
@@ -380,7 +380,7 @@ fn a_node_is_swapped_in_place() {
     assert_eq!(half.values.get("b"), Some(&Value::Number(0.5)));
     assert_eq!(wire_into(&hand, "half", "a").unwrap(), "sum");
     assert_eq!(wire_into(&hand, "output", "color").unwrap(), "half");
-    // With other names of ports: the wire goes to the first that takes it.
+    // Ports of the new kind have other names: the wire goes to the first port that takes it.
     hand.key(Key::S);
     hand.type_text("invert");
     hand.key(Key::Enter);
@@ -460,7 +460,7 @@ fn the_selection_grows_up_and_downstream() {
     assert_eq!(selected(&hand), ["sum", "half", "output"]);
     hand.key_with(CTRL, Key::I);
     assert_eq!(selected(&hand), ["a", "b"]);
-    // From node to node by arrow keys.
+    // Arrow keys go from node to node.
     select(&mut hand, &["a"]);
     hand.key_with(CTRL, Key::ArrowDown);
     assert_eq!(selected(&hand), ["b"]);
@@ -487,7 +487,7 @@ fn nodes_are_copied_as_text_and_pasted_into_another_window() {
     assert_eq!(selected(&other), ["sum", "half"]);
     assert_eq!(wire_into(&other, "half", "a").unwrap(), "sum");
 
-    // Here they get new names; cutting takes them away.
+    // Pasted into their own look the nodes get new names; cutting removes them.
     let nothing = hand.empty_place();
     hand.hover(nothing);
     hand.harness.event(Event::Paste(text));
@@ -537,7 +537,7 @@ fn edges_snap_to_those_of_neighbours() {
     let mut hand = sums();
     let (zoom, _) = hand.app().canvas().zoom_and_center();
     let grab = node_center(&hand, "b");
-    // Three points off its neighbour's edge: it snaps; with Ctrl it does not.
+    // Three points off its neighbour's edge the node snaps; with Ctrl it does not.
     hand.drag(grab, grab + vec2(3.0, 40.0));
     assert_eq!(hand.look().graph.nodes["b"].position[0], 0.0);
     let grab = node_center(&hand, "b");
@@ -656,7 +656,7 @@ fn the_map_shows_where_one_is_and_leads_elsewhere() {
     assert!(hand.harness.query_by_label("Map of the graph").is_none());
 }
 
-/// A window with a graph of its own name: what a script adds is what a hand sees.
+/// Edits of a script inside an open group are seen on the canvas at once.
 #[test]
 fn a_script_may_edit_inside_a_group() {
     let mut hand = sums();
@@ -675,7 +675,8 @@ fn a_script_may_edit_inside_a_group() {
     );
 }
 
-/// 1 - 0.25 and 1 - 0.5 are 0.75 and 0.5; their sum and its half are worked out by hand.
+/// Nodes show their results: 1 - 0.25 and 1 - 0.5 are 0.75 and 0.5; their sum and its half are
+/// worked out by hand.
 #[test]
 fn nodes_tell_what_they_give() {
     let mut hand = sums();

@@ -60,7 +60,7 @@ fn a_panel_that_is_closed_comes_back_beside_its_neighbours() {
     in_view_menu(&mut hand, "Effects");
     let tab = |label| hand.harness.get_by_role_and_label(Role::Tab, label).rect();
     assert_eq!(tab("Effects").top(), tab("Code").top(), "in the same stack");
-    // All of a stack may go, and the last one comes back all the same.
+    // All panels of a stack may be closed, and the last one still comes back.
     for label in ["Effects", "Code", "Problems", "Cost and accuracy", "Probe"] {
         in_view_menu(&mut hand, label);
     }
@@ -95,7 +95,7 @@ fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
     }
 }
 
-/// Whether a panel's tab is the one in front.
+/// True if a panel's tab is the one in front.
 fn is_in_front(hand: &Hand, label: &str) -> bool {
     hand.harness
         .query_by_role_and_label(Role::Tab, label)
@@ -127,7 +127,7 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     );
     view(&mut hand, Role::CheckBox, "Fill rules");
     view(&mut hand, Role::CheckBox, "Sheet");
-    // Another look has the graph back, and nothing of painting.
+    // Another look brings back the graph, without panels of painting.
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Effects"));
@@ -136,12 +136,12 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
             .iter()
             .all(|panel| !has_tab(&hand, panel))
     );
-    // To and fro by hand, too.
+    // The layout is also switched by hand, both ways.
     view(&mut hand, Role::RadioButton, "Layout for painting");
     assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules"));
     view(&mut hand, Role::RadioButton, "Layout for looks");
     assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Paint"));
-    // The way back to what is painted brings its layout.
+    // The command that goes back to the painting brings its layout.
     view(&mut hand, Role::CheckBox, "Paint");
     hand.press("Back to New HCBTF");
     assert!(
@@ -157,7 +157,7 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
     assert!(is_in_front(&hand, "Graph") && !has_tab(&hand, "Sheet") && !has_tab(&hand, "Effects"));
     new_painting(&mut hand);
     assert!(has_tab(&hand, "Sheet") && !has_tab(&hand, "Fill rules") && !has_tab(&hand, "Effects"));
-    // Each is reset by itself.
+    // Each layout is reset by itself.
     view(&mut hand, Role::Button, "Reset panels");
     assert!(
         has_tab(&hand, "Fill rules") && !has_tab(&hand, "Sheet") && is_in_front(&hand, "Paint")
@@ -182,14 +182,15 @@ fn a_painting_that_is_left_gives_the_view_of_before_back() {
         sheet.mesh == "shape:plane" && sheet.z_is_up,
         "a painting is seen on a square that lies"
     );
-    // Turned about, it is a sheet still, and the second painting's square is no view to come back
-    // to either.
+    // A turned sheet is still a sheet; and the second painting's square is no view to come back to
+    // either.
     hand.drag(middle, middle + vec2(-40.0, 20.0));
     new_painting(&mut hand);
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert_eq!(*hand.app().session().orbit(), before);
-    // The way back to it shows the square again, and from there as before.
+    // The command that goes back to the painting shows the square again; a new look then has the
+    // view of before.
     hand.press("Paint");
     hand.press_a(Role::MenuItem, "Back to New HCBTF");
     assert_eq!(hand.app().session().orbit().mesh, "shape:plane");
@@ -252,7 +253,7 @@ fn the_one_layout_of_before_becomes_both_where_painting_had_covered_the_graph() 
     let mut hand = Hand::new();
     new_painting(&mut hand);
     let saved = hand.app_mut().changed_arrangement().expect("it changed");
-    // It was written without a name, and painting had left its panels in it.
+    // An older program wrote the layout without a name, with the panels of painting in it.
     let mut other = Hand::new();
     other.app_mut().arrange(&saved["painting"]);
     other.settle();

@@ -1,5 +1,5 @@
-//! A look leaves the window as shaders: what the menus write and copy is what `chiaro export`
-//! writes, byte for byte.
+//! Looks are exported from the window as shaders: the files that the menus write and the text that
+//! they copy are those of `chiaro export`, byte for byte.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,7 +23,7 @@ const MENU: [(&str, &str); 8] = [
     ("Export to SPIR-V, for Vulkan...", "spirv"),
 ];
 
-/// A window that asks for paths itself, with a file open.
+/// A window with a file open that asks for paths by its own fields.
 fn window(file: &Path) -> Hand {
     let file = file.to_owned();
     Hand::with(move |ctx| {
@@ -33,7 +33,7 @@ fn window(file: &Path) -> Hand {
     })
 }
 
-/// An example in the user's folder, under another name.
+/// A copy of an example in the user's folder, under another name.
 fn example(home: &Home, name: &str) -> std::path::PathBuf {
     let path = home.file("rim.json");
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks").join(name);
@@ -41,7 +41,7 @@ fn example(home: &Home, name: &str) -> std::path::PathBuf {
     path
 }
 
-/// Every file of a folder.
+/// Every file of a folder: its name and its bytes.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder)
         .unwrap_or_else(|error| panic!("{}: {error}", folder.display()))
@@ -53,7 +53,7 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-/// What the program without a window exports.
+/// Files that the program without a window exports.
 #[track_caller]
 fn exported(look: &Path, language: &str) -> BTreeMap<String, Vec<u8>> {
     let folder = tempfile::tempdir().unwrap();
@@ -119,7 +119,7 @@ fn what_is_not_saved_is_exported_and_the_looks_own_folder_does_no_harm() {
     let mut hand = window(&look);
     hand.press("Layer Back-light");
     hand.set("Cut-off", "40");
-    // What is offered is a new folder beside the look.
+    // The suggested place is a new folder beside the look.
     hand.press("Export");
     hand.press("Export to WGSL, for WebGPU...");
     assert!(hand.says("The folder will be made"));
@@ -128,8 +128,8 @@ fn what_is_not_saved_is_exported_and_the_looks_own_folder_does_no_harm() {
     let unsaved = files(&own);
     assert!(!unsaved.is_empty() && unsaved != exported(&look, "wgsl"), "{:?}", unsaved.keys());
 
-    // Where the look lies itself its description would take its place; so the folder of its own is
-    // taken again.
+    // In the look's own folder the export's description would overwrite the look; so a folder of
+    // its own is suggested again.
     fs::remove_dir_all(&own).unwrap();
     hand.app_mut().answer_dialog(look.parent().unwrap());
     hand.key_with(Modifiers::COMMAND, Key::P);
@@ -193,7 +193,7 @@ fn what_cannot_be_exported_says_where_and_why() {
     assert!(!folder.exists(), "nothing is left behind");
 }
 
-/// Presses and waits for what comes to the clipboard.
+/// Presses a menu's item and waits for a text to come to the clipboard.
 fn copied(hand: &mut Hand, item: &str) -> Option<String> {
     hand.press("Copy as");
     let at = hand.place(item).center();

@@ -1,4 +1,5 @@
-//! Painting light on the picture: strokes by a real pointer, a fit to them, and what becomes of it.
+//! Painting light on the picture: strokes by the pointer, a fit of the look to the strokes, and the
+//! fit's result in the document.
 
 use std::path::{Path, PathBuf};
 
@@ -16,10 +17,10 @@ use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
-/// The side of the pictures that are held against each other, in pixels.
+/// Side of the pictures that are compared, in pixels.
 const SIDE: u32 = 32;
 
-/// A window in which light is painted on an example, at few pixels.
+/// A window in which light is painted on an example; fits work on few pixels.
 fn painter(example: &str) -> Hand {
     let mut hand = Hand::new();
     hand.app_mut().fitting_mut().set_effort(24, 2);
@@ -30,7 +31,7 @@ fn painter(example: &str) -> Hand {
     hand
 }
 
-/// The key over the picture that begins it.
+/// Presses the key over the picture that begins painting light.
 fn paint_light(hand: &mut Hand) {
     let at = at(hand, 0.0, 0.0);
     hand.hover(at);
@@ -39,7 +40,7 @@ fn paint_light(hand: &mut Hand) {
     assert!(hand.app().fitting().is_on());
 }
 
-/// A place of the picture, in parts of the ball's radius from its middle.
+/// A place of the picture, in parts of the ball's radius from the ball's middle.
 fn at(hand: &Hand, x: f32, y: f32) -> Pos2 {
     let rect = hand.app().viewport().rect().unwrap();
     let radius = hand.app().session().orbit().radius_in_picture() as f32 * rect.height();
@@ -54,8 +55,8 @@ fn stroke(hand: &mut Hand, brush: &str, places: &[[f32; 2]]) {
     hand.settle();
 }
 
-/// The mean of the green channel around a place of the ball, in the reference's picture, which
-/// shares nothing with the window.
+/// Mean of the green channel around a place of the ball, in the picture of the reference, which
+/// shares no state with the window.
 fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
     let source = Look::read("{}", "none").source.into();
     let look = SetupLook { look: look.clone(), source, folder: PathBuf::new() };
@@ -114,7 +115,7 @@ fn light_is_painted_fitted_applied_and_undone() {
     let places =
         |look: &Look| look.graph.nodes.values().map(|node| node.position).collect::<Vec<_>>();
     assert_eq!(places(&after), places(&before));
-    // What is left is an ordinary look, of which a file says the same.
+    // The fitted look is an ordinary look: its file is read back as the same look.
     let read = Look::read(&after.to_text(), "fitted.json");
     assert!(!read.has_errors() && read.value == Some(after.clone()), "{:?}", read.diagnostics);
 
@@ -140,7 +141,7 @@ fn new_layers_take_the_place_of_the_nodes() {
         .fitting()
         .errors()
         .unwrap_or_else(|| panic!("{:?}", hand.app().fitting().told()));
-    // Half of the way, and a little less: what is not painted wishes to stay.
+    // Half of the way, and a little less: what is not painted pulls toward staying as it is.
     assert!(is < 0.7 * was, "{is} of {was}");
     assert_eq!(*hand.look(), before);
     hand.press("Apply");
@@ -179,7 +180,7 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
     hand.wheel(middle, 60.0);
     assert_eq!(*hand.app().session().orbit(), orbit, "a wheel does not lose the view");
 
-    // From elsewhere they are not seen, and nothing is painted; a button leads back.
+    // From another view the strokes are not seen, and painting is refused; a button leads back.
     let (from, to) = (at(&hand, 0.0, 0.0), at(&hand, 0.5, 0.0));
     hand.drag_with(Modifiers::ALT, from, to);
     hand.settle();
@@ -199,7 +200,7 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
     assert!(hand.app().session().sketch().is_empty() && hand.app().fitting().painted() == 0);
     hand.undo();
     assert!(!hand.app().session().sketch().is_empty());
-    // Whoever does not see strokes takes back steps of the look.
+    // While strokes are not shown, undo takes back steps of the look.
     hand.key(Key::Escape);
     assert!(!hand.app().fitting().is_on());
     assert_eq!(hand.app().session().undo_label(), None);
@@ -215,7 +216,7 @@ fn what_cannot_be_fitted_is_told() {
     let told = |hand: &Hand| hand.app().fitting().told().unwrap_or_default().to_owned();
     hand.press("Fit this look");
     assert!(told(&hand).contains("Nothing is painted"), "{}", told(&hand));
-    // Beside the object.
+    // A stroke beside the object.
     stroke(&mut hand, "Light", &[[-1.1, 0.95], [-1.0, 1.0]]);
     assert!(hand.app().session().sketch().is_empty());
     assert!(
@@ -223,7 +224,7 @@ fn what_cannot_be_fitted_is_told() {
         "{:?}",
         hand.app().message()
     );
-    // A dot.
+    // A dot: too few pixels.
     let size = hand.place_of(Role::SpinButton, "Size").center();
     hand.double_click(size);
     hand.key_with(Modifiers::COMMAND, Key::A);
@@ -237,7 +238,7 @@ fn what_cannot_be_fitted_is_told() {
     );
     hand.press("Fit this look");
     assert!(told(&hand).contains("Too little"), "{}", told(&hand));
-    // Nothing may change.
+    // Nothing of the look may change.
     for _ in 0..10 {
         hand.key(Key::Escape);
     }
@@ -266,8 +267,7 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
         !hand.app().fitting().is_fitting() && *hand.look() == before,
         "nothing is applied by itself"
     );
-    // However far it had come: either it had something, which is shown, or it tells that it had
-    // not.
+    // A stopped fit either has a result, which is shown, or tells that it has none.
     let told = hand.app().fitting().told().unwrap().to_owned();
     match hand.app().fitting().errors() {
         Some([was, is]) => {
@@ -284,7 +284,7 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
         }
     }
 
-    // Escape stops it too, and ends nothing else.
+    // Escape stops a fit too, and leaves painting on.
     start(&mut hand);
     hand.key(Key::Escape);
     hand.settle();
@@ -333,7 +333,7 @@ fn tools_leave_the_picture_its_size_and_a_stroke_waits_until_it_is_read() {
         hand.press_a(Role::RadioButton, &format!("Brush: {brush}"));
         assert_eq!(hand.app().viewport().rect(), rect, "{brush}");
     }
-    // Another height is another picture, of which nothing is read yet.
+    // Another height makes another picture, which is not read back yet.
     hand.app_mut().fitting_mut().set_effort(28, 2);
     let points: Vec<Pos2> =
         [[0.5, 0.4], [0.6, -0.1]].iter().map(|&[x, y]| at(&hand, x, y)).collect();
@@ -367,7 +367,7 @@ fn a_preview_is_discarded_or_goes_with_an_edit() {
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
     assert!(hand.app().session().preview().is_none() && !hand.has("Apply"));
-    // Strokes are of a look: another one has none.
+    // Strokes belong to a look: another look has none.
     hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
     assert!(hand.app().session().sketch().is_empty());
@@ -377,8 +377,8 @@ fn a_preview_is_discarded_or_goes_with_an_edit() {
     ));
 }
 
-/// Pictures of each state, to be looked at: `cargo test --test editor_fit -- --ignored` writes them
-/// to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
+/// Pictures of each state, to be looked at: `cargo test --test editor fit::shots -- --ignored`
+/// writes them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn shots() {

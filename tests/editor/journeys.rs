@@ -1,8 +1,8 @@
 //! Thirteen journeys of an artist, each from an empty window to a look that is saved, opened again
-//! in another window, and exported. Every step is done by pointer and keys at what has a name on
-//! the screen, and every journey ends with the same proof: the file holds what the window held,
-//! another window and the program without a window draw the same picture of it, and compilers that
-//! are none of ours take its shaders.
+//! in another window, and exported. Every step is done by pointer and keys at widgets that have a
+//! name on the screen, and every journey ends with the same proof: the file holds the window's
+//! look, another window and the program without a window draw the same picture of it, and compilers
+//! of other projects take its shaders.
 
 mod a_light_by_its_highlight;
 mod a_look_from_nothing;

@@ -1,5 +1,5 @@
-//! Profile, direction keys, timeline and what the inspector does with keyed values, driven by a
-//! hand.
+//! The profile, direction keys, the timeline, and keyed values in the inspector, driven by pointer
+//! and keys.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
@@ -72,7 +72,7 @@ fn target(text: &str) -> Target {
     Target::parse(text).unwrap()
 }
 
-/// Points for a degree of the profile.
+/// Width of a degree in the plot of the profile, in points.
 fn degree(hand: &Hand) -> f32 {
     let plot = hand.harness.get_by_label_contains("over the angle").rect();
     (plot.width() - 40.0) / 180.0
@@ -158,8 +158,8 @@ fn direction_keys_are_made_from_nothing() {
     let opacity = target("diffuse.opacity");
     let keys = |hand: &Hand| hand.look().direction_keys[0].keys.clone();
     assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0));
-    // A copy lies beside its original and is dragged elsewhere; what is set in the inspector is set
-    // there.
+    // A copy of a key lies beside its original and is dragged elsewhere; values set in the
+    // inspector are set at the copy.
     click(&mut hand, "Copy key");
     let copy = at(&hand, "Direction key 2");
     let sphere = hand.harness.get_by_label("Sphere of directions").rect();
@@ -192,8 +192,8 @@ fn direction_keys_are_made_from_nothing() {
     assert_eq!(*hand.look(), before);
 }
 
-/// A number of the scene decides in place of a direction: it is chosen, seen, and each key's place
-/// in it typed.
+/// Direction keys by numbers of the scene in place of a direction: drivers are chosen and shown,
+/// and each key's value of a driver is typed.
 #[test]
 fn keys_by_drivers_are_made_from_nothing() {
     let mut hand = Hand::new();
@@ -221,10 +221,10 @@ fn keys_by_drivers_are_made_from_nothing() {
     hand.key(Key::Enter);
     hand.settle();
     assert!(close(set(&hand).keys[1].direction[0], 0.5), "{:?}", set(&hand).keys[1]);
-    // The heaviest key is still the first one, which lies where the eye is.
+    // The heaviest key is still the first one, which lies at the eye's own distance.
     let weights = hand.app().session().key_weights(0);
     assert_eq!(weights, [1.0, 0.0]);
-    // A second driver: keys lie on a plane, at first all where it is now.
+    // A second driver: keys lie on a plane, at first all at the driver's value of now.
     click(&mut hand, "Add driver");
     click(&mut hand, "Turned from the eye");
     assert_eq!(set(&hand).by.axes(), Some(2));
@@ -243,8 +243,8 @@ fn keys_by_drivers_are_made_from_nothing() {
     assert_eq!(*hand.look(), before);
 }
 
-/// A wire that is the same all over the object decides: a node's value is chosen from the menu, and
-/// moving it moves the keys.
+/// Direction keys by a wire whose value is the same all over the object: the value is chosen from
+/// the menu, and changing it changes the keys' weights.
 #[test]
 fn keys_by_a_wire_are_made_and_follow_it() {
     let mut hand = Hand::new();
@@ -258,7 +258,7 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     let add = Edit::AddNode { graph: GraphId::Look, id: "mood".into(), node, index: None };
     hand.app_mut().session_mut().apply(add, None).expect("it applies");
     hand.settle();
-    // Nothing could ever move it: it is not offered, and that is said.
+    // The value could never change: the menu does not offer it, and says so.
     click(&mut hand, "Keys");
     click(&mut hand, "Add direction keys");
     assert!(!has(&hand, "Value of \"Mood\""));
@@ -304,9 +304,9 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     assert_eq!(*hand.look(), before);
 }
 
-/// Below a keyed value: what it is now between its keys, what decides and where that is, and which
-/// key is set. While the driver wanders about half-way between two keys that stays the same; it is
-/// chosen there too.
+/// The inspector shows below a keyed value: the value of now, the driver and its value, and the key
+/// that edits go to. While the driver wanders about half-way between two keys that key stays the
+/// same; it can be chosen there too.
 #[test]
 fn a_keyed_value_says_what_it_is_and_what_is_set() {
     let mut hand = Hand::new();
@@ -343,8 +343,8 @@ fn a_keyed_value_says_what_it_is_and_what_is_set() {
         let node = hand.harness.get_by_label(&name);
         node.accesskit_node().toggled() == Some(eframe::egui::accesskit::Toggled::True)
     };
-    // A light that wanders about the middle leaves the key that is set alone; one that comes to the
-    // other key does not.
+    // A light that wanders about the middle leaves the edited key as it is; a light that comes to
+    // the other key does not.
     place(&mut hand, 0.1);
     assert!(is_set(&hand, 1) && !is_set(&hand, 2));
     for height in [0.48, 0.51, 0.49, 0.52, 0.5] {
@@ -377,7 +377,7 @@ fn a_key_takes_the_values_that_are_seen() {
         Value::Number(own) => own,
         _ => unreachable!(),
     };
-    // The light stands on the first key.
+    // The light's direction is that of the first key.
     click(&mut hand, "Add key here");
     let keys = &hand.look().direction_keys[0].keys;
     assert_eq!(keys.len(), 3);
@@ -386,7 +386,8 @@ fn a_key_takes_the_values_that_are_seen() {
         _ => unreachable!(),
     }
     assert_eq!(keys[2].values.len(), keys[1].values.len(), "every value that is keyed");
-    // While the same is keyed nothing is compiled: the sphere is dragged at the speed of uniforms.
+    // While the set of keyed values is unchanged nothing is compiled: dragging on the sphere only
+    // writes uniforms.
     hand.undo();
     hand.settle();
     let back = at(&hand, "Direction key 2");
@@ -407,7 +408,7 @@ fn what_is_keyed_follows_without_compiling() {
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.harness.step();
     assert!(!hand.app().session().is_compiling(), "uniforms show it");
-    // Another value is a parameter that the shader does not have yet.
+    // Another keyed value is a parameter that the shader does not have yet.
     keys.keys[1].values.insert(target("diffuse.opacity"), Value::Number(0.5));
     let edit = chiaro::document::Edit::SetDirectionKeys { index: 0, keys };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
@@ -416,7 +417,8 @@ fn what_is_keyed_follows_without_compiling() {
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
 }
 
-/// The concave color is as the convex one until it has its own, and only then can it be moved.
+/// The concave color follows the convex one until it has a value of its own, and only then can it
+/// be keyed.
 #[test]
 fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
     let mut hand = Hand::new();
@@ -448,7 +450,7 @@ fn a_value_is_keyed_in_time_and_played() {
         hand.harness.query_by_role_and_label(Role::Tab, "Timeline").is_some(),
         "the timeline comes up"
     );
-    // Scrub, then set the value: a second key.
+    // Setting the value at another time makes a second key.
     let ruler = hand.harness.get_by_label("Playhead").rect();
     hand.click(pos2(ruler.left() + 0.6 * ruler.width(), ruler.top() + 6.0));
     hand.settle();
@@ -458,14 +460,14 @@ fn a_value_is_keyed_in_time_and_played() {
     let keys = |hand: &Hand| hand.look().time_keys[0].keys.clone();
     assert_eq!(keys(&hand).len(), 2);
     assert_eq!((keys(&hand)[1].time, &keys(&hand)[1].value), (time, &Value::Number(0.5)));
-    // Dragged in time, made stepped.
+    // The second key is dragged in time and made stepped.
     let second = at(&hand, "Time key 2 of Diffuse: Opacity");
     hand.drag(second, second + vec2(40.0, 0.0));
     hand.settle();
     assert!(keys(&hand)[1].time > time);
     click(&mut hand, "Stepped");
     assert_eq!(keys(&hand)[1].interpolation, Interpolation::Stepped);
-    // It plays, and asks for frames only then.
+    // The timeline plays, and only then asks for frames.
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
     click(&mut hand, "Play");
     let started = hand.app().session().time();
@@ -503,14 +505,14 @@ fn the_inspector_exposes_finds_and_sets_several() {
     click(&mut hand, "Expose");
     assert_eq!(hand.look().exposed[0].target, target("diffuse.opacity"));
     assert_eq!(hand.look().exposed[0].name.as_str(), "diffuse_opacity");
-    // What is searched for stays, the rest goes.
+    // The search keeps the values that it finds and hides the rest.
     find(&mut hand, "opac");
     assert!(hand.harness.query_by_label("Keys of Opacity").is_some());
     assert!(hand.harness.query_by_label("Keys of Blending").is_none());
 }
 
-/// An exposed number drives the keys, and each object of the scene has its own: what the inspector
-/// says, and which key a hand sets, are of the object that is selected.
+/// Keys driven by an exposed number: each object of the scene has a number of its own, and the
+/// inspector's values, and the key that edits go to, are those of the selected object.
 #[test]
 fn keyed_values_are_of_the_object_that_is_selected() {
     let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
@@ -538,7 +540,7 @@ fn keyed_values_are_of_the_object_that_is_selected() {
         hand.undo();
         assert_eq!(*hand.look(), before, "one step");
     }
-    // The object's own value is what decides, and not that of the look.
+    // The object's own value drives the keys, and not the look's.
     hand.press_a(Role::Tab, "Objects");
     hand.bring(Role::SpinButton, "Mood");
     let mood = hand.place_of(Role::SpinButton, "Mood");

@@ -1,5 +1,5 @@
-//! A program that edits and saves is killed at random instants: nothing older than the gesture that
-//! it reported last is lost, and the look's file is always whole.
+//! A program that edits and saves is killed at random instants: nothing older than the last
+//! reported gesture is lost, and the look's file is always whole.
 //!
 //! The program is this test itself, started again with `CHIARO_KILLED` set to a seed and a folder.
 
@@ -17,7 +17,7 @@ use chiaro::library::Library;
 
 const KILLED: &str = "CHIARO_KILLED";
 
-/// SplitMix64.
+/// The generator SplitMix64.
 struct Random(u64);
 
 impl Random {
@@ -33,16 +33,16 @@ impl Random {
     }
 }
 
-/// One thing that a hand does, frame by frame.
+/// One gesture of a user, frame by frame.
 enum Gesture {
-    /// Each frame's edits.
+    /// Edits of each frame.
     Edits(Vec<Vec<Edit>>),
     Undo,
     Redo,
     Save,
 }
 
-/// What gesture `number` of this seed is, for a look as it is then.
+/// Gesture `number` of a seed, for the look as it is at that gesture.
 fn gesture(seed: u64, number: u64, look: &Look) -> Gesture {
     let mut random = Random(seed ^ number.wrapping_mul(0x1234_5678_9ABC_DEF1));
     let ids: Vec<NodeId> = look.graph.nodes.keys().cloned().collect();
@@ -81,7 +81,8 @@ fn gesture(seed: u64, number: u64, look: &Look) -> Gesture {
     }
 }
 
-/// Works until it is killed. Each gesture's number is said once the system has all of it.
+/// Makes gestures until the program is killed. Each gesture's number is printed once the gesture's
+/// journal has been handed to the system.
 #[test]
 fn killed_program() {
     let Ok(told) = std::env::var(KILLED) else { return };
@@ -111,7 +112,7 @@ fn killed_program() {
     }
 }
 
-/// All of a history.
+/// Every state of a history, with the labels of its steps.
 fn all_of(history: &History<Look>) -> Vec<String> {
     let mut history = history.clone();
     let (done, undone) = history.steps();
@@ -125,8 +126,8 @@ fn all_of(history: &History<Look>) -> Vec<String> {
     all
 }
 
-/// Where the work may stand after `number` gestures, in the middle of the next one, or after it;
-/// and what the file may hold.
+/// States that the work may have after `number` reported gestures: before, within and after the
+/// next one; and the texts that the file may hold.
 fn expected(seed: u64, number: u64) -> (Vec<History<Look>>, Vec<Option<String>>) {
     let begun = Session::new(Arc::new(Library::default()), || {});
     let mut history = History::new(begun.look().clone());
@@ -156,8 +157,8 @@ fn expected(seed: u64, number: u64) -> (Vec<History<Look>>, Vec<Option<String>>)
     (may_be, file)
 }
 
-/// Starts the program, kills it after a while, and looks at what it left. Returns how many gestures
-/// it had reported.
+/// Starts the program, kills it after a while, and checks the files that it left. Returns the
+/// number of gestures that it had reported.
 fn kill_once(seed: u64) -> u64 {
     let folder = tempfile::tempdir().unwrap();
     let mut random = Random(seed);
@@ -180,7 +181,7 @@ fn kill_once(seed: u64) -> u64 {
     std::thread::park_timeout(Duration::from_micros(random.below(4000) as u64));
     child.kill().unwrap();
     child.wait().unwrap();
-    // A line that was cut off reported nothing.
+    // A line that was cut off counts as no report.
     let rest: Vec<String> = lines.map_while(Result::ok).collect();
     last = rest.iter().filter_map(|line| number_of(line)).max().unwrap_or(last).max(last);
 

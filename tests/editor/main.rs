@@ -1,4 +1,4 @@
-//! The window, driven as a person drives it.
+//! Tests of the window, driven by pointer and keys as a person drives it.
 #![cfg(feature = "editor")]
 
 use chiaro_test_drawing as support;

@@ -1,9 +1,9 @@
-//! A monkey at the window: gestures at random, of which every run of a seed makes the same. Nothing
-//! panics, the document stays one that can be read, and undo leads back to the file as it was, redo
-//! to the last change.
+//! A monkey at the window: random gestures, the same in every run of a seed. Nothing panics, the
+//! document can always be read back, undo leads back to the file as it was, and redo to the last
+//! change.
 //!
-//! `MONKEY_GESTURES` says how many each seed makes (5,000 where it is not set); `scripts/soak`
-//! makes a million.
+//! `MONKEY_GESTURES` is the number of gestures of each seed (default 5,000); `scripts/soak` makes a
+//! million.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ use eframe::egui::{
 use egui_kittest::kittest::Queryable as _;
 
 const WINDOW: [f32; 2] = [1500.0, 900.0];
-/// So many gestures, and the document is looked at.
+/// Number of gestures between two checks of the document.
 const ROUND: usize = 250;
 
 struct Monkey {
@@ -43,7 +43,7 @@ impl Monkey {
         self.hand.harness.step();
     }
 
-    /// Anywhere, but more often on the canvas and near what is there.
+    /// A random point of the window, more often on the canvas and near its nodes.
     fn place(&mut self) -> Pos2 {
         let anywhere = pos2(
             self.random.between(0.0, f64::from(WINDOW[0])) as f32,
@@ -213,7 +213,7 @@ impl Monkey {
         self.done += 1;
     }
 
-    /// The look as a file says it, which is read back as what it is.
+    /// Text of the look, which is checked to be read back as the same look.
     fn check(&mut self) -> String {
         self.hand.app().wait();
         self.step();
@@ -229,7 +229,8 @@ impl Monkey {
         text
     }
 
-    /// The scene as a file says it, which is read back as what it is; empty where none is open.
+    /// Text of the scene, which is checked to be read back as the same scene; empty where none is
+    /// open.
     fn check_scene(&self) -> String {
         let Some(stage) = self.hand.app().session().stage() else { return String::new() };
         let text = stage.scene().to_text();
@@ -243,9 +244,9 @@ impl Monkey {
         text
     }
 
-    /// Takes everything back, and does it again. Returns what the look began as.
+    /// Undoes and redoes all steps. Returns the text of the look before its first step.
     fn there_and_back(&mut self) -> String {
-        // The monkey may have stopped in the middle of its past.
+        // The monkey may have stopped after an undo.
         while self.hand.app_mut().session_mut().redo() {}
         let last = self.check();
         let session = self.hand.app_mut().session_mut();
@@ -290,7 +291,7 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
         monkey.hand.settle();
     }
     let opened = monkey.hand.look().to_text();
-    // The library of the window opens examples, too, and Help has the tour.
+    // The window's library opens examples, too, and its Help menu the tour.
     let examples =
         std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks")).unwrap();
     let examples = examples.map(|entry| {
@@ -303,8 +304,8 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
     while monkey.done < gestures {
         for _ in 0..ROUND {
             monkey.gesture();
-            // What the monkey saves it may open again, from among the recent files: that look
-            // begins there.
+            // The monkey may open the file again that it saved, from among the recent files: the
+            // look's history then begins with that text.
             let now = std::fs::read_to_string(&path).unwrap_or_default();
             if now != saved {
                 beginnings.push(
@@ -319,7 +320,7 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
             assert!(beginnings.contains(&first), "undo leads to the first file: {first}");
         }
     }
-    // Byte for byte as it was opened, also where the monkey saved in between.
+    // The saved file is the opened one, byte for byte, also where the monkey saved in between.
     if let Some(file) = file.filter(|_| monkey.hand.app().session().path() == Some(&path)) {
         let original = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
         while monkey.hand.app_mut().session_mut().undo() {}
@@ -382,8 +383,8 @@ fn a_monkey_breaks_no_scene() {
     }
 }
 
-/// A part of a million gestures. Windows wait for work that all cores do, so that they must not
-/// hold those themselves: each part is a test on a thread of its own.
+/// Makes an eighth of a million gestures for each seed. Windows wait for work of the thread pool,
+/// so a window must not run on a thread of that pool: each part is a test on a thread of its own.
 fn soak(seeds: std::ops::Range<u64>) {
     let looks = ["figure1-layers", "figure5-directional", "figure6-comics", "figure7-pastel"];
     for seed in seeds {

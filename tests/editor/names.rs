@@ -1,5 +1,5 @@
-//! Whatever can be operated has a name that a screen reader tells, in every panel, the menus and
-//! the start page.
+//! Every widget that can be operated has a name that a screen reader tells, in every panel, the
+//! menus and the start page.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -9,7 +9,7 @@ use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Rule, Strok
 use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-/// What can be operated.
+/// Roles of widgets that can be operated.
 const ROLES: [Role; 11] = [
     Role::Button,
     Role::CheckBox,
@@ -24,7 +24,7 @@ const ROLES: [Role; 11] = [
     Role::Link,
 ];
 
-/// Signs that say nothing when they are read aloud.
+/// True if a name has a letter; names of signs alone say nothing when they are read aloud.
 fn is_word(name: &str) -> bool {
     name.chars().any(char::is_alphabetic)
 }
@@ -34,7 +34,7 @@ fn nameless(hand: &Hand, what: &str, found: &mut Vec<String>) {
         for node in hand.harness.query_all_by_role(role) {
             let node = node.accesskit_node();
             let name = node.label().unwrap_or_default();
-            // A button that shows a number or a color is named by what it shows.
+            // A button that shows a number or a color may be named by the value that it shows.
             let says = is_word(&name)
                 || role == Role::Button && node.value().is_some_and(|value| is_word(&value));
             if !says {
@@ -54,7 +54,7 @@ fn opened(hand: &mut Hand, example: &str) {
     hand.settle();
 }
 
-/// All panels that there are, as the *View* menu lists them.
+/// Names of all panels, as the *View* menu lists them.
 fn panels(hand: &mut Hand) -> Vec<String> {
     let boxes = |hand: &Hand| -> Vec<String> {
         let boxes = hand.harness.query_all_by_role(Role::CheckBox);
@@ -68,7 +68,7 @@ fn panels(hand: &mut Hand) -> Vec<String> {
     panels
 }
 
-/// The painting workspace with a rule of each kind.
+/// Opens the painting workspace with a rule of each kind and checks its panels.
 fn painting(hand: &mut Hand, found: &mut Vec<String>) {
     let from = Address::default();
     let angles = vec![HcbtfAngle::ViewPhi, HcbtfAngle::LightPhi];

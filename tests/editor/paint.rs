@@ -1,5 +1,5 @@
-//! An HCBTF is painted in the window: strokes reach the file texel by texel, samples are copied and
-//! deleted, rules fill the rest, and the picture shows it at once.
+//! Painting an HCBTF in the window: strokes reach the file texel by texel, samples are copied and
+//! deleted, rules fill the rest, and the picture shows every change at once.
 
 use crate::editor_support;
 use std::fs;
@@ -50,7 +50,7 @@ fn small_hard_brush(hand: &mut Hand) {
     hand.type_over(hardness, "100");
 }
 
-/// The texels that are not as they were.
+/// Texels whose color is not the initial grey.
 fn changed(tile: &Tile) -> Vec<[i64; 2]> {
     let all = (0..8).flat_map(|y| (0..8).map(move |x| [x, y]));
     all.filter(|[x, y]| tile.texel(*x, *y) != GREY).collect()
@@ -92,7 +92,7 @@ fn a_copy_beside_the_tile_is_painted_on_as_the_tile_itself() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = opened(&file(folder.path(), Vec::new()));
     small_hard_brush(&mut hand);
-    // Seen aslant, and beyond the left edge.
+    // A view aslant, and a texel beyond the left edge: on the copy beside the tile.
     go_to(&mut hand, [0, 0], [1, 1]);
     let at = texel(&hand, -1, 3);
     hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
@@ -148,13 +148,14 @@ fn samples_are_copied_and_deleted_and_nothing_else_changes() {
     hand.settle();
     let there = Address::new([2, 1], [1, 3]);
     assert_eq!(hand.app().session().painting().unwrap().at(), there);
-    // Only to look at a sample is no way to it.
+    // A click with Shift copies the clicked sample to the sample at work, and does not go there.
     let first = cell(&hand, [0, 0], [0, 0]);
     hand.click_with(Modifiers::SHIFT, first);
     hand.settle();
     assert_eq!(hcbtf(&hand).painted(there), hcbtf(&hand).painted(Address::default()));
     assert_eq!(hcbtf(&hand).painted.len(), 2);
-    // The picture turns to where one paints for: from the light's side, as low as it stands.
+    // The camera and the lights of the picture turn to the eye and the light of the sample at work:
+    // the eye is 45 degrees high.
     hand.press("Show in the picture");
     let orbit = hand.app().session().orbit();
     assert!(editor_support::close(orbit.pitch, std::f64::consts::FRAC_PI_4), "{orbit:?}");
@@ -316,7 +317,7 @@ fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
     stroke(&mut hand, 2);
     let mine = hcbtf(&hand).clone();
     drop(hand);
-    // Nobody else was there: nothing is asked.
+    // No other program has changed the file: nothing is asked.
     let mut hand = home.window(None);
     look_at_files(&mut hand);
     assert!(hcbtf(&hand) == &mine && !hand.says(conflict));
@@ -337,7 +338,7 @@ fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
     hand.press("Keep mine");
     home.wait_until_written();
     drop(hand);
-    // That was decided, and is remembered.
+    // The conflict was decided, and the decision is remembered.
     let mut hand = home.window(None);
     look_at_files(&mut hand);
     assert!(hcbtf(&hand) == &mine && !hand.says(conflict));
@@ -356,7 +357,7 @@ fn show_example(hand: &mut Hand, name: &str) {
     hand.press(&label);
 }
 
-/// A look that shows an example twice, which has few samples.
+/// A look that shows an example HCBTF in two nodes; the example has few samples.
 fn look_with_example(folder: &Path) -> PathBuf {
     let path = folder.join("look.json");
     let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
@@ -396,7 +397,7 @@ fn an_example_is_painted_as_a_copy_that_keeps_its_name_and_is_seen_wherever_the_
     assert!(!work.is_dirty() && work.path().is_none(), "nothing was painted yet");
     assert!(hand.says("halftone (copy of the example)"));
     assert!(hand.app().message().unwrap().contains("saving asks where"));
-    // This look has two lookups of one sheet.
+    // The look's two nodes look up the same sheet.
     assert_eq!(sheets(&hand), ["hcbtf:open", "hcbtf:open"]);
     assert_eq!(hand.steps(), 1);
     hand.key_with(Modifiers::COMMAND, Key::S);
@@ -404,7 +405,7 @@ fn an_example_is_painted_as_a_copy_that_keeps_its_name_and_is_seen_wherever_the_
     assert!(hand.says("Save the painting"), "the first save asks where");
     hand.key(Key::Enter);
     hand.settle();
-    // What is suggested is the example's name, beside the look.
+    // The suggested name is the example's, beside the look.
     assert!(folder.path().join("halftone.hcbtf").is_file());
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
@@ -488,7 +489,7 @@ fn a_copy_of_an_example_is_no_change_and_is_gone_back_to_in_the_look_that_it_was
     assert_eq!(hand.app().session().orbit().mesh, "shape:torus");
     assert!(hand.has("Painting canvas") && !hand.says("Work that was not saved"));
 
-    // After a crash it comes back in its look, too.
+    // After a crash the painting comes back, with its look.
     hand.app().session().wait_for_journal();
     let later = home.after_a_crash();
     let mut hand = later.window(None);
@@ -496,7 +497,7 @@ fn a_copy_of_an_example_is_no_change_and_is_gone_back_to_in_the_look_that_it_was
     hand.press("Restore it");
     assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted));
     assert!(hand.has("Painting canvas") && !hand.says("Work that was not saved"));
-    // And after the window was closed.
+    // The painting also comes back after the window was closed.
     hand.app_mut().session_mut().close_journal(true);
     drop(hand);
     let hand = later.window(None);
@@ -621,7 +622,7 @@ fn a_look_that_names_what_has_no_file_is_saved_after_it() {
     hand.settle();
     hand.press("Paint");
     hand.press_a(Role::MenuItem, "Paint a copy of halftone");
-    // Neither was painted on, and the look names the copy.
+    // Neither document has been changed by hand, and the look names the copy.
     let painting = folder.path().join("mine.hcbtf");
     hand.app_mut().answer_dialog(&painting);
     hand.key_with(Modifiers::COMMAND, Key::S);

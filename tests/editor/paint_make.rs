@@ -1,5 +1,5 @@
-//! HCBTFs are begun, divided otherwise, and made of other things in the window: what that takes in
-//! memory is told first.
+//! HCBTFs are begun, divided otherwise, and made from pictures, looks and other HCBTFs in the
+//! window; the memory that they take is told before.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 const FEW: Directions = Directions { theta: 2, phi: 3 };
 const GRID: Grid = Grid { size: [8, 8], light: FEW, view: FEW };
 
-/// A file with two painted samples of one color each, blended.
+/// A file with two painted samples of one color each, and a rule that blends them.
 fn file(folder: &Path) -> PathBuf {
     let mut hcbtf = Hcbtf { rules: vec![Rule::Blend { sharpness: 2.0 }], ..Hcbtf::new(GRID) };
     for (light, color) in [([0, 0], [90, 90, 90, 255]), ([1, 2], [200, 40, 30, 255])] {
@@ -87,7 +87,8 @@ fn another_grid_is_a_step_that_tells_what_stays() {
     let folder = tempfile::tempdir().unwrap();
     let mut hand = opened(&file(folder.path()));
     let before = hcbtf(&hand).clone();
-    // What the rules take is told beside them: a texel is a block of 2 x 5 lights, in 6 + 1 layers.
+    // The memory of the filled samples is told beside the rules: a texel is a block of 2 x 5
+    // lights, in 6 + 1 layers.
     hand.tab("Fill rules");
     assert!(hand.says("17.5 KiB on the GPU"));
     let memory = hand.place_like("Memory:").center();
@@ -108,7 +109,7 @@ fn another_grid_is_a_step_that_tells_what_stays() {
     assert_eq!(hcbtf(&hand), &before);
 }
 
-/// What the rules and the painter made of every sample.
+/// Every sample of an HCBTF, painted or filled by rules.
 fn all(hcbtf: &Hcbtf) -> hcbtf::FilledSamples {
     hcbtf::fill::fill(hcbtf, &Progress::new()).unwrap()
 }
@@ -118,7 +119,7 @@ fn open_menu(hand: &mut Hand, item: &str) {
     hand.press(item);
 }
 
-/// A painted tile on which every texel is another.
+/// A file with a painted tile on which every texel has another color.
 fn numbered(folder: &Path) -> PathBuf {
     let grid = Grid { size: [16, 16], ..GRID };
     let mut hcbtf =
@@ -172,7 +173,7 @@ fn patches_that_do_not_fit_are_told_of_and_laying_is_stopped() {
     assert!(hand.says("do not fit tiles whose shorter side is 3"));
     hand.press("Begin it as a new painting");
     assert_eq!(hcbtf(&hand), &source, "the button does nothing");
-    // So large a tile takes long enough for nobody to wait.
+    // A tile so large that laying its patches is not done before the test stops it.
     let field = hand.place_of(Role::SpinButton, "Texels across").center();
     hand.click(field);
     hand.key_with(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
@@ -187,7 +188,7 @@ fn patches_that_do_not_fit_are_told_of_and_laying_is_stopped() {
     assert_eq!(hcbtf(&hand), &source);
 }
 
-/// A look whose light is seen, in a file.
+/// The file of a look whose light can be seen.
 fn look(folder: &Path) -> PathBuf {
     let path = folder.join("look.json");
     let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]},
@@ -263,7 +264,7 @@ fn a_texture_leaves_as_it_is_to_be_stored_and_its_size_is_told_before() {
         hand.press_a(Role::RadioButton, storage);
         let to = folder.path().join(format!("{name}.ktx2"));
         hand.app_mut().answer_dialog(&to);
-        // Enter does what the button does; what was chosen before has the focus no more.
+        // Enter presses the button; the storage chosen before has lost the focus.
         match name {
             "quick" => hand.press("Export to..."),
             _ => hand.key(Key::Enter),
@@ -292,7 +293,7 @@ fn what_will_be_baked_is_seen_and_counted_before() {
     assert!(hand.says("4 samples will be painted, in about"));
     assert!(hand.has("Lit from straight above") && hand.has("Lit from halfway down"));
     hand.press("Cancel");
-    // A look that cannot be baked says why before.
+    // A look that cannot be baked tells so before the bake.
     let broken = folder.path().join("broken.json");
     let text = r#"{"chiaro": "look", "lights": {"key": {"direction": [0, 0, 1]}}, "nodes": [
         {"id": "picture", "kind": "image", "values": {"image": "nowhere.png"}},
@@ -332,7 +333,7 @@ fn a_tile_that_is_no_square_keeps_its_shape_in_its_own_look() {
     let hcbtf = Hcbtf::new(Grid { size: [8, 4], ..GRID });
     let hand = opened(&save(folder.path(), "long", &hcbtf));
     let scale = &hand.look().graph.nodes["painting"].values["scale"];
-    // Twice along u and four times along v: 16 texels each.
+    // The texture repeats twice along u and four times along v: 16 texels each.
     assert_eq!(scale, &chiaro::document::Value::Vector(vec![2.0, 4.0]));
 }
 
@@ -386,7 +387,7 @@ fn pictures_are_imported_beside_the_window() {
     };
     ask(&mut hand);
     hand.press("Choose them...");
-    // The folder knows what was painted of it, and by which rules the rest comes.
+    // The exported folder holds which sample was painted, and the rules that fill the rest.
     assert!(*hcbtf(&hand) == source);
     assert!(hand.app().message().unwrap().starts_with("1 of 16 samples are painted"));
 }

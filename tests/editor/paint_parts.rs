@@ -1,6 +1,6 @@
-//! The parts of the painting workspace, each by a hand: symmetry, a pen's pressure, the palette's
-//! wheel, the hemisphere, onion skin, a look at another sample, the sheet of all samples; and files
-//! that other programs change.
+//! Parts of the painting workspace, driven by pointer and keys: symmetry, a pen's pressure, the
+//! palette's wheel, the hemisphere, onion skin, a look at another sample, the sheet of all samples;
+//! and files that other programs change.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -109,7 +109,7 @@ fn clicks_that_are_over_within_a_frame_paint_and_fill_and_each_is_a_step() {
     hand.quick_clicks(&[texel(&hand, 7, 0)]);
     hand.settle();
     assert_eq!((first(&hand).texel(7, 0), hand.steps()), ([0xf7, 0xdb, 0x4b, 255], 3));
-    // A press that is quick and far is a stroke.
+    // A quick press that moves far is a stroke.
     let far = texel(&hand, 4, 2);
     hand.key(Key::B);
     hand.hover(one);
@@ -158,7 +158,7 @@ fn a_pen_that_is_pressed_lightly_paints_less() {
             pos: at,
             force: Some(force),
         };
-        // A tablet tells of the pen and of the pointer that it moves.
+        // A tablet reports both the pen and the pointer that the pen moves.
         hand.hover(at);
         hand.harness.event(touch(TouchPhase::Start));
         hand.hold(at);
@@ -202,15 +202,16 @@ fn light_and_eye_are_dragged_over_the_tile() {
     hand.tab("Light and eye");
     let dome = hand.place("Light and eye over the tile");
     let (middle, radius) = (dome.center(), dome.width() / 2.0 - 12.0);
-    // The sun to the right rim: toward u, at the horizon. The eye is beside it in the beginning.
+    // The sun to the right rim: toward u, at the horizon. The eye was in the middle with the sun
+    // and stays there.
     hand.drag(middle, middle + vec2(radius, 0.0));
     hand.settle();
     assert_eq!(at_work(&hand), Address::new([2, 1], [0, 0]));
-    // The eye halfway down: toward -v, on the second ring.
+    // The eye halfway down to the rim: toward -v, on the second ring.
     hand.drag(middle, middle + vec2(0.0, radius / 2.0));
     hand.settle();
     assert_eq!(at_work(&hand), Address::new([2, 1], [1, 2]));
-    // Beyond the rim is the horizon.
+    // A drag beyond the rim ends at the horizon.
     let eye = middle + vec2(0.0, radius / 2.0);
     hand.drag(eye, eye + vec2(0.0, radius * 1.2));
     hand.settle();
@@ -223,7 +224,7 @@ fn light_and_eye_are_dragged_over_the_tile() {
 
 /// The color on the screen in the middle of the tile.
 fn middle(hand: &mut Hand) -> [u8; 4] {
-    // Away from where the arrows and the brush are drawn.
+    // A place away from the arrows and the brush.
     let at = texel(hand, 6, 6);
     let image = hand.harness.render().unwrap();
     image.get_pixel(at.x as u32, at.y as u32).0
@@ -259,11 +260,11 @@ fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     hand.settle();
     let [r, g, ..] = middle(&mut hand);
     assert!(r > 130 && g < 70, "{r} {g}");
-    // Along the light nothing is painted beside it.
+    // Along the light the sample has no painted neighbours.
     hand.choose("neighbours by", "Light's way around");
     assert!(near(middle(&mut hand), GREY));
 
-    // Alt over the map shows another sample, and only as long as it is held.
+    // Alt over the map shows another sample while Alt is held.
     let work = at_work(&hand);
     let other = cell(&hand, [2, 2], [0, 0]);
     hand.hover(other);
@@ -288,7 +289,7 @@ fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     assert!(near(middle(&mut hand), blue));
 }
 
-/// What the sheet tells of what lies under the pointer.
+/// The sheet's text about the texel under the pointer.
 fn told(hand: &Hand) -> String {
     let sheet = hand.harness.get_by_label("Sheet of all samples");
     sheet.accesskit_node().value().unwrap_or_default()
@@ -303,7 +304,7 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     hand.key(Key::Escape);
     let sample = Address::new([2, 1], [1, 3]);
     let on_sheet = |hand: &Hand| hand.app().painting().on_sheet(sample, [5, 6]).unwrap();
-    // Closer, until the texel can be hit; what is under the pointer stays there.
+    // Zooms in until the texel can be hit; the point under the pointer stays there.
     for _ in 0..4 {
         let at = on_sheet(&hand);
         hand.wheel(at, 300.0);
@@ -319,7 +320,7 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     hand.click(at);
     hand.settle();
     assert_eq!(at_work(&hand), sample);
-    // A drag moves the sheet and goes nowhere.
+    // A drag moves the sheet and leaves the sample at work.
     hand.drag(at, at + vec2(40.0, -30.0));
     hand.settle();
     assert!(on_sheet(&hand).distance(at + vec2(40.0, -30.0)) < 1.0);
@@ -373,7 +374,7 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     let path = file(folder.path(), &[ABOVE]);
     let mut hand = opened(&path);
     let color = |hand: &Hand| first(hand).texel(0, 0);
-    // Nothing is unsaved: it is taken, as a step.
+    // Without unsaved work the file's version is loaded, as a step.
     write(&path, &[([0, 0], [0, 0], RED)]);
     look_at_files(&mut hand);
     assert_eq!(color(&hand), RED);
@@ -383,8 +384,7 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     assert_eq!(color(&hand), GREY, "undo brings the other version back");
     hand.redo();
 
-    // With a stroke that is not saved both versions are there to be chosen from, and nothing is
-    // written over the other.
+    // With an unsaved stroke both versions can be chosen, and neither overwrites the other.
     brush(&mut hand, "1");
     hand.press("Color #f7db4b");
     dot(&mut hand, 3, 3);
@@ -412,7 +412,8 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     );
     assert!(!hand.says("painted on by you"));
 
-    // What cannot be read changes nothing until it can; what is gone is written again by saving.
+    // A file that cannot be read changes nothing until it can; a removed file is written again by
+    // saving.
     fs::write(&path, b"half of a").unwrap();
     look_at_files(&mut hand);
     assert!(hand.says("cannot be read now") && first(&hand).texel(3, 3) == yellow);
@@ -440,7 +441,7 @@ fn what_has_a_file_now_never_goes_back_to_having_none() {
     let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.press("Paint");
     hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
-    // The look is changed before: it names something else for a while.
+    // Two steps of the look before the painting is saved: another name, and back.
     let id = "painting";
     let named = |name: &str| Edit::SetValue {
         graph: GraphId::Look,
@@ -473,7 +474,7 @@ fn what_has_a_file_now_never_goes_back_to_having_none() {
         hand.redo();
     }
     assert_eq!(sheet(&hand), own);
-    // A look that is saved beside it names it by the way to it.
+    // A look saved beside the HCBTF names it by a relative path.
     let look = folder.path().join("look.json");
     assert!(hand.app_mut().save_as(&look));
     assert_eq!(sheet(&hand), Value::Text("mine.hcbtf".to_owned()));

@@ -1,4 +1,4 @@
-//! Pictures of the painting workspace, to be looked at: `cargo test --test editor_paint_shots --
+//! Pictures of the painting workspace, to be looked at: `cargo test --test editor paint_shots --
 //! --ignored` writes them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ fn save(hand: &mut Hand, name: &str) {
     hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
 }
 
-/// Bricks as they look under a light and from a view: lit edges, and mortar in shadow.
+/// A tile of bricks under a light and from a view: lit edges, and mortar in shadow.
 fn bricks(grid: &Grid, at: Address) -> Tile {
     let [width, height] = grid.size;
     let light = grid.light.vector(at.light);
@@ -208,7 +208,7 @@ fn shots() {
     save(&mut hand, "paint-7-keys");
 }
 
-/// A bake while it goes on, which no settled picture shows.
+/// Saves a picture of a bake under way, which no settled window shows.
 fn bake(hand: &mut Hand, path: &std::path::Path) {
     hand.app_mut().answer_dialog(path);
     let bake = hand.place("Bake to...").center();

@@ -1,4 +1,4 @@
-//! The panels below the picture: effects and the probe, driven by a hand.
+//! The panels below the picture: effects and the probe, driven by pointer and keys.
 
 use crate::editor_support;
 use crate::editor_support::Hand;
@@ -14,7 +14,7 @@ fn click_label(hand: &mut Hand, label: &str) {
     hand.click(at);
 }
 
-/// A look whose second node divides by 0, and whose last hides it.
+/// A look whose second node divides by 0, and whose last node hides the result.
 const BROKEN: &str = r##"{"nodes": [
     {"id": "fine", "kind": "add", "values": {"a": 0, "b": 0}},
     {"id": "broken", "kind": "wgsl", "at": [240, 0],
@@ -52,20 +52,20 @@ fn the_probe_reads_every_wire_under_a_resting_pointer() {
     let of = |node: &str| {
         wires.iter().find(|wire| wire.node.to_string() == node).expect("it has a value")
     };
-    // A new look's base is [0.16, 0.15, 0.2]: nothing is computed, so both know it as their numbers
-    // can.
+    // A new look's base is [0.16, 0.15, 0.2]: nothing is computed, so f64 and f32 hold the color as
+    // closely as each can.
     let base = of("base");
     assert_eq!(base.double, [0.16, 0.15, 0.2, 1.0]);
     assert_eq!(base.single, [0.16_f32, 0.15, 0.2, 1.0].map(f64::from));
     assert!(base.difference() > 0.0 && base.difference() < 1e-8);
     assert!(wires.last().unwrap().node.to_string() == "output", "in the order of computing");
-    // Beside the object there is nothing.
+    // Beside the object nothing is probed.
     let corner = picture(&hand).left_top() + vec2(5.0, 5.0);
     hand.hover(corner);
     hand.settle();
     assert!(hand.app().probe().wires().is_empty());
     assert!(hand.harness.query_by_label("Nothing is drawn there.").is_some());
-    // Away from the picture nothing is probed, and Esc leaves.
+    // Escape switches the probe off.
     hand.key(Key::Escape);
     assert!(!hand.app().probe().is_on());
 }
@@ -104,7 +104,7 @@ fn a_click_keeps_a_pixel_and_escape_lets_go_of_it() {
     assert!(hand.app().probe().is_on() && hand.app().probe().pinned().is_none());
     hand.key(Key::Escape);
     assert!(!hand.app().probe().is_on());
-    // A click turns nothing, and neither did the probe.
+    // The picture is still shown.
     assert!(!hand.app().viewport().rect().unwrap().is_negative());
 }
 
@@ -159,14 +159,14 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
         is_listed(&hand, "Effect curvature of the detail normals"),
         "a dropped pass is told too"
     );
-    // Only what runs: what was dropped goes away.
+    // The filter for running passes hides dropped ones.
     let at = hand.harness.get_by_label_contains(" dropped").rect().center();
     hand.click(at);
     assert!(
         !is_listed(&hand, "Effect curvature of the detail normals")
             && is_listed(&hand, "Effect look")
     );
-    // A node of a list that is taller than the panel: the wheel brings it into view.
+    // A node further down in a list that is taller than the panel: the wheel brings it into view.
     let list = hand.harness.get_by_label("Effect look").rect().center();
     let of_diffuse = |hand: &Hand| {
         let found = hand.harness.query_all_by_label_contains("Effect diffuse").next();
@@ -184,7 +184,7 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
     assert_eq!(hand.selected(), ["diffuse"]);
 }
 
-/// Opens the list of what the picture is compared with, and chooses from it.
+/// Chooses from the list of executors and tiers that the picture is compared with.
 fn compare_with(hand: &mut Hand, before: &str, what: &str) {
     let combo = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
     let combo = combo
@@ -206,7 +206,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
         hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
     assert!(figures.pixels > 10_000 && figures.broken == 0);
     assert!(figures.max < 1.0 / 255.0, "exact is close to the truth: {figures:?}");
-    // The divider follows the hand, and the camera does not.
+    // The divider follows the pointer, and the camera stays.
     let before = hand.app().session().orbit().clone();
     let rect = picture(&hand);
     hand.drag(rect.center(), rect.center() + vec2(80.0, 0.0));
@@ -216,12 +216,13 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
         hand.app().wipe().split()
     );
     assert_eq!(*hand.app().session().orbit(), before);
-    // Magnified, what is equal is black: all of the background.
+    // In the magnified difference equal pixels are black: the whole background.
     click_label(&mut hand, "×256");
     let image = hand.harness.render().unwrap();
     let corner = rect.left_bottom() + vec2(6.0, -6.0);
     assert_eq!(image.get_pixel(corner.x as u32, corner.y as u32).0, [0, 0, 0, 255]);
-    // Once anything changes it is out of date, and only a click computes it again.
+    // After any change the comparison with the truth is out of date, and only a click computes it
+    // again.
     click_label(&mut hand, "Wipe");
     let corner = rect.left_top() + vec2(12.0, 60.0);
     hand.drag(corner, corner + vec2(40.0, 0.0));
@@ -231,7 +232,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     click_label(&mut hand, "Compute again");
     hand.settle();
     assert!(hand.app().wipe().figures().is_some());
-    // A tier follows by itself.
+    // A comparison with a tier follows changes by itself.
     compare_with(&mut hand, "Truth (f64)", "Exact");
     assert_eq!(hand.app().wipe().figures().expect("drawn").max, 0.0, "the look is exact already");
     hand.drag(corner, corner + vec2(-40.0, 0.0));
@@ -256,7 +257,7 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     let report = hand.app().cost().report().expect("it was measured");
     assert!(report.rows.iter().any(|row| row.tier == Some(Tier::Fast) && row.error.is_some()));
     let plot = hand.harness.get_by_label("Error against time").rect();
-    // The table is below the plot.
+    // The wheel scrolls to the table, which is below the plot.
     let row = "Adopt fast for Whole look";
     let visible = |hand: &Hand| {
         let found = hand.harness.query_by_label(row).map(|node| node.rect());
@@ -274,7 +275,7 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     hand.undo();
     assert_eq!(hand.look().tier, Tier::Exact);
     assert!(!hand.app().session().is_dirty(), "one step");
-    // A point of the plot does the same, and tells of itself.
+    // A point of the plot adopts its tier by a click, too, and says so.
     for _ in 0..20 {
         hand.wheel(plot.center(), 60.0);
     }
@@ -285,7 +286,7 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     hand.click(point);
     assert_eq!(hand.look().tier, Tier::Fast);
     hand.undo();
-    // Measuring is stopped by hand; what was measured stays.
+    // Measuring is stopped by its button; figures measured before stay.
     let times = |hand: &Hand| -> Vec<f64> {
         hand.app().cost().report().unwrap().rows.iter().map(|row| row.time.median).collect()
     };
@@ -339,7 +340,7 @@ fn any_wire_is_shown_in_place_of_the_picture() {
         "what is told of it lies over the picture, which stays where it is"
     );
     assert_eq!(middle(&mut hand), [255; 4], "2 is white");
-    // Heat is red above 1, whatever the look's output is.
+    // Heat is red above 1, whatever the look's output shows.
     click_label(&mut hand, "Heat");
     let red = middle(&mut hand);
     assert!(red[0] > 200 && red[1] < 80 && red[2] < 80, "{red:?}");
@@ -356,14 +357,15 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     assert_eq!(middle(&mut hand), grey);
 }
 
-/// The wires inside of groups too: the probe lists them, and a right click shows one.
+/// Wires inside of groups are listed by the probe too, and a right click shows one.
 #[test]
 fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
     let mut hand = Hand::drawing_with(|app, _| app);
     hand.app_mut().show_on("shape:sphere");
     hand.settle();
     hand.key(Key::I);
-    // The shaded side, down to the right, also where a line above the picture makes it smaller.
+    // A point on the shaded side, down to the right, in parts of the picture's height: a message
+    // above the picture makes the picture smaller.
     let place = |hand: &Hand| picture(hand).center() + vec2(0.12, 0.1) * picture(hand).height();
     let at = place(&hand);
     hand.click(at);
@@ -414,7 +416,7 @@ fn color_at(hand: &mut Hand, at: eframe::egui::Pos2) -> [u8; 4] {
     hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
 }
 
-/// The picker of a color in the inspector, opened.
+/// Opens the picker of a color in the inspector.
 fn open_picker(hand: &mut Hand) {
     let swatch = hand.swatch("Convex color").center();
     hand.click(swatch);
@@ -447,8 +449,8 @@ fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
         "it was only looked at"
     );
 
-    // A hand in the square, on the strip of hues, and at a number: each is one step, and Esc leaves
-    // what was picked.
+    // Changes in the square, on the strip of hues, and at a number are one step each, and Escape
+    // keeps the picked color.
     open_picker(&mut hand);
     let square = hand.place_like("Saturation and brightness");
     hand.drag(square.center(), square.right_top() + vec2(-20.0, 20.0));
@@ -463,7 +465,8 @@ fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
     hand.settle();
     assert!(!is_picking(&hand) && color(&hand) == picked);
 
-    // While a number or a hex code is typed, and while the probe, which Esc leaves too, is on.
+    // Escape also closes the picker while a number or a hex code is typed, and while the probe is
+    // on, which Escape would leave too.
     open_picker(&mut hand);
     let green = hand.place("Green").center();
     hand.click(green);
@@ -512,7 +515,7 @@ fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
             && tab.height() < 30.0
             && !hand.has("Offset on the object")
     );
-    // Where the feet are there is nothing in the way of a hand.
+    // At the object's feet nothing lies over the picture.
     hand.hover(picture.center_bottom() - vec2(0.0, 20.0));
     hand.settle();
     assert!(!hand.has("Offset on the object"));

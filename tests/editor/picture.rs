@@ -1,5 +1,5 @@
 //! The picture in the window, drawn by the renderer on the window's own device (software Vulkan
-//! does).
+//! suffices).
 #![allow(clippy::print_stdout, reason = "what is measured is printed")]
 
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::editor_support::Hand;
 use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
-/// The colors of a row through the middle of the picture.
+/// Colors of the row of pixels through the middle of the picture.
 fn middle_row(hand: &mut Hand) -> Vec<[u8; 4]> {
     let rect = hand.app().viewport().rect().unwrap();
     let image = hand.harness.render().unwrap();
@@ -24,15 +24,15 @@ fn the_picture_shows_the_look_and_follows_the_hand() {
     let (edge, middle) = (first[0], first[first.len() / 2]);
     assert_ne!(edge, middle, "the object stands before the backdrop");
 
-    // The illumination frame turns under the hand.
+    // A drag turns the illumination frame.
     let rect = hand.app().viewport().rect().unwrap();
     hand.drag(rect.center(), rect.center() + vec2(90.0, 0.0));
     hand.settle();
     let turned = middle_row(&mut hand);
     assert_ne!(first, turned);
 
-    // A value is seen at once, by the live shader; the rest shows the baked one, and the picture
-    // stays what it is.
+    // The live shader shows an edited value at once; at rest the baked shader shows the same
+    // picture.
     let color = chiaro::document::Value::Vector(vec![0.1, 0.2, 0.9]);
     let graph = chiaro::document::GraphId::Look;
     let edit = chiaro::document::Edit::SetValue {
@@ -75,7 +75,8 @@ fn the_last_good_picture_stays_while_the_look_is_broken() {
     hand.harness.remove_cursor();
     hand.settle();
     assert!(hand.app().canvas().has_error("output"));
-    // The list of problems makes the viewport lower, so only what it shows is held, not where.
+    // The list of problems makes the viewport lower and moves the picture, so only the color is
+    // compared, not its place.
     let is_near =
         |color: &[u8; 4]| color.iter().zip(good[good.len() / 2]).all(|(a, b)| a.abs_diff(b) <= 6);
     assert!(middle_row(&mut hand).iter().any(is_near));
@@ -89,8 +90,8 @@ fn the_old_picture_steps_back_while_another_look_is_prepared() {
     hand.app_mut().session_mut().open(Path::new("examples/looks/figure4-color.json")).unwrap();
     for frame in 0..40 {
         hand.harness.step();
-        // What is still prepared after a frame was so in it; and what took up to a third of a
-        // second has no sign.
+        // A look that is still prepared after a frame was so within it; preparing for up to a third
+        // of a second shows no sign.
         if frame < 2 {
             assert!(!hand.says("Preparing"), "frame {frame}: quick ones do not flicker");
         } else if frame > 3 && hand.app().is_preparing() {
@@ -100,7 +101,7 @@ fn the_old_picture_steps_back_while_another_look_is_prepared() {
     hand.settle();
     assert!(!hand.app().is_preparing() && !hand.says("Preparing"));
 
-    // The picture of another look is none of a broken one.
+    // A look that is broken from the start has no picture, and does not show another look's.
     let folder = tempfile::tempdir().unwrap();
     let broken = folder.path().join("broken.json");
     std::fs::write(&broken, r#"{"chiaro": "look", "nodes": [{"kind": "base"}]}"#).unwrap();
@@ -129,15 +130,15 @@ fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
     let wedge = middle_row(&mut hand);
     assert_ne!(torus, wedge);
 
-    // A mesh that is not there is told of, and the last good picture stays.
+    // A missing mesh is told of, and the last good picture stays.
     hand.app_mut().show_on("nowhere.obj");
     hand.settle();
-    // The problem that is told makes the viewport lower, so only what it shows is held, not where.
+    // The message makes the viewport lower, so only the color is compared, not its place.
     let shown = middle_row(&mut hand);
     assert_eq!(shown[shown.len() / 2], wedge[wedge.len() / 2]);
 }
 
-/// A look that shows a painted ball.
+/// A look that shows a litsphere: the image of a painted ball.
 const LITSPHERE: &str = r##"{
   "name": "Ball",
   "nodes": [
@@ -154,8 +155,8 @@ fn a_baked_ball_shows_what_the_look_shows() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name);
     hand.app_mut().show_on("shape:knot");
-    // From aside, with the lights turned, and without perspective, where normals turn away from the
-    // camera a little.
+    // Seen from aside, with the lights turned, and without perspective, which would turn normals
+    // away from the camera a little.
     let rect = hand.app().viewport().rect().unwrap();
     hand.hover(rect.center());
     hand.key(Key::P);
@@ -184,7 +185,7 @@ fn a_baked_ball_shows_what_the_look_shows() {
     let (mut sum, mut count, mut far) = (0.0, 0, 0);
     for (a, b) in own.pixels().zip(baked.pixels()).filter(|(a, _)| a.0 != backdrop) {
         let difference = (0..3).map(|k| a.0[k].abs_diff(b.0[k])).max().unwrap();
-        // Near the rim of the ball's picture a pixel is several degrees.
+        // Near the rim of the ball's image a pixel is several degrees.
         far += u32::from(difference > 6);
         sum += f64::from(difference);
         count += 1;
@@ -219,7 +220,7 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
     hand.settle();
     let slider = hand.slider("Cut-off");
     let from = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
-    // A first drag, for the live shader's pipeline.
+    // A first drag compiles the live shader's pipeline.
     hand.drag(from, from + vec2(5.0, 0.0));
     hand.settle();
     let before = middle_row(&mut hand);
@@ -228,7 +229,7 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
     let from = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
     hand.hold(from);
     hand.move_to(from + vec2(40.0, 0.0));
-    // This frame's edit has asked for its picture before the frame ended.
+    // The edit of this frame has asked for its picture before the frame ended.
     assert!(hand.app().pictures() > wishes);
     hand.app().wait();
     let after = middle_row(&mut hand);
@@ -238,7 +239,7 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
     assert_eq!(hand.app().coarseness(), 1, "at rest the picture is whole");
 }
 
-/// The pixels of the picture as the window shows them now.
+/// Pixels of the picture as the window shows them now.
 fn picture(hand: &mut Hand) -> Vec<u8> {
     let rect = hand.app().viewport().rect().unwrap();
     let image = hand.harness.render().unwrap();
@@ -247,8 +248,8 @@ fn picture(hand: &mut Hand) -> Vec<u8> {
     image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
 }
 
-/// Drags step by step. Each step's frame, drawn as it is, shows what the window shows when nothing
-/// is left to be done.
+/// Drags step by step. Each step's frame already shows the picture that the window shows once all
+/// work is done.
 fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
     hand.hold(from);
     let mut last = picture(hand);
@@ -267,14 +268,14 @@ fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
 #[test]
 fn the_picture_of_a_drag_is_in_the_very_next_frame() {
     let mut hand = Hand::drawing();
-    // However busy the machine is: what is held is that it is waited for, and drawn before the
+    // On a busy machine too: the test holds that the picture is waited for, and drawn before the
     // window is.
     hand.app_mut().wait_for_pictures(Duration::from_secs(60));
     hand.app_mut().show_on("shape:sphere");
     hand.app_mut().session_mut().select(vec!["diffuse".into()]);
     hand.settle();
     let middle = |rect: Rect| rect.left_center() + vec2(rect.width() * 0.5, 0.0);
-    // A first drag, for the live shader's pipeline.
+    // A first drag compiles the live shader's pipeline.
     let slider = middle(hand.slider("Cut-off"));
     hand.drag(slider, slider + vec2(5.0, 0.0));
     hand.settle();
@@ -334,21 +335,22 @@ fn exposure_changes_what_is_shown_and_not_the_look() {
     hand.settle();
     let bright = middle_row(&mut hand);
     let middle = dim.len() / 2;
-    // Half of the way from 0 to 4 stops on the right is 1 stop: about 2^(1 / 2.2) of what is shown.
+    // A quarter of the way from 0 to 4 stops on the right is 1 stop: about 2^(1 / 2.2) in shown
+    // values.
     let gain = f64::from(bright[middle][1]) / f64::from(dim[middle][1]);
     assert!((1.25..1.5).contains(&gain), "{gain}");
     assert!(!hand.app().session().is_dirty());
 }
 
-/// Times in milliseconds, in order.
+/// Prints the median and the 95th percentile of times in milliseconds.
 fn told(what: &str, mut times: Vec<f64>) {
     times.sort_by(f64::total_cmp);
     let (median, p95) = (times[times.len() / 2], times[times.len() * 95 / 100]);
     println!("{what:<60} median {median:6.2} ms, p95 {p95:6.2} ms");
 }
 
-/// What the handles cost the window while they are dragged, alone and with a picture, and how often
-/// the picture of an edit is with the GPU before the edit's own frame ends.
+/// Measures what the handles cost the window while they are dragged, without and with a picture,
+/// and how often the picture of an edit is with the GPU before the edit's own frame ends.
 #[test]
 #[ignore = "prints how long it takes, and judges nothing"]
 fn the_viewport_is_measured() {

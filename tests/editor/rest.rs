@@ -1,4 +1,4 @@
-//! A window at rest wakes neither itself nor the GPU, whatever it shows.
+//! A window at rest wakes neither itself nor the GPU, whatever the window shows.
 
 use std::path::Path;
 use std::time::Duration;
@@ -7,7 +7,7 @@ use crate::editor_support::Hand;
 use eframe::egui::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-/// The boxes that can be ticked, by their names.
+/// Names of the check boxes.
 fn boxes(hand: &Hand) -> Vec<String> {
     let boxes = hand.harness.get_all_by_role(Role::CheckBox);
     boxes.filter_map(|node| node.accesskit_node().label()).collect()
@@ -25,7 +25,7 @@ fn close_menu(hand: &mut Hand) {
     hand.settle();
 }
 
-/// All panels that there are, as the window lists them.
+/// Names of all panels, as the *View* menu lists them.
 fn panels(hand: &mut Hand) -> Vec<String> {
     let others = boxes(hand);
     open_view_menu(hand);
@@ -34,11 +34,11 @@ fn panels(hand: &mut Hand) -> Vec<String> {
     panels
 }
 
-/// Nothing is asked for, by none of many frames.
+/// Asserts that none of many frames asks for another frame or a picture.
 fn assert_at_rest(hand: &mut Hand, what: &str) {
     hand.harness.remove_cursor();
     hand.settle();
-    // A thread may call once more after its answer was taken.
+    // A thread may ask for one more frame after its answer was taken.
     for _ in 0..50 {
         if hand.repaint_delay() == Duration::MAX {
             break;
@@ -88,11 +88,10 @@ fn a_window_at_rest_wakes_nothing_whichever_panel_is_shown() {
         show(&mut hand, &panel);
         assert_at_rest(&mut hand, &panel);
     }
-    // A node is selected: the inspector, the profile and the handles on the object are about
-    // something.
+    // With a selected node the inspector, the profile and the handles on the object have content.
     hand.app_mut().session_mut().select(vec!["output".into()]);
     assert_at_rest(&mut hand, "a selected node");
-    // A hand at work, and rest again.
+    // The window rests again after a drag.
     let center = hand.app().viewport().rect().expect("the picture is shown").center();
     hand.drag(center, center + eframe::egui::vec2(30.0, 0.0));
     assert_at_rest(&mut hand, "after a drag");

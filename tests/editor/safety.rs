@@ -1,5 +1,5 @@
-//! Nothing is ever lost: work is offered back after a crash, goes on after a window was closed, and
-//! files that other programs change are noticed.
+//! Work is never lost: it is offered again after a crash and goes on after a window was closed, and
+//! changes of files by other programs are noticed.
 
 use std::fs;
 use std::time::Duration;
@@ -69,7 +69,7 @@ fn work_is_taken_back_after_a_crash_with_its_past() {
     assert!(!hand.app().session().is_dirty(), "back where it was saved");
     hand.app_mut().save_as(&path);
 
-    // What was taken back is kept as before, also past another crash.
+    // Restored work is kept like any other, also past another crash.
     set_offset(&mut hand, 0.25);
     let again = later.after_a_crash();
     let mut hand = again.window(None);
@@ -102,8 +102,8 @@ fn the_camera_is_where_it_was_after_a_crash_and_is_no_step() {
     set_offset(&mut hand, 0.3);
     let steps = hand.steps();
     let before = hand.app().session().orbit().clone();
-    // Beside the object a drag walks around it, on it a drag turns the lights; the wheel comes
-    // nearer.
+    // A drag beside the object walks around it, a drag on the object turns the lights; the wheel
+    // comes nearer.
     let picture = hand.app().viewport().rect().unwrap();
     hand.drag(picture.left_top() + vec2(6.0, 60.0), picture.left_top() + vec2(60.0, 90.0));
     hand.drag(picture.center() + vec2(0.0, 30.0), picture.center() + vec2(50.0, 60.0));
@@ -212,7 +212,7 @@ fn a_damaged_journal_gives_what_it_can_and_says_so() {
     assert_eq!(later.journals(), 1, "what nobody threw away stays");
 }
 
-/// Asks the window to close, as its title bar does.
+/// Asks the window to close, as the title bar's button does.
 fn close(hand: &mut Hand) {
     let input = hand.harness.input_mut();
     input.viewports.get_mut(&ViewportId::ROOT).unwrap().events.push(ViewportEvent::Close);
@@ -241,7 +241,7 @@ fn a_closed_window_goes_on_where_it_was() {
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
     assert!(hand.app().session().is_dirty() && !hand.says(OFFER));
     drop(hand);
-    // The same where the file is named.
+    // The work also goes on where the file is named on the command line.
     hand = home.window(Some(&path));
     assert_eq!(offset(&hand), Some(0.5));
     hand.undo();
@@ -264,7 +264,7 @@ fn a_named_file_that_has_changed_since_is_opened_as_it_is() {
     let mut hand = home.window(Some(&path));
     assert_eq!((hand.look().name.as_str(), offset(&hand)), ("Theirs", None));
     assert!(hand.says(OFFER));
-    // Taken back, both versions are there to choose from.
+    // After restoring, both versions can be chosen.
     hand.press("Restore it");
     assert_eq!(offset(&hand), Some(0.5));
     assert!(hand.says("was changed by another program, and by you"));
@@ -279,7 +279,7 @@ fn work_of_a_program_that_dies_slowly_is_offered_as_soon_as_it_lets_go() {
     assert!(!hand.says(OFFER), "it is in use, as far as anybody knows");
     dying.app_mut().session_mut().close_journal(false);
     drop(dying);
-    // Four frames a second by the window's clock.
+    // Six seconds: four frames a second by the window's clock.
     hand.harness.run_steps(24);
     assert!(hand.says("New look, 1 change"));
     hand.press("Restore it");
@@ -337,12 +337,12 @@ fn a_file_changed_by_others_is_loaded_again_as_one_step() {
     assert_eq!(hand.look().graph.nodes["diffuse"].name, "Diffuse");
     assert!(hand.app().session().is_dirty());
     hand.redo();
-    // Written by hand as it is, it is saved as it is.
+    // A file edited by hand is saved in its own formatting.
     hand.app_mut().save_as(&path);
     assert_eq!(fs::read_to_string(&path).unwrap(), text.replace("\"Diffuse\"", "\"Theirs\""));
 
-    // What cannot be read, because it is half written, say, leaves the look; once it can, it is
-    // read.
+    // A file that cannot be read, half written for example, leaves the look as it is; once it can
+    // be read, it is loaded.
     fs::write(&path, "{ \"nodes\": 12").unwrap();
     hand.app_mut().look_at_files();
     hand.settle();
@@ -366,7 +366,8 @@ fn of_two_versions_one_is_chosen_and_the_other_not_lost() {
     };
     set_offset(&mut hand, 0.5);
     fs::write(&path, theirs("Theirs")).unwrap();
-    // Before anybody has looked: saving does not write over what nobody has seen.
+    // Before the window has noticed the change: saving does not overwrite a version that nobody has
+    // seen.
     let before = fs::read_to_string(&path).unwrap();
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
@@ -405,7 +406,7 @@ fn a_removed_file_is_told_and_saved_again() {
     assert!(path.exists() && !hand.says("rim.json was removed or moved"));
 }
 
-/// Waits until what the system tells has come to the window.
+/// Runs frames until the system's report of a changed file has come to the window.
 fn wait_until(hand: &mut Hand, is_so: impl Fn(&Hand) -> bool) {
     for _ in 0..200 {
         hand.harness.run_steps(12);
@@ -427,7 +428,8 @@ fn the_system_tells_of_changed_files() {
     let text = fs::read_to_string(&path).unwrap();
     fs::write(&path, text.replace("\"Diffuse\"", "\"Theirs\"")).unwrap();
     wait_until(&mut hand, |hand| hand.look().graph.nodes["diffuse"].name == "Theirs");
-    // Also where another file takes its place, as careful programs write.
+    // A change is also noticed where another file is renamed over the file, as careful programs
+    // write.
     let other = home.file("other");
     fs::write(&other, text.replace("\"Diffuse\"", "\"Again\"")).unwrap();
     fs::rename(&other, &path).unwrap();
@@ -511,7 +513,7 @@ fn a_mesh_that_was_stood_up_stays_so() {
     hand.press_a(Role::CheckBox, "Z is up");
     hand.key(Key::Escape);
     assert!(stands(&hand));
-    // Under another look, and in another window.
+    // The setting holds under another look, and in another window.
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert!(stands(&hand));
@@ -520,7 +522,7 @@ fn a_mesh_that_was_stood_up_stays_so() {
     assert!(stands(&hand) && hand.app().session().orbit().mesh == mesh);
     hand.app_mut().show_on(&mesh);
     assert!(stands(&hand), "named again it is the same");
-    // What is chosen next stands by itself, and is remembered so.
+    // The mesh chosen next has its own setting, which is remembered too.
     hand.choose("On", "Torus");
     assert!(!stands(&hand) && hand.app().session().orbit().mesh == "shape:torus");
     drop(hand);
@@ -565,13 +567,13 @@ fn a_folder_that_cannot_be_written_is_told_once_and_editing_goes_on() {
     hand.settle();
     assert!(!hand.says("a crash now would lose what is not saved"));
     assert_eq!(offset(&hand), Some(0.75));
-    // Here closing would lose something, so it asks.
+    // Without a journal closing would lose work, so the window asks.
     close(&mut hand);
     hand.harness.run_steps(3);
     assert!(hand.says("Do not save"));
     hand.press("Cancel");
 
-    // Once the folder can be written, the work is kept, without anything being done.
+    // Once the folder can be written, the work is kept without any action.
     fs::remove_file(home.file("state")).unwrap();
     wait_until(&mut hand, |_| home.journals() == 1);
     let later = home.after_a_crash();

@@ -1,5 +1,5 @@
-//! Several objects in the window: scenes are opened, changed, saved and taken back; looks are
-//! switched, and nothing is lost.
+//! Scenes of several objects in the window: scenes are opened, changed, saved and undone; looks are
+//! switched without loss.
 
 use crate::support::wait::block_on;
 use std::fs;
@@ -19,7 +19,7 @@ use egui_kittest::kittest::Queryable as _;
 const CAST: &str = "examples/scenes/cast.json";
 const BEHIND: &str = "examples/scenes/figure5-from-behind.json";
 
-/// A folder with a scene of two objects in two looks, and a window that keeps its work there.
+/// A folder with a scene of two objects in two looks, and with the state of its user's windows.
 struct Home {
     folder: tempfile::TempDir,
 }
@@ -51,7 +51,8 @@ impl Home {
         self.file("looks").join(name)
     }
 
-    /// A window as the program opens it.
+    /// A window with this folder's state, opened as the program opens a file or, without one, its
+    /// start.
     fn window(&self, file: Option<&Path>) -> Hand {
         let folder = self.folder.path().to_owned();
         let places = Places { state: folder.join("state"), config: folder.join("config") };
@@ -92,7 +93,7 @@ fn ids(hand: &Hand) -> Vec<String> {
     scene(hand).objects.keys().map(ToString::to_string).collect()
 }
 
-/// The file of the open look, without its folder.
+/// File name of the open look.
 fn open_look(hand: &Hand) -> String {
     let path = hand.app().session().path();
     path.map_or_else(String::new, |path| path.file_name().unwrap().to_string_lossy().into_owned())
@@ -122,7 +123,7 @@ fn choose(hand: &mut Hand, menu: &str, entry: &str) {
     press_button(hand, entry);
 }
 
-/// Types a number into the field of this name.
+/// Types a number into the number field of this name.
 fn set_number(hand: &mut Hand, field: &str, value: &str) {
     let at = hand.harness.get_by_role_and_label(Role::SpinButton, field).rect().center();
     hand.click(at);
@@ -142,7 +143,7 @@ fn sees(hand: &Hand, text: &str) -> bool {
     hand.harness.query_all_by_label_contains(text).next().is_some()
 }
 
-/// Where an object's middle is on the screen, by the camera of the scene.
+/// The middle of an object on the screen, by the camera of the scene.
 fn on_screen(hand: &Hand, id: &str) -> Pos2 {
     let rect = hand.app().viewport().rect().unwrap();
     let orbit = hand.app().session().orbit();
@@ -158,7 +159,7 @@ fn on_screen(hand: &Hand, id: &str) -> Pos2 {
     rect.center() + eframe::egui::vec2((at.dot(right) * scale) as f32, -(at.dot(up) * scale) as f32)
 }
 
-/// The same picture as `chiaro render` makes it.
+/// The picture of a scene as `chiaro render` draws it.
 fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     let mut planner = Planner::new(Assets::default());
     let setup = open(path, None, &mut planner.assets).unwrap().value;
@@ -169,7 +170,7 @@ fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     block_on(renderer.picture(&plan)).unwrap()
 }
 
-/// Whether the neighbours of a pixel are within `range` of 255 of it.
+/// True if the neighbours of a pixel differ from it by at most `range` of 255.
 fn is_smooth(bytes: &[u8], size: [u32; 2], [x, y]: [u32; 2], range: u8) -> bool {
     let at = |x: u32, y: u32| &bytes[4 * (y * size[0] + x) as usize..][..3];
     let own = at(x, y);
@@ -191,7 +192,7 @@ fn a_scene_is_seen_as_it_is_rendered() {
         };
         let wanted = rendered(path, size).to_rgba8();
 
-        // What leaves the window is that picture, edges of objects aside.
+        // The saved picture is the rendered one, edges of objects aside.
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("picture.png");
         hand.app_mut().save_picture(size, &file);
@@ -213,7 +214,7 @@ fn a_scene_is_seen_as_it_is_rendered() {
             );
         }
 
-        // And so is what the window shows, but for marks that lie on it.
+        // The window shows the rendered picture too, except for marks that lie on it.
         hand.hover(rect.center());
         hand.key(Key::H);
         hand.harness.remove_cursor();
@@ -225,7 +226,7 @@ fn a_scene_is_seen_as_it_is_rendered() {
                 image.get_pixel(rect.min.x.round() as u32 + x, rect.min.y.round() as u32 + y).0;
             (0..3).all(|channel| wanted[at + channel].abs_diff(shown[channel]) <= 2)
         };
-        // The picture need not lie on whole pixels of the screen.
+        // Only flat places are compared: the picture need not lie on whole pixels of the screen.
         let flat: Vec<_> = inner.iter().filter(|&&at| is_smooth(&wanted, size, at, 2)).collect();
         let same = flat.iter().copied().filter(is_same).count();
         assert!(same * 1000 >= flat.len() * 995, "{}: {same} of {}", path.display(), flat.len());
@@ -247,22 +248,22 @@ fn every_object_wears_its_own_look_and_a_click_opens_it() {
     assert_eq!(open_look(&hand), "figure1-layers.json");
     for (id, look) in [("pastel", "figure7-pastel.json"), ("minimal", "figure6-minimal.json")] {
         let at = on_screen(&hand, id);
-        // A ring has a hole in its middle, and so has a knot; beside it is its tube.
+        // Rings and knots have a hole in the middle; the tube is beside it.
         let at = if id == "minimal" { at + eframe::egui::vec2(0.0, 18.0) } else { at };
         hand.click(at);
         hand.settle();
         assert_eq!(stage(&hand).selected().map(|(id, _)| id.as_str()), Some(id));
         assert_eq!(open_look(&hand), look);
     }
-    // Beside all objects nothing is selected, and the look stays.
+    // A click beside all objects selects nothing, and the look stays open.
     let rect = hand.app().viewport().rect().unwrap();
     hand.click(rect.left_top() + eframe::egui::vec2(12.0, 12.0));
     assert!(stage(&hand).selected().is_none());
     assert_eq!(open_look(&hand), "figure6-minimal.json");
-    // A row does the same.
+    // A click on an object's row selects it too.
     press(&mut hand, "Object directional");
     assert_eq!(open_look(&hand), "figure5-directional.json");
-    // The pointer tells what it is over.
+    // The pointer tells the object under it and the object's look.
     let at = on_screen(&hand, "pastel");
     hand.hover(at);
     assert!(sees(&hand, "pastel wears figure7-pastel.json"));
@@ -279,7 +280,7 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
     assert_eq!(ids(&hand), ["creature", "torus"]);
     assert!(hand.app().session().is_dirty());
     assert_eq!(stage(&hand).selected().map(|(id, _)| id.as_str()), Some("torus"));
-    // All of it wears the open look, and there are two things to be seen.
+    // Both objects wear the open look, and both can be seen.
     let looks: Vec<_> =
         scene(&hand).objects.values().map(|object| object.looks["*"].clone()).collect();
     assert_eq!(looks[0], looks[1]);
@@ -300,7 +301,7 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
         ["add torus", "change torus", "rename the look", "change torus", "change torus"]
     );
 
-    // The last thing goes first, whichever document it was in.
+    // The newest step is undone first, whichever document it was in.
     hand.undo();
     assert_eq!(scene(&hand).objects["torus"].transform.scale, [1.0; 3]);
     hand.undo();
@@ -344,7 +345,7 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     let (setup, problems) = open(&path, None, &mut Assets::default()).unwrap().into_parts();
     assert_eq!((setup.objects.len(), setup.looks.len(), problems.len()), (2, 1, 0), "{problems:?}");
 
-    // It is opened again as it was.
+    // The saved scene is opened again as it was.
     let camera = hand.app().session().orbit().camera();
     let mut hand = home.window(Some(&path));
     assert_eq!(ids(&hand), ["creature", "knot"]);
@@ -352,8 +353,8 @@ fn an_unsaved_stage_is_saved_as_a_scene_that_renders() {
     assert!(!hand.app().session().is_dirty());
     let before = scene(&hand).camera;
     assert!(before.eye != camera.eye, "all was framed, which is the window's own view");
-    // The window looks from where the scene does, until it is orbited; the scene follows when it is
-    // told to.
+    // The window begins with the scene's camera, until it is orbited; the scene's camera changes
+    // only by a command.
     let corner = hand.app().viewport().rect().unwrap().left_top() + eframe::egui::vec2(20.0, 20.0);
     hand.drag(corner, corner + eframe::egui::vec2(60.0, 30.0));
     assert!(!hand.app().session().is_dirty());
@@ -398,7 +399,7 @@ fn looks_are_switched_without_loss() {
         ("figure4-color.json", "first")
     );
     assert!(hand.app().session().is_dirty() && ids(&hand).len() == 3);
-    // The newest of both goes first: the copy was made after the first name was set.
+    // The newest step of both documents goes first: the copy was made after the first name was set.
     hand.undo();
     assert_eq!((ids(&hand).len(), hand.look().name.as_str()), (2, "first"));
     hand.undo();
@@ -462,7 +463,7 @@ fn a_scene_is_offered_after_a_crash() {
     choose(&mut hand, "More of ball", "Remove object");
     assert_eq!(ids(&hand), ["ring"]);
     hand.app().session().wait_for_journal();
-    // The same user after everything was killed: locks are gone, files are there.
+    // The same user after a crash of all running programs: files are there, locks are gone.
     let later = Home::new();
     for name in ["two.json", "looks/figure4-color.json", "looks/figure6-minimal.json"] {
         assert_eq!(fs::read(home.file(name)).unwrap(), fs::read(later.file(name)).unwrap());
@@ -500,7 +501,7 @@ fn bad_scene_files_are_told_and_what_is_open_stays() {
         assert!(hand.harness.query_by_label_contains(told).is_some(), "{name}");
         assert_eq!(stage(&hand).path(), Some(home.scene().as_path()), "{name}");
     }
-    // Looks and meshes that are missing or broken are told, and all else is there.
+    // Looks and meshes that are missing or broken are told of, and the rest of the scene is there.
     let text = TWO
         .replace("looks/figure6-minimal.json", "looks/none.json")
         .replace("shape:torus", "shape:tours");
@@ -543,7 +544,7 @@ fn the_other_looks_are_read_again_when_they_change() {
     hand.app_mut().look_at_files();
     hand.settle();
     assert_eq!(hand.app().session().stage().unwrap().problem_texts().count(), 0);
-    // The scene's own file, changed by another program.
+    // Another program changes the scene's own file.
     fs::write(
         home.scene(),
         TWO.replace(
@@ -592,7 +593,7 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
     fs::write(&wedge, "v -1 -1 0\nv 1 -1 0\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n").unwrap();
     let mut hand = home.window(Some(&home.scene()));
     let mesh = |hand: &Hand, id: &str| scene(hand).objects[id].mesh.clone();
-    // Onto an object: it takes the mesh, whichever is selected.
+    // A mesh dropped onto an object replaces that object's mesh, whichever object is selected.
     press(&mut hand, "Object ring");
     let at = on_screen(&hand, "ball");
     drop_at(&mut hand, &wedge, at, Modifiers::NONE);
@@ -600,11 +601,11 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
         (mesh(&hand, "ring").as_str(), mesh(&hand, "ball").as_str()),
         ("shape:torus", "wedge.obj")
     );
-    // Beside all: the selected one does.
+    // A mesh dropped beside all objects replaces the selected object's.
     let beside = hand.app().viewport().rect().unwrap().left_top() + eframe::egui::vec2(9.0, 9.0);
     drop_at(&mut hand, &wedge, beside, Modifiers::NONE);
     assert_eq!(mesh(&hand, "ring"), "wedge.obj");
-    // With Shift, or on the panel, it is one more.
+    // A mesh dropped with Shift, or on the panel, is added as an object.
     drop_at(&mut hand, &wedge, beside, Modifiers::SHIFT);
     assert_eq!(ids(&hand), ["ring", "ball", "wedge"]);
     let panel = hand.harness.get_by_label("Object ball").rect().center();
@@ -614,7 +615,7 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
     assert!(hand.app_mut().save_scene_as(&home.scene()));
     assert_eq!(open(&home.scene(), None, &mut Assets::default()).unwrap().value.objects.len(), 4);
 
-    // Without a scene a mesh takes the place of the one that the look is seen on, and with Shift it
+    // Without a scene a dropped mesh replaces the mesh that the look is seen on, and with Shift it
     // begins a scene.
     let mut hand = home.window(None);
     let picture = hand.app().viewport().rect().unwrap().center();
@@ -639,7 +640,8 @@ fn objects_are_renamed_duplicated_and_removed() {
     assert_eq!(ids(&hand), ["ball", "ball_2"]);
     hand.undo();
     assert_eq!(ids(&hand), ["big_ring", "ball", "ball_2"]);
-    // Closing the scene leaves the look open; the scene is put aside and can be taken back.
+    // Closing the scene leaves the look open; the scene's unsaved work is put aside and comes back
+    // when it is opened.
     let look = open_look(&hand);
     choose(&mut hand, "More of the scene", "Close the scene");
     assert!(hand.app().session().stage().is_none());
@@ -655,7 +657,7 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     let mut hand = Hand::new();
     hand.app_mut().open(&home.scene());
     hand.settle();
-    // Of the scene nothing would be lost by going to another of its looks.
+    // Going to another look of the scene would not lose the scene's own changes.
     press(&mut hand, "Object ring is seen");
     press(&mut hand, "Object ball");
     assert_eq!(open_look(&hand), "figure6-minimal.json");
@@ -726,8 +728,8 @@ fn while_one_look_is_edited_the_others_are_compiled_once() {
     };
     let [ring, ball] = picture(&setup, true);
     assert_eq!((&ring.look.live, &ball.look.live), (&Live::All, &Live::Keyed));
-    // A light of the edited look is another at once, by its uniforms; the other look has its own of
-    // the same name.
+    // A light of the edited look changes at once, by uniforms; the other look has a light of the
+    // same name, which stays.
     assert!(
         setup.looks[1].look.lights.contains_key(setup.looks[0].look.lights.keys().next().unwrap())
     );
@@ -736,7 +738,7 @@ fn while_one_look_is_edited_the_others_are_compiled_once() {
     assert!(Arc::ptr_eq(&ring.look, &turned.look) && Arc::ptr_eq(&ball.look, &same.look));
     let bytes = |draw: &Draw| draw.look_uniforms[&Stage::Draw].bytes.clone();
     assert!(bytes(&ring) != bytes(&turned) && bytes(&ball) == bytes(&same));
-    // Another structure is another module, of that look alone.
+    // Another structure of a look is another module, of that look alone.
     setup.looks[0].look.tier = chiaro::document::Tier::Fast;
     let [other, same] = picture(&setup, true);
     assert!(!Arc::ptr_eq(&ring.look, &other.look) && Arc::ptr_eq(&ball.look, &same.look));

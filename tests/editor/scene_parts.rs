@@ -1,5 +1,5 @@
-//! What a scene has beside its objects: lights of its own, values that objects set over their
-//! looks', files that its looks live on, and small pictures.
+//! Parts of a scene beside its objects: its own lights, values that objects set over their looks',
+//! files that its looks read, and small pictures.
 
 use std::fs;
 use std::path::PathBuf;
@@ -10,10 +10,10 @@ use chiaro::editor::{App, Places};
 use chiaro::ids::LightId;
 use eframe::egui::{Key, Role, vec2};
 
-/// A user's folders, and in them a scene of two objects in two looks, with a light of its own.
+/// A user's folders, with a scene of two objects in two looks and with a light of its own.
 struct Home(tempfile::TempDir);
 
-/// Plain looks: a base, a layer and what they expose. Both have a light `key`.
+/// A plain look: a base, a layer, and exposed values. Both looks have a light `key`.
 const PAINT: &str = r#"{"chiaro": "look", "name": "Paint",
  "lights": {"key": {"direction": [0, 0, 1]}, "back": {"direction": [0.6, 0, -0.8]}},
  "nodes": [
@@ -27,7 +27,7 @@ const PAINT: &str = r#"{"chiaro": "look", "name": "Paint",
   {"name": "by", "target": "rim.light"},
   {"name": "brightness", "target": "lights.back.intensity"}]}"#;
 
-/// The same without the layer: an image is all there is to see.
+/// A look without the layer: an image is all that it shows.
 const DECAL: &str = r#"{"chiaro": "look", "name": "Decal",
  "lights": {"key": {"direction": [0, 1, 0]}},
  "nodes": [
@@ -68,7 +68,7 @@ impl Home {
         Places { state: self.file("state"), config: self.file("config") }
     }
 
-    /// The image of the decal, of one color.
+    /// Writes the decal's image, in one color.
     fn write_paper(&self, color: [u8; 3]) {
         let image = image::RgbImage::from_pixel(8, 8, image::Rgb(color));
         image.save(self.file("looks/paper.png")).unwrap();
@@ -107,21 +107,21 @@ fn lights(hand: &Hand) -> Vec<String> {
     scene(hand).lights.keys().map(LightId::to_string).collect()
 }
 
-/// Opens the list of a light's fields, or folds it away.
+/// Opens the list of a light's fields, or closes it.
 fn unfold(hand: &mut Hand, light: &str) {
     let at = hand.place(&format!("Light {light} shines"));
     hand.click(at.left_center() - vec2(14.0, 0.0));
     hand.settle();
 }
 
-/// The middle of the picture's left and right halves, where the two objects are.
+/// Colors of the two objects, in the middle of the picture's left and right halves.
 fn colors(hand: &mut Hand) -> [[u8; 3]; 2] {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("picture.png");
     hand.app_mut().save_picture([320, 160], &file);
     hand.settle();
     let picture = image::open(&file).unwrap().into_rgb8();
-    // The objects are 1.2 aside, where 4.8 are 160 pixels.
+    // The objects lie 1.2 to the left and right of the middle, and 4.8 are 160 pixels.
     [120, 200].map(|x| picture.get_pixel(x, 80).0)
 }
 
@@ -160,7 +160,7 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     assert_eq!(*hand.look(), look, "the look's own light is as it was");
     let steps: Vec<String> = hand.app().session().steps().map(str::to_owned).collect();
     assert_eq!(steps, ["change the light key"; 5]);
-    // One order of undo, for the look's light too.
+    // One order of undo also covers the look's light.
     hand.bring(Role::SpinButton, "Intensity of back");
     let field = hand.place_of(Role::SpinButton, "Intensity of back");
     hand.type_over(field, "3");
@@ -173,7 +173,7 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     );
     hand.redo();
 
-    // It is kept as all work is.
+    // The change is saved with the scene.
     assert!(hand.app_mut().save_scene_as(&home.file("two.json")));
     let saved =
         Scene::read(&fs::read_to_string(home.file("two.json")).unwrap(), "two").value.unwrap();
@@ -209,7 +209,7 @@ fn point_and_spot_lights_are_given_their_fall_off() {
             hand.has("Keys of Half distance") && hand.has("Keys of Range"),
             "they can be keyed"
         );
-        // What no document may hold is not set, and what is switched off says so.
+        // Values that no document may hold are not set, and `off` is the word for 0.
         set(&mut hand, "Half distance", "-3");
         set(&mut hand, "Range", "off");
         assert_eq!((of_key(&hand).half_distance, of_key(&hand).range), (0.0, 0.0));
@@ -249,7 +249,7 @@ fn a_scene_is_named_and_described_as_one_step_each() {
     hand.settle();
     assert_eq!(scene(&hand).about, "A ring and a ball");
     assert!(hand.has("Two in one light"), "its fold tells the name");
-    // A field that is being typed in has an undo of its own.
+    // A text field that has the focus has an undo of its own.
     hand.key(Key::Escape);
     hand.undo();
     assert_eq!(scene(&hand).about, "");
@@ -275,7 +275,7 @@ fn lights_are_added_to_a_scene_in_place_of_its_looks_own() {
     hand.press("Duplicate light");
     assert_eq!(lights(&hand), ["key", "key_2", "back"]);
     assert!(hand.has("unused"), "no look has a light of that id");
-    // What stands in for nothing can stand in for another light.
+    // A light that stands in for no look's light can stand in for another one.
     hand.press("More of back of the scene");
     hand.press("Remove light");
     hand.press("More of key_2 of the scene");
@@ -298,7 +298,7 @@ fn lights_are_added_to_a_scene_in_place_of_its_looks_own() {
 #[test]
 fn a_scenes_light_goes_out_for_all_looks_and_is_shown_alone() {
     let home = Home::new();
-    // Both objects are lit by `key` alone: what they show is its color.
+    // Both objects are lit by `key` alone, and show its color.
     fs::write(
         home.file("looks/decal.json"),
         PAINT.replace("[1, 0, 0]", "[0, 0, 0]").replace("0.5", "1"),
@@ -312,7 +312,7 @@ fn a_scenes_light_goes_out_for_all_looks_and_is_shown_alone() {
     assert!(!hand.app().session().shines("key") && hand.says("Muted: light key"));
     let dark = colors(&mut hand);
     assert!(dark[0][1] < 20 && dark[1][1] < 20, "{dark:?}");
-    // It is of the window: another look of the same scene is seen the same way.
+    // Muting belongs to the window: another look of the same scene is seen the same way.
     hand.tab("Objects");
     hand.press("Object ball");
     assert!(!hand.app().session().shines("key"));
@@ -323,7 +323,7 @@ fn a_scenes_light_goes_out_for_all_looks_and_is_shown_alone() {
     hand.press("Solo key of the scene");
     assert!(hand.app().session().shines("key") && !hand.app().session().shines("back"));
     assert_eq!(colors(&mut hand), lit);
-    // A light that is gone is not left alone in the dark.
+    // Removing a light ends its solo: the other lights are not left dark.
     hand.press("More of key of the scene");
     hand.press("Remove light");
     hand.press("Solo back");
@@ -365,7 +365,7 @@ fn a_scenes_light_is_dragged_on_the_object() {
 #[test]
 fn objects_set_what_their_looks_expose() {
     let home = Home::new();
-    // Both wear the same.
+    // Both objects wear the same look.
     fs::write(home.file("two.json"), TWO.replace("decal", "paint")).unwrap();
     let mut hand = home.drawing();
     hand.press("Object ring");
@@ -390,7 +390,7 @@ fn objects_set_what_their_looks_expose() {
     assert!(hand.errors().is_empty(), "{:?}", hand.errors());
     let steps: Vec<String> = hand.app().session().steps().map(str::to_owned).collect();
     assert_eq!(steps, ["change ring"; 3]);
-    // Back to what the look has, one by one, and that can be undone too.
+    // Values go back to the look's one by one, and undo sets them again.
     hand.press("Back to the look's Strength");
     assert!(!values(&hand).contains_key("strength") && !hand.has("Back to the look's Strength"));
     hand.undo();
@@ -400,7 +400,7 @@ fn objects_set_what_their_looks_expose() {
     }
     assert!(values(&hand).is_empty());
     assert_eq!(colors(&mut hand), plain);
-    // What is set here is what others render.
+    // The value set in the window is saved for other executors.
     let strength = hand.place_of(Role::SpinButton, "Strength");
     hand.type_over(strength, "0.25");
     assert!(hand.app_mut().save_scene_as(&home.file("two.json")));
@@ -430,7 +430,7 @@ fn values_of_looks_that_are_not_open_and_of_none_are_there_too() {
     let path = hand.text_field("Picture");
     hand.type_over(path, "other.png");
     assert_eq!(scene(&hand).objects["ring"].values["picture"], Value::Text("other.png".into()));
-    // What nothing takes is told, and can be taken out.
+    // A value that no look exposes is told of, and can be taken out.
     assert!(hand.has("lost") && hand.has("Set, and exposed by none of its looks"));
     hand.press("Take out lost");
     assert!(!scene(&hand).objects["ring"].values.contains_key("lost"));
@@ -449,7 +449,7 @@ fn images_of_looks_that_are_not_open_are_read_again() {
     hand.settle();
     assert_eq!(hand.app().message(), Some("paper.png was loaded again"));
     assert_eq!(colors(&mut hand)[1], [0, 200, 0]);
-    // One that an object sets in its place, too.
+    // An image that an object sets in its place is read again, too.
     let other = |color: [u8; 3]| {
         image::RgbImage::from_pixel(4, 4, image::Rgb(color))
             .save(home.file("looks/other.png"))
@@ -523,7 +523,7 @@ fn scenes_have_small_pictures_of_their_own() {
     let [left, right] = [at(0.25, 0.5), at(0.75, 0.5)];
     assert!(right[2] > 200 && right[0] < 60, "the decal is blue: {right:?}");
     assert!(left[0] > 100 && left[2] < 60, "the paint is red, under green light: {left:?}");
-    // The backdrop is the scene's.
+    // The picture's backdrop is the scene's.
     let corner = at(0.05, 0.1);
     assert!(corner[0].abs_diff(41) < 4 && corner[2].abs_diff(46) < 4, "{corner:?}");
     assert!(!hand.says("a scene"), "no words where the picture is");

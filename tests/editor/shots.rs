@@ -1,4 +1,4 @@
-//! Pictures of the window, to be looked at: `cargo test --test editor_shots -- --ignored` writes
+//! Pictures of the window, to be looked at: `cargo test --test editor shots -- --ignored` writes
 //! them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ fn window() -> Hand {
     window_of(|app| app)
 }
 
-/// A window as `make` makes it of a new one.
+/// A window that draws, made by `make` of a new one.
 fn window_of(make: impl Fn(App) -> App + 'static) -> Hand {
     let mut setup = default_wgpu_setup();
     if let WgpuSetup::CreateNew(setup) = &mut setup {
@@ -119,8 +119,8 @@ fn click_label(hand: &mut Hand, label: &str) {
     hand.settle();
 }
 
-/// What tells how true the picture is and what it costs: measured tiers, a wipe against the truth,
-/// a wire as isolines, and a wire that is not a number.
+/// The panels that tell how true the picture is and what it costs: measured tiers, a wipe against
+/// the truth, a wire as isolines, and a wire that is not a number.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn shots_of_truth() {
@@ -190,7 +190,7 @@ fn shots_of_truth() {
     save(&mut hand, "isolines");
 }
 
-/// The canvas with all that it draws, in both themes.
+/// The canvas with everything that it draws, in both themes.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn canvas_shots() {
@@ -370,7 +370,7 @@ fn keyed_shots() {
     save(&mut hand, "keyed-menu");
     click(&mut hand, "New keys by the view");
     save(&mut hand, "keyed-by-view");
-    // A drag that goes too far.
+    // A drag beyond the handle's limit.
     click(&mut hand, "Profile");
     click(&mut hand, "Profile preset Phong specular");
     let from = hand.harness.get_by_label("Fall-off of the profile").rect().center();
@@ -385,7 +385,7 @@ fn keyed_shots() {
     save(&mut hand, "profile-stops");
 }
 
-/// The start page in both themes, at other sizes, with files that were open; and the tour's steps.
+/// The start page in both themes and at other sizes, with recent files; and the tour's steps.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn start_shots() {
@@ -461,8 +461,8 @@ fn path_shots() {
     save(&mut hand, "export-path");
 }
 
-/// What a newcomer stumbles over: the picker, the tab of a layer's values over the picture and the
-/// values themselves, a cartoon's profile, and a narrow window's bar.
+/// Widgets that newcomers stumble over: the picker, the tab of a layer's values over the picture
+/// and the values themselves, a cartoon's profile, and a narrow window's bar.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn stumble_shots() {
@@ -532,8 +532,8 @@ fn scene_shots() {
     save(&mut hand, "objects-dropped");
 }
 
-/// Nodes found by name, a group that can be shared, a search that hides values, and what is told
-/// over the picture.
+/// Nodes found by name, a group that can be shared, a search that hides values, and messages over
+/// the picture.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn found_and_shared_shots() {
@@ -564,8 +564,8 @@ fn found_and_shared_shots() {
     save(&mut hand, "shortcuts-light");
 }
 
-/// What a scene has beside its objects: lights of its own, values that an object sets, and a
-/// picture where it is offered.
+/// Parts of a scene beside its objects: its own lights, values that an object sets, and a picture
+/// where it is offered.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn shots_of_a_scenes_parts() {
@@ -637,8 +637,8 @@ fn keyed_by_a_height_shots() {
     save(&mut hand, "long-names");
 }
 
-/// What the last program ended over: its tile on the start page, and the window that it is opened
-/// in.
+/// A document that the last program ended over: its tile on the start page, and the window that it
+/// is opened in.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 fn crash_shots() {

@@ -1,12 +1,12 @@
-//! Layers, lights, problems, history and the library, driven by a hand through the names that
-//! everybody sees.
+//! Layers, lights, problems, history and the library, driven by pointer and keys through the names
+//! that everybody sees.
 
 use crate::editor_support::{Hand, node_center};
 use chiaro::document::{Endpoint, Look, Value};
 use eframe::egui::{Key, Modifiers, Pos2, Role, accesskit::Toggled, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-/// The layers as they are listed, from the top.
+/// Names of the listed layers, from the top.
 fn rows(hand: &Hand) -> Vec<String> {
     let found = hand.harness.get_all_by_role(Role::ListItem);
     let mut rows: Vec<(f32, String)> = found
@@ -16,7 +16,8 @@ fn rows(hand: &Hand) -> Vec<String> {
     rows.into_iter().map(|(_, name)| name).collect()
 }
 
-/// The chain of the graph itself, from the Output downward: what the panel must agree with.
+/// The chain of layers in the graph itself, from the Output downward, which the panel must agree
+/// with.
 fn chain(look: &Look) -> Vec<String> {
     let mut at = Endpoint::new("output", "color");
     let mut found = Vec::new();
@@ -82,7 +83,7 @@ fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
     hand.undo();
     hand.settle();
     assert_eq!(*hand.look(), before);
-    // The same with the keyboard.
+    // The keyboard moves layers too.
     hand.press("Layer Back-light");
     hand.key_with(Modifiers::ALT, Key::ArrowDown);
     hand.settle();
@@ -130,7 +131,7 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     hand.undo();
     hand.settle();
     assert_eq!(*hand.look(), before, "one step");
-    // Every preset compiles as it is.
+    // Every preset compiles unchanged.
     for preset in ["Fill", "Diffuse", "Cartoon", "Shadow", "Highlight"] {
         hand.press("Add layer");
         hand.press(&format!("Add {preset}"));
@@ -163,12 +164,12 @@ fn solo_is_of_the_window_and_nobody_can_forget_it() {
     assert!(hand.says("Solo: Specular"));
     let alone = hand.app().session().baked().unwrap().wgsl.clone();
     assert!(full.contains("diffuse") && !alone.contains("diffuse") && alone.contains("specular"));
-    // An edit while it lasts is shown alone, too.
+    // An edit during the solo is shown alone, too.
     hand.press("Show Fill");
     assert!(!hand.app().session().baked().unwrap().wgsl.contains("diffuse"));
     hand.undo();
     hand.settle();
-    // Another one takes its place; both together with Ctrl.
+    // Another layer takes the solo over; Ctrl adds a layer to it.
     hand.press("Solo Diffuse");
     assert!(hand.says("Solo: Diffuse ·") && !hand.says("Solo: Specular"));
     let at = hand.place("Solo Specular").center();
@@ -206,7 +207,7 @@ fn a_layer_is_renamed_duplicated_and_deleted_in_the_list() {
     hand.settle();
     assert_eq!(chain(hand.look()), ["back", "specular_2", "specular", "fill", "base"]);
     assert!(hand.app().session().problems().is_empty());
-    // From the menu of a row.
+    // A layer is deleted from the menu of its row.
     hand.press("More of Fill");
     hand.press("Delete layer");
     assert_eq!(chain(hand.look()), ["back", "specular_2", "specular", "base"]);
@@ -349,7 +350,7 @@ fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     assert_eq!(hand.app().session().steps().count(), 4);
 }
 
-/// A look with something wrong of many kinds.
+/// A look with problems of many kinds.
 const BROKEN: &str = r##"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "nodes": [
     {"id": "base", "kind": "base", "values": {"colour": [0.2, 0.2, 0.3]}},
     {"id": "diffuse", "kind": "light_layer", "at": [260, 0], "values": {"light": "kay",
@@ -494,7 +495,7 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
     };
     let first = rest(&mut hand);
     assert!(first >= 5, "four layers and the base: {first}");
-    // A name, a place and another order are no other pictures; a color is one.
+    // Another name, place or order needs no new small picture; another color needs one.
     hand.press("Layer Specular");
     hand.key_with(Modifiers::ALT, Key::ArrowDown);
     assert_eq!(rest(&mut hand), first);
@@ -513,7 +514,8 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
     assert_eq!(rest(&mut hand), first + 1, "the old one is still there");
 }
 
-/// The picture behind the start page is not asked for, and nothing waits for it.
+/// A window that begins with the start page does not ask for the picture behind it, and its small
+/// pictures do not wait for that picture.
 #[test]
 fn a_window_that_begins_with_the_start_page_draws_its_pictures() {
     let mut hand = Hand::drawing_with(|mut app, _| {

@@ -1,6 +1,6 @@
 //! Pictures of the panels for layers, lights, problems, history and the library, to be looked at:
-//! `cargo test --test editor_stack_shots -- --ignored` writes them to `target/shots`, or where
-//! `CHIARO_SHOTS` names.
+//! `cargo test --test editor stack_shots -- --ignored` writes them to `target/shots`, or to the
+//! folder that `CHIARO_SHOTS` names.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -47,7 +47,7 @@ fn press(hand: &mut Hand, label: &str) {
     hand.settle();
 }
 
-/// A look with something wrong of every kind.
+/// A look with problems of every kind.
 const BROKEN: &str = r##"{"name": "Broken", "lights": {"key": {"direction": [-0.5, 0.7, 0.6]}},
     "nodes": [
     {"id": "base", "kind": "base", "values": {"colour": [0.2, 0.2, 0.3]}},

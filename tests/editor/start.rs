@@ -1,6 +1,6 @@
-//! A newcomer's first minutes: the start page, the tour from nothing to a saved look, paths where
-//! no dialog is, and copies to the clipboard. Everything is found by the name that a screen reader
-//! tells.
+//! A newcomer's first minutes: the start page, the tour from nothing to a saved look, typed paths
+//! where the system shows no dialog, and copies to the clipboard. Every widget is found by the name
+//! that a screen reader tells.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +11,8 @@ use chiaro::editor::{App, Places};
 use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, Role, Theme, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-/// A user's folders, and files beside them.
+/// Temporary folders of one user: for the program's state and configuration, and for the user's
+/// files.
 struct Home(tempfile::TempDir);
 
 impl Home {
@@ -23,7 +24,8 @@ impl Home {
         self.0.path().join(name)
     }
 
-    /// A window as the program opens it, but for dialogs of the system.
+    /// A window with this user's folders, opened as the program opens it, but without dialogs of
+    /// the system.
     fn window(&self, file: Option<&Path>) -> Hand {
         let places = Places { state: self.file("state"), config: self.file("config") };
         let file = file.map(Path::to_path_buf);
@@ -67,7 +69,7 @@ fn focused(hand: &Hand) -> Option<String> {
     nodes.filter_map(|node| node.accesskit_node().label()).next()
 }
 
-/// What is in the clipboard after the keys that copy the shader.
+/// Text of the clipboard after the keys that copy the shader.
 fn copied_by_keys(hand: &mut Hand) -> Option<String> {
     let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
     hand.harness.event(Event::Key {
@@ -156,7 +158,8 @@ fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
             "{name}"
         );
         assert!(!says(&hand, "os error"), "{name}");
-        // Once: what is open has no problem, and the status bar does not say it again.
+        // The problem is told once: the open look has no problem, and the status bar does not
+        // repeat it.
         assert!(
             hand.app().message().is_none() && hand.app().session().problems().is_empty(),
             "{name}"
@@ -164,7 +167,7 @@ fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
         assert!(!says(&hand, "1 error"), "{name}");
         press(&mut hand, "Understood");
         assert!(!says(&hand, "could not be opened") && hand.app().shows_start_page(), "{name}");
-        // It goes with whatever is opened next, too.
+        // The message goes away when another document is opened, too.
         hand.app_mut().open(&home.file(name));
         hand.settle();
         assert!(says(&hand, "could not be opened"), "{name}");
@@ -206,11 +209,11 @@ fn what_was_open_is_offered_and_what_is_gone_is_forgotten() {
     assert!(!hand.app().shows_start_page());
     assert_eq!(hand.app().session().path(), Some(rim.as_path()));
 
-    // The page lies over what is open, and goes without a trace.
+    // The page lies over the open document, which is unchanged when the page is closed.
     command(&mut hand, "start page");
     assert!(hand.app().shows_start_page());
     fs::remove_file(&rim).unwrap();
-    // The bar above tells of it too, and moves the page when it comes.
+    // The message bar above tells of the missing file too, and moves the page when it appears.
     hand.app_mut().look_at_files();
     hand.settle();
     assert!(has(&hand, "rim is gone"), "files are looked for while the page is seen");
@@ -328,7 +331,7 @@ fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
     }
 }
 
-/// Where the tour is: the title of its card.
+/// Title of the tour's card, which names the step.
 fn step(hand: &Hand) -> String {
     let nodes = hand.harness.query_all_by_label_contains(" of 7");
     nodes
@@ -342,7 +345,8 @@ fn is_at(hand: &Hand, title: &str) {
     assert!(step(hand).starts_with(title), "at {:?}, not at {title}", step(hand));
 }
 
-/// A step that is done says so and stays, for who would rather play on, until the artist goes on.
+/// Asserts that a step that is done says so and stays, for artists who would rather play on, until
+/// the artist goes on.
 #[track_caller]
 fn goes_on(hand: &mut Hand, title: &str) {
     is_at(hand, title);
@@ -353,7 +357,7 @@ fn goes_on(hand: &mut Hand, title: &str) {
     press(hand, "Next");
 }
 
-/// Where the tour's card is.
+/// Rectangle of the tour's card.
 fn card(hand: &Hand) -> Rect {
     let parts =
         ["End tour", "Back", "Show me"].map(|label| hand.harness.get_by_label(label).rect());
@@ -375,7 +379,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     let mut hand = on_tour(&home);
     let nothing = hand.look().clone();
 
-    // A click alone is not the step: the color must change.
+    // A click alone does not complete the step: the color must change.
     press(&mut hand, "Base Base");
     is_at(&hand, "The base");
     let field = hand
@@ -412,7 +416,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     is_at(&hand, "Turn the light");
     let before = hand.app().session().orbit().illumination;
     let picture = hand.app().viewport().rect().unwrap();
-    // Beside the object a drag turns the camera, which is another thing.
+    // A drag beside the object turns the camera, which does not complete the step.
     hand.drag(picture.left_top() + vec2(6.0, 6.0), picture.left_top() + vec2(40.0, 20.0));
     hand.settle();
     is_at(&hand, "Turn the light");
@@ -455,7 +459,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     assert!(has(&hand, "Open the look first"), "what was saved is offered");
 }
 
-/// Types a path where the window asks for one.
+/// Types a path into the field that the window asks for paths with.
 fn type_path(hand: &mut Hand, path: &Path) {
     let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
     hand.click(field);
@@ -495,7 +499,7 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
     assert!(!hand.app().is_on_tour());
     assert_eq!(*hand.look(), shown, "ending leaves the look as it is");
 
-    // What it did are steps like others.
+    // Changes by *Show me* are steps like others.
     for _ in 0..5 {
         assert!(hand.app().session().undo_label().is_some());
         hand.undo();
@@ -552,7 +556,7 @@ fn the_rim_of_the_tour_is_seen_however_the_lights_were_turned() {
     }
     press(&mut hand, "Skip");
     is_at(&hand, "Turn the light");
-    // Half around: what was behind the object is before it now.
+    // The lights turn half around: a light from behind the object now comes from before it.
     let picture = hand.app().viewport().rect().unwrap();
     for _ in 0..3 {
         hand.drag(picture.center() + vec2(-60.0, 20.0), picture.center() + vec2(60.0, 20.0));
@@ -593,7 +597,7 @@ fn the_tour_can_be_left_gone_back_in_and_undone() {
     press(&mut hand, "End tour");
     assert!(!hand.app().is_on_tour() && *hand.look() == before);
 
-    // Another look ends it too, and it can be taken again, from the menu.
+    // Opening another look ends the tour too, and the menu starts the tour again.
     press(&mut hand, "Help");
     press(&mut hand, "Take the tour");
     assert!(hand.app().is_on_tour());
@@ -634,7 +638,7 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
     }
     assert_eq!(fs::read_to_string(home.file("b.json")).unwrap(), "mine");
 
-    // Who would rather type can, in any case.
+    // The field for a path can always be opened by its key.
     hand.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::O);
     hand.settle();
     assert!(!says(&hand, "shows no file dialog") && has(&hand, "Open a look, a scene or an HCBTF"));
@@ -652,7 +656,7 @@ fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
     let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
     hand.click(field);
     hand.key_with(Modifiers::COMMAND, Key::A);
-    // A quick hand in a slow window: all of it in one frame, letters as keys and as text.
+    // A quick user in a slow window: all input in one frame, letters as keys and as text.
     let key = |key| Event::Key {
         key,
         physical_key: None,
@@ -666,12 +670,12 @@ fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
     hand.settle();
     assert!(path.is_file() && !has(&hand, "Save here"), "it is saved");
     assert_eq!(hand.look().graph.nodes, look.graph.nodes, "nothing of it reached the graph");
-    // What is typed after that is the graph's again.
+    // Keys typed after that are the graph's again.
     hand.key(Key::X);
     assert!(!hand.look().graph.nodes.contains_key("diffuse"));
 }
 
-/// Notes that a program ended over a file, as one leaves it.
+/// Leaves the notes of a program that ended in a step on a file.
 fn leave_interrupted(home: &Home, step: &str, path: &Path) {
     let document = serde_json::json!({"name": path.file_name().unwrap().to_str(), "path": path});
     let line = serde_json::json!({"begin": {"number": 0, "step": step, "document": document}});
@@ -696,7 +700,7 @@ fn what_the_last_program_ended_over_is_drawn_by_hand_alone() {
     let path = opened_once(&home);
     for step in ["draw", "compile"] {
         leave_interrupted(&home, step, &path);
-        // Whoever only looks at the start page changes nothing.
+        // Opening the start page alone changes nothing.
         drop(home.window(None));
         let mut hand = home.window(None);
         assert!(hand.app().shows_start_page());
@@ -719,7 +723,7 @@ fn what_is_held_back_can_be_mended() {
     leave_interrupted(&home, "draw", &path);
     let mut hand = home.window(Some(&path));
     assert!(says(&hand, "a.json is open without being drawn"));
-    // Another document is drawn meanwhile, and this one is still held back after it.
+    // Another document is drawn meanwhile, and the held-back one is still held back after it.
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert!(compiles(&hand) && !says(&hand, "without being drawn"));
@@ -772,7 +776,8 @@ fn work_on_what_the_last_program_ended_over_is_not_gone_on_with_by_itself() {
     assert!(says(&hand, "a.json is open without being drawn"));
 }
 
-/// A folder for a window that is to be killed in it: this program is started again with that.
+/// Variable that names the folder of a window to be killed; the test starts this program again with
+/// it set.
 const KILLED: &str = "CHIARO_KILLED_WINDOW";
 
 /// Opens a look that takes long to compile, in a window that is killed.
@@ -788,7 +793,7 @@ fn killed_window() {
     });
 }
 
-/// A chain of so many additions.
+/// A look with a chain of `length` additions.
 fn chain(length: usize) -> String {
     let node = |index: usize| {
         serde_json::json!({
@@ -853,7 +858,7 @@ fn the_shader_is_copied_as_wgsl() {
         assert!(says(&hand, label), "{label}");
     }
     hand.key(Key::Escape);
-    // A look that does not compile has none, and it is said why.
+    // A look that does not compile has no shader to copy, and the window says why.
     let edit = chiaro::document::Edit::SetKind {
         graph: chiaro::document::GraphId::Look,
         id: "diffuse".into(),
@@ -866,7 +871,7 @@ fn the_shader_is_copied_as_wgsl() {
     assert!(matches!(hand.look().graph.nodes["base"].values["color"], Value::Vector(_)));
 }
 
-/// Where a card is that may lie below what is seen: it opens by the keyboard as well.
+/// Opens a card of the start page by the keyboard, because it may lie below the visible part.
 fn open_card(hand: &mut Hand, label: &str) {
     let card = hand
         .harness
@@ -899,7 +904,7 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     let options = chiaro::hcbtf::LayerOptions::default();
     let named = chiaro::frame::SetupLook::clone(&setup.looks[0]);
     let image = assets.hcbtf(&named.folder, "example:hcbtf/halftone.hcbtf", options).unwrap().value;
-    // A draft has 1 + 2 x 4 views that differ at most, and the layer that tells the grid.
+    // A draft has 1 + 2 x 4 views that differ at most, and a layer that holds the grid.
     assert!((2..=10).contains(&image.layers), "{}", image.layers);
 }
 
@@ -916,7 +921,7 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     );
     let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
     assert!(wrong.is_empty() && compiles(&hand), "{wrong:?} {:?}", hand.app().session().problems());
-    // It is saved with the examples that it wears, and found again.
+    // The scene is saved with the names of the examples that it wears, which are found again.
     let (look, scene) = (home.file("arch.json"), home.file("scene.json"));
     assert!(hand.app_mut().save_as(&look));
     hand.app_mut().session_mut().save_scene_as(&scene).unwrap();

@@ -1,5 +1,5 @@
-//! The handles on the object, driven by a hand: lines and lights are where the layer's own formulas
-//! say.
+//! The handles on the object, driven by the pointer: lines and lights lie where the layer's own
+//! formulas say.
 
 use crate::editor_support::{Hand, node_center};
 use chiaro::document::Value;
@@ -27,7 +27,7 @@ fn number(hand: &Hand, port: &str) -> Option<f64> {
     }
 }
 
-/// The normal of the unit ball at a point of the screen, by the intersection of a ray with it.
+/// Normal of the unit ball at a point of the screen, by intersecting the point's ray with the ball.
 fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
     let (rect, orbit) = (rect(hand), hand.app().session().orbit());
     let offset = (at - rect.center()) / rect.height();
@@ -43,7 +43,7 @@ fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
     (half > 0.0).then(|| eye + ray * (along - half.sqrt()))
 }
 
-/// The point of the screen where the ball has a normal.
+/// Point of the screen at which the ball has a normal.
 fn screen_at(hand: &Hand, normal: DVec3) -> Pos2 {
     let (rect, orbit) = (rect(hand), hand.app().session().orbit());
     let (right, up) = orbit.right_and_up();
@@ -60,7 +60,7 @@ fn light(hand: &Hand) -> DVec3 {
         .normalize()
 }
 
-/// A point of a line, well inside of the picture and away from handles.
+/// A point of a line, well inside of the picture and away from other handles.
 fn grip(hand: &Hand, port: &str) -> Pos2 {
     let points = hand.app().viewport().curve(port);
     let center = rect(hand).center();
@@ -77,7 +77,7 @@ fn lines_lie_where_the_angle_is() {
     for at in points {
         let normal = normal_at(&hand, at).expect("on the ball");
         let angle = normal.angle_between(l);
-        // The grid is a pixel or two wide; at the rim one of them is several degrees.
+        // The grid of the line is a pixel or two wide; at the rim a pixel is several degrees.
         let facing = normal.dot(hand.app().session().orbit().direction());
         if facing > 0.25 {
             assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 0.01, "{angle} at {at}");
@@ -88,7 +88,7 @@ fn lines_lie_where_the_angle_is() {
 #[test]
 fn a_line_follows_the_pointer_and_a_gesture_is_one_step() {
     let mut hand = on_ball();
-    // A Lambert layer's fall-off and cut-off lie on each other, and move together.
+    // A Lambert layer's fall-off and cut-off coincide, and their lines move together.
     let from = grip(&hand, "cutoff");
     let l = light(&hand);
     let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(l, 0.3).normalize());
@@ -196,7 +196,7 @@ fn the_bright_middle_follows_the_pointer() {
     assert_eq!(hand.app().session().undo_label(), Some("change the light key"));
     hand.undo();
     assert!(!hand.app().session().is_dirty(), "one step");
-    // Shift takes it from anywhere.
+    // With Shift a drag from any place moves the light.
     let from = rect(&hand).center() + vec2(-20.0, 60.0);
     hand.drag_with(Modifiers::SHIFT, from, to);
     assert!(light(&hand).angle_between(wanted) < 0.02);
@@ -276,7 +276,7 @@ fn escape_gives_a_drag_up() {
     hand.release(corner + vec2(90.0, 20.0));
     assert_eq!(*hand.app().session().orbit(), before, "the hand holds nothing any more");
     hand.settle();
-    // What a line has set goes too, and nothing is left to be taken back.
+    // Escape also takes back a value that a drag of a line has set, and leaves no step to undo.
     let from = grip(&hand, "cutoff");
     let to = screen_at(&hand, normal_at(&hand, from).unwrap().lerp(light(&hand), 0.3).normalize());
     hand.hold(from);
@@ -287,7 +287,7 @@ fn escape_gives_a_drag_up() {
     assert_eq!((number(&hand, "cutoff"), hand.app().session().undo_label()), (None, None));
     hand.release(to);
     assert!(!hand.app().session().is_dirty());
-    // An edit of before the drag stays.
+    // An edit made before the drag stays.
     hand.drag(from, to);
     let first = number(&hand, "cutoff");
     hand.hold(corner);
@@ -325,7 +325,7 @@ fn the_window_rests_with_lines_on_the_object() {
     hand.key(Key::T);
     hand.settle();
     assert!(hand.repaint_delay() > std::time::Duration::from_secs(60));
-    // The same from the palette; over the graph the key is the graph's.
+    // The palette starts the turntable too; over the graph the key is the graph's.
     hand.key_with(Modifiers::COMMAND, Key::P);
     hand.type_text("turntable");
     hand.key(Key::Enter);
@@ -338,8 +338,8 @@ fn the_window_rests_with_lines_on_the_object() {
     assert!(hand.repaint_delay() < std::time::Duration::from_secs(1), "and goes on");
 }
 
-/// Arrows lie from the surface toward each light and along the eye's trace; without them there are
-/// none.
+/// Arrows lie from the surface toward each light and along the eye's trace; without the option
+/// there are no arrows.
 #[test]
 fn arrows_point_at_the_light() {
     let mut hand = on_ball();
@@ -355,7 +355,7 @@ fn arrows_point_at_the_light() {
     for [from, to] in &arrows {
         let Some(normal) = normal_at(&hand, *from) else { continue };
         let ends: Vec<Pos2> = [
-            // At the light, its trace, and the eye's trace.
+            // Ends of the three arrows: at the light, at the light's trace, and at the eye's trace.
             toward,
             toward - normal * normal.dot(toward),
             {

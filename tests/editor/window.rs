@@ -1,5 +1,5 @@
-//! The window, driven by pointer and keys as a hand would: each action of the first editor, without
-//! display and GPU.
+//! The window, driven by pointer and keys: each action of the first editor, without display and
+//! GPU.
 
 use crate::editor_support::{Hand, close, node_center};
 use chiaro::compile::Live;
@@ -41,7 +41,7 @@ fn a_node_is_added_by_search() {
     let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
     assert_eq!(selected, ["profile"]);
     assert!(hand.app().session().is_dirty());
-    // It lies where the hand was.
+    // The new node lies where the pointer was.
     assert!(hand.app().canvas().node_rect("profile").unwrap().expand(2.0).contains(empty));
 }
 
@@ -72,10 +72,10 @@ fn an_entry_of_the_search_is_clicked() {
 #[test]
 fn a_wire_is_drawn_from_output_to_input_and_back() {
     let mut hand = Hand::new();
-    // Past the layer: from the base straight to the output.
+    // A wire from the base straight to the output, past the layer.
     hand.drag(hand.output("base", "below"), hand.input("output", "color"));
     assert_eq!(wire_into(&hand, "output", "color").unwrap().node.as_str(), "base");
-    // From an input back to an output.
+    // A drag from an input back to an output.
     hand.undo();
     assert_eq!(wire_into(&hand, "output", "color").unwrap().node.as_str(), "diffuse");
     hand.drag(hand.input("diffuse", "kappa"), hand.output("diffuse", "tone"));
@@ -117,7 +117,7 @@ fn a_wire_dropped_on_nothing_adds_what_fits() {
     hand.type_text("invert");
     hand.key(Key::Enter);
     assert_eq!(wire_into(&hand, "invert", "value"), Some(Endpoint::new("diffuse", "tone")));
-    // Both in one step.
+    // The node and its wire are one step.
     hand.undo();
     assert!(!hand.look().graph.nodes.contains_key("invert"));
 }
@@ -159,13 +159,14 @@ fn a_value_edit_compiles_no_live_shader() {
     let slider = hand.slider("Offset");
     hand.drag(slider.left_center() + vec2(4.0, 0.0), slider.center());
     assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
-    // A wire does.
+    // Another wire compiles a live shader.
     hand.drag(hand.output("base", "below"), hand.input("output", "color"));
     hand.settle();
     assert!(!std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
 }
 
-/// Past 16 KiB of uniforms a value becomes one when it is touched, at the price of one compile.
+/// In a look with more than 16 KiB of values a value becomes a uniform when it is touched, at the
+/// price of one compile.
 #[test]
 fn a_touched_value_of_a_long_look_becomes_live() {
     let count = 6000;
@@ -200,7 +201,7 @@ fn a_touched_value_of_a_long_look_becomes_live() {
     };
     touch(&mut hand, "n7", 0.25);
     assert_eq!(live_values(&hand), ["n7.b"]);
-    // From then on it moves without a compile.
+    // A live value then changes without a compile.
     let before = hand.app().session().live().unwrap().clone();
     touch(&mut hand, "n7", 0.5);
     assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
@@ -301,7 +302,7 @@ fn a_look_is_saved_and_opened() {
     assert!(!hand.app().session().is_dirty());
     let saved = hand.look().clone();
 
-    // The key saves to the same file.
+    // The key saves to the look's file.
     hand.click(node_center(&hand, "base"));
     hand.key(Key::Delete);
     assert!(hand.app().session().is_dirty());
@@ -358,7 +359,7 @@ fn an_error_shows_on_its_node_and_goes() {
     let mut hand = Hand::new();
     let good = hand.app().session().baked().unwrap().clone();
     let nothing = hand.empty_place();
-    // Without a wire the output shows nothing, which is an error of the output.
+    // Without a wire the output shows nothing, which is an error of the output node.
     hand.drag(hand.input("output", "color"), nothing);
     hand.settle();
     assert!(hand.app().canvas().has_error("output"), "{:?}", hand.app().session().problems());
@@ -425,7 +426,7 @@ fn the_wheel_zooms_about_the_pointer() {
     hand.key(Key::F);
 }
 
-/// Every kind of value, with numbers that no slider's step would give and some beyond its range.
+/// Values of every kind, with numbers that no slider's step would give and some beyond their range.
 const MIXED: &str = r##"{"lights": {
     "key": {"direction": [-0.5, 0.7, 0.6], "intensity": 7.12345},
     "spot": {"type": "spot", "inner": 0.3512345, "outer": 0.5123456}

@@ -1,5 +1,5 @@
-//! Exported looks: golden outputs of every example look in every language, and what the description
-//! says held against programs that are not the exporter.
+//! Exported looks: golden outputs of every example look in every language, and the description held
+//! against programs that do not share the exporter's code.
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ use chiaro::wgsl;
 use glam::{DMat3, DQuat};
 use serde_json::{Value as Json, json};
 
-/// Where the golden outputs lie.
+/// The folder of the golden outputs.
 fn golden_folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
 }
@@ -31,7 +31,7 @@ fn read_look(text: &str, name: &str) -> Look {
     loaded.value.unwrap_or_else(|| panic!("{:?}", loaded.diagnostics))
 }
 
-/// Every file of a look in every language.
+/// All files of a look in all languages.
 fn export_all(look: &Look, stem: &str) -> Vec<File> {
     let exported = export(look, Library::built_in(), stem, &LANGUAGES, Path::new(""));
     let exported = exported.unwrap_or_else(|problems| {
@@ -43,7 +43,7 @@ fn export_all(look: &Look, stem: &str) -> Vec<File> {
     exported.value
 }
 
-/// The golden files as they should be: by path below the folder.
+/// The golden files as they should be, by their paths below the folder.
 fn expected() -> BTreeMap<PathBuf, Vec<u8>> {
     let looks = files::below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks"));
     let mut expected = BTreeMap::new();
@@ -65,7 +65,7 @@ fn expected() -> BTreeMap<PathBuf, Vec<u8>> {
     expected
 }
 
-/// The first line that differs, or the sizes of what is no text.
+/// The first line that differs, or the sizes where a file is no text.
 fn difference(golden: &[u8], now: &[u8]) -> String {
     let (Ok(golden_text), Ok(now_text)) = (std::str::from_utf8(golden), std::str::from_utf8(now))
     else {
@@ -87,7 +87,8 @@ fn difference(golden: &[u8], now: &[u8]) -> String {
     )
 }
 
-/// `CHIARO_BLESS=1 cargo test --test export` writes them anew.
+/// Golden outputs equal the exported files. `CHIARO_BLESS=1 cargo test --test export` writes them
+/// anew.
 #[test]
 fn golden_outputs_are_what_is_exported() {
     let folder = golden_folder();
@@ -130,8 +131,8 @@ fn golden_outputs_are_what_is_exported() {
     assert!(complaints.is_empty(), "{}\n{how}", complaints.join("\n"));
 }
 
-/// OpenGL and Vulkan take different texts that both say 450: who reads the description learns which
-/// this is.
+/// The description tells whose GLSL a file is: OpenGL and Vulkan take different texts that both say
+/// 450.
 #[test]
 fn the_description_says_whose_glsl_it_is() {
     let look = read_look(
@@ -156,9 +157,9 @@ fn exporting_twice_gives_the_same_bytes() {
     assert_eq!(expected(), expected());
 }
 
-/// Every kind of thing that a look can hold: exposed numbers, colors, a ramp, a choice and a
-/// light's field; a number that becomes a color; time; a directional and a spot light; an image in
-/// a node of its own; curvature, also of detail normals; an alpha cutoff.
+/// A look with every kind of thing that a look can hold: exposed numbers, colors, a ramp, a choice
+/// and a light's field; a number that becomes a color; time; a directional and a spot light; an
+/// image in a node of its own; curvature, also of detail normals; an alpha cutoff.
 const RICH: &str = include_str!("rich.json");
 
 fn rich() -> Look {
@@ -185,8 +186,8 @@ fn module<'d>(description: &'d Json, name: &str) -> &'d Json {
         .unwrap_or_else(|| panic!("no module {name}"))
 }
 
-/// What outside compilers say against files of every language, one text for each that they refuse,
-/// and the WGSL files among them.
+/// Complaints of outside compilers about files of every language, one text for each refused file;
+/// and the number of WGSL files among them.
 fn judged(files: &[File]) -> (Vec<String>, usize) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut wgsl = Vec::new();
@@ -212,8 +213,8 @@ fn judged(files: &[File]) -> (Vec<String>, usize) {
     (complaints, wgsl.len())
 }
 
-/// The same outside compilers that judge the golden outputs, on a look that the examples need not
-/// resemble.
+/// The outside compilers that judge the golden outputs take a look with everything, which the
+/// examples need not resemble.
 #[test]
 fn everything_a_look_can_hold_passes_the_validators() {
     let (complaints, wgsl) = judged(&export_all(&rich(), "rich"));
@@ -287,7 +288,7 @@ fn images_and_hcbtfs_are_carried_along() {
     let row = |path: &str, kind: &str, file: Option<&str>| {
         (path.to_owned(), kind.to_owned(), file.map(str::to_owned))
     };
-    // With smaller levels and without, as the lookups read it.
+    // The HCBTF is exported with smaller levels and without, as its two lookups read it.
     let wanted = [
         row("gone.png", "image", None),
         row("moss.hcbtf", "hcbtf", Some("moss.moss-2.ktx2")),
@@ -332,10 +333,11 @@ fn unverified_languages_say_so_in_every_file() {
     {
         let is_unverified = file.name.ends_with(".hlsl") || file.name.ends_with(".metal");
         assert_eq!(text(file).contains("// UNVERIFIED: "), is_unverified, "{}", file.name);
-        // The look is called `Rich look\`: nothing after a backslash may be swallowed.
+        // The look's name, `Rich look\`, ends in a backslash, which must not swallow the line after
+        // a comment.
         assert!(!text(file).lines().take(3).any(|line| line.ends_with('\\')), "{}", file.name);
     }
-    // The heap of samplers that only wgpu has is not in it.
+    // The heap of samplers that only wgpu has is not exported.
     assert!(
         text(file(&files, "rich.hlsl")).contains("SamplerState image_1_sampler : register(s0);")
     );
@@ -344,7 +346,7 @@ fn unverified_languages_say_so_in_every_file() {
     );
 }
 
-/// Offsets of uniforms by full name, `u_look.key.direction`, as the description has them.
+/// Offsets of uniforms in the description by full name, such as `u_look.key.direction`.
 fn described_offsets(description: &Json) -> BTreeMap<String, u64> {
     let mut offsets = BTreeMap::new();
     for binding in module(description, "draw")["bindings"].as_array().expect("bindings") {
@@ -368,7 +370,7 @@ fn described_offsets(description: &Json) -> BTreeMap<String, u64> {
     offsets
 }
 
-/// glslang lays std140 blocks out by itself.
+/// Offsets in the description agree with glslang, which lays std140 blocks out by itself.
 #[test]
 fn uniforms_lie_in_glsl_where_the_description_says() {
     let files = export_all(&rich(), "rich");
@@ -395,14 +397,15 @@ fn uniforms_lie_in_glsl_where_the_description_says() {
     }
 }
 
-/// What a step's value is: numbers with their lists, or what a function gave.
+/// The value of a step of `host`: JSON as the description has it, or the value that a function
+/// gave.
 #[derive(Clone, Debug)]
 enum Evaluated {
     Json(Json),
     Value(Value),
 }
 
-/// JSON as a value of a shape.
+/// A JSON value as a value of a shape.
 fn shaped(json: &Json, shape: &Shape) -> Value {
     let items = || json.as_array().expect("a list").iter();
     let numbers = || items().map(|item| item.as_f64().expect("a number")).collect::<Vec<_>>();
@@ -422,7 +425,7 @@ fn shaped(json: &Json, shape: &Shape) -> Value {
     }
 }
 
-/// The numbers of a value, in order.
+/// Numbers of a value, in order.
 fn flat(value: &Value) -> Vec<f64> {
     match value.parts() {
         Some(parts) => parts.iter().flat_map(flat).collect(),
@@ -438,7 +441,7 @@ fn flat_json(json: &Json) -> Vec<f64> {
     }
 }
 
-/// Runs a module's `host` as its documentation says, with nothing of the compiler.
+/// Runs a module's `host` as its documentation says, without the compiler's code.
 fn evaluate(
     host: &Json,
     functions: &str,
@@ -446,7 +449,7 @@ fn evaluate(
     context: &dyn Fn(&Json) -> Json,
 ) -> Vec<Vec<f64>> {
     let valid = wgsl::parse(functions).expect("valid WGSL");
-    // Constants as they are written, at f64.
+    // Constants are taken as written, in f64.
     let options =
         Options { derivatives: Derivatives::Zero, source: Some(functions), ..Options::default() };
     let mut values: Vec<Evaluated> = Vec::new();
@@ -502,7 +505,7 @@ fn evaluate(
     members.iter().map(numbers).collect()
 }
 
-/// A light's field from the description, without the compiler's own code. The illumination frame is
+/// A field of a light from the description, without the compiler's code. The illumination frame is
 /// turned by 90 degrees about y: x becomes -z, z becomes x.
 fn light_field(light: &Json, field: &str) -> Json {
     let values = &light["values"];
@@ -537,7 +540,7 @@ fn light_field(light: &Json, field: &str) -> Json {
     }
 }
 
-/// The values that the test sets, by the exposed name.
+/// Values that the test sets, by their exposed names.
 fn test_values() -> BTreeMap<&'static str, Json> {
     [
         ("speed", json!(0.7)),
@@ -599,7 +602,7 @@ fn the_described_host_computes_what_the_compilers_does() {
     }
 }
 
-/// The same by the compiler's own program.
+/// Values of a module's `host` by the compiler's own program.
 fn compiled_host(look: &Look, stage: CompileStage, values: &BTreeMap<&str, Json>) -> Vec<Vec<f64>> {
     let options = CompileOptions { live: Live::Exposed, stage, ..CompileOptions::default() };
     let shader = compile(look, Library::built_in(), &options).expect("a right look");
@@ -707,8 +710,8 @@ fn passes_read_only_what_was_drawn_before() {
     assert_eq!(names, ["normals", "detail_normals", "curvature", "detail_curvature", "draw"]);
 }
 
-/// Derivatives where control flow is not uniform, literals beyond f32: browsers refuse what naga
-/// takes. All of the library is in one module.
+/// Tint takes a module of the whole library. Browsers refuse code that naga takes: derivatives
+/// where control flow is not uniform, literals beyond f32.
 #[test]
 fn tint_takes_the_whole_library() {
     let folder = tempfile::tempdir().expect("a temporary folder");

@@ -1,4 +1,4 @@
-//! Exported modules against golden files and outside validators.
+//! Tests of exported modules against golden files and outside validators.
 
 use chiaro_test_drawing as support;
 

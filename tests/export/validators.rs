@@ -1,5 +1,5 @@
-//! The shaders that leave Chiaro pass compilers that are none of ours; and those compilers, as we
-//! drive them, refuse what is wrong. A check that cannot fail would prove nothing.
+//! Exported shaders pass compilers of other projects; and those compilers, as the project drives
+//! them, refuse wrong shaders. A check that cannot fail would prove nothing.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,15 +13,15 @@ use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
 use chiaro::library::Library;
 
-/// Whether a test that needs `tool` to refuse something can run; fails where the tools are
-/// required.
+/// True if a test that needs `tool` to refuse a shader can run; fails where the tools are required
+/// and `tool` is missing.
 fn can_refuse(tool: Tool) -> bool {
     let here = tool.is_here();
     assert!(here || !tools_are_required(), "{tool} is missing: run scripts/setup");
     here
 }
 
-/// Writes `source` to a file of its own and has Tint compile it.
+/// Writes `source` to a file of its own and has Tint compile the file.
 fn tint_source(source: &str) -> Result<(), String> {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = folder.path().join("shader.wgsl");
@@ -48,7 +48,7 @@ fn tint_refuses_a_wrong_type_and_says_where() {
     }
 }
 
-/// The reason for Tint: naga takes this shader, browsers do not.
+/// A reason for using Tint: naga takes this shader, browsers do not.
 #[test]
 fn tint_refuses_a_derivative_in_non_uniform_control_flow() {
     let source = "@fragment fn main(@location(0) x: f32) -> @location(0) vec4f {
@@ -80,7 +80,8 @@ fn tint_reports_every_file_it_refuses() {
     }
 }
 
-/// Each with a right shader and a wrong one that only differs where its rules do.
+/// glslang takes a right shader of every exported version, and refuses a wrong one that breaks that
+/// version's rules.
 #[test]
 fn glslang_knows_every_version_that_we_write() {
     let versions = [
@@ -186,9 +187,8 @@ fn spirv_val_takes_what_is_right_and_refuses_what_is_not() {
     }
 }
 
-/// Has each exported file judged that the ledger does not know, and closes the ledger. A file's
-/// extension says what it is and so who judges it; an extension that nobody knows is a mistake.
-/// Files lie under `root`.
+/// Has every exported file judged that is due by the ledger, and closes the ledger. A file's
+/// extension says who judges the file; an unknown extension is a mistake. Files lie under `root`.
 fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
     let versions =
         Key::of_sources(&["tests/support/validators.rs", "tests/tint"]).with(versions().as_bytes());
@@ -212,7 +212,7 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
             "comp" => glslang(&text, Stage::Compute, &[]),
             "spv" => spirv_val(&bytes, "vulkan1.1"),
             "hlsl" => glslang_hlsl(&text),
-            // Nobody on Debian judges it, and it says so; the rest is no shader.
+            // No tool on Debian judges Metal, and those files say so; the others are no shaders.
             "metal" | "json" | "txt" | "md" | "png" => continue,
             _ => Err(format!("nobody judges .{extension} files; see tests/export/validators.rs")),
         };
@@ -231,7 +231,7 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
     ledger.close();
 }
 
-/// Which validators judge here.
+/// Versions of the validators on this machine.
 fn versions() -> String {
     let said = |program: &str| {
         let output = std::process::Command::new(program).arg("--version").output();
@@ -242,7 +242,7 @@ fn versions() -> String {
     said("glslangValidator") + &said("spirv-val")
 }
 
-/// The committed outputs of `tests/golden/`, found by a walk so that none is forgotten.
+/// Committed outputs of `tests/golden/` pass, found by a walk so that none is forgotten.
 #[test]
 fn golden_outputs_pass_their_validators() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -255,8 +255,8 @@ fn golden_outputs_pass_their_validators() {
     judge(Ledger::open("golden"), root, &golden);
 }
 
-/// Looks that read pictures and HCBTFs have no golden outputs, but are exported to every language
-/// all the same. Their textures are held elsewhere (`tests/export/golden.rs`).
+/// Looks that read images and HCBTFs are exported to every language and pass, although they have no
+/// golden outputs. Their textures are checked in `tests/export/golden.rs`.
 #[test]
 fn looks_with_textures_pass_their_validators() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");

@@ -1,11 +1,12 @@
 //! The BADF model in f64, from the paper's formulas and docs/math.md's decisions, with inverse
-//! trigonometry and powers: none of it has the form that the shaders use.
+//! trigonometry and powers: no formula has the form that the shaders use, so that the two can be
+//! held against each other.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DVec3, DVec4};
 
-/// What a number is once a GPU holds it.
+/// The number that a GPU holds for `x`: rounded to f32.
 pub fn f32_of(x: f64) -> f64 {
     f64::from(x as f32)
 }
@@ -26,7 +27,7 @@ pub fn mirrored(n: DVec3, v: DVec3) -> DVec3 {
     2.0 * n.dot(v) * n - v
 }
 
-/// Offset, fall-off and cut-off in order (D2).
+/// Offset, fall-off and cut-off put in order (D2), in radians.
 pub fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
     let tau = tau.clamp(0.0, PI);
     let c = c.clamp(tau, PI);
@@ -43,13 +44,13 @@ pub fn alpha_by_the_letter(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     })
 }
 
-/// The same without cancellation: cos x - cos c by half-angles, 1 - cos c cos f by squares of
+/// alpha without cancellation: cos x - cos c by half-angles, 1 - cos c cos f by squares of
 /// half-angles, and the power by ln(1 + y).
 pub fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
     limits(u, shift, parameters, |x, f, c| {
         let q = (0.5 * x).sin() / (0.5 * c).sin();
-        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f), and near pi the same of what is left
-        // to it: a turn by pi changes the sign of both cosines.
+        // 1 - cos c cos f = (1 - cos c) + cos c (1 - cos f). Near pi the same formula takes the
+        // angles that are left to pi: a turn by pi changes the sign of both cosines.
         let (c_near, f_near) = if c < FRAC_PI_2 { (c, f) } else { (PI - c, PI - f) };
         let of_c = 2.0 * (0.5 * c_near).sin().powi(2);
         let of_f = 2.0 * (0.5 * f_near).sin().powi(2);
@@ -89,15 +90,15 @@ pub fn warp(lambda: f64, amount: f64) -> f64 {
 /// The blends of BADF eq. 2 as D8 reads them, and the masked multiply `shade`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mode {
-    /// The backdrop and the layer together.
+    /// Sum of the backdrop and the layer.
     Add,
-    /// The backdrop times the layer.
+    /// Product of the backdrop and the layer.
     Multiply,
-    /// The backdrop less the layer.
+    /// Difference: the backdrop less the layer.
     Subtract,
     /// The layer over the backdrop.
     Alpha,
-    /// The backdrop times the layer where the layer is.
+    /// Product of the backdrop and the layer, by the layer's mask.
     Shade,
 }
 
@@ -106,7 +107,7 @@ impl Mode {
     pub const ALL: [Self; 5] =
         [Self::Add, Self::Multiply, Self::Subtract, Self::Alpha, Self::Shade];
 
-    /// The blend as documents say it.
+    /// The blend's word in documents.
     pub fn word(self) -> &'static str {
         match self {
             Self::Add => "add",
@@ -146,13 +147,13 @@ pub fn blend(
     if clamped { result.clamp(DVec4::ZERO, DVec4::ONE) } else { result }
 }
 
-/// Straight to premultiplied.
+/// Premultiplied color of a straight one.
 pub fn premultiplied(c: DVec4) -> DVec4 {
     let share = c.w.clamp(0.0, 1.0);
     (c.truncate() * share).extend(share)
 }
 
-/// Premultiplied to straight; light over nothing is kept.
+/// Straight color of a premultiplied one; light over nothing is kept.
 pub fn straight(c: DVec4) -> DVec4 {
     if c.w > 0.0 { (c.truncate() / c.w).extend(c.w) } else { c }
 }

@@ -1,9 +1,9 @@
-//! Small cases as files: an input, and what Chiaro says of it in a sibling `.txt`.
+//! Small cases as files: an input, and Chiaro's diagnostics about the input in a sibling `.txt`.
 //!
 //! `tests/cases/SUBJECT/NAME.json` (or `.obj`, `.wgsl`, ...) is read as its subject says, and
-//! `tests/cases/SUBJECT/NAME.txt` holds whether something came of it and every diagnostic, with its
-//! place in the input. A new case is a file; `CHIARO_BLESS=1` writes what is said of it, which is
-//! then read like any other difference.
+//! `tests/cases/SUBJECT/NAME.txt` holds whether the input was read or refused, and every diagnostic
+//! with its place in the input. A new case is a file; `CHIARO_BLESS=1` writes the diagnostics of
+//! today, which are then reviewed like any other difference.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -13,15 +13,15 @@ use chiaro_language::diag::{Diagnostic, Severity};
 
 use crate::{files, root};
 
-/// Characters of a line of the input that are shown, at most.
+/// Largest number of characters shown of a line of the input.
 const SHOWN: usize = 90;
 
-/// Holds every case of a subject to the text beside it. `read` gets the input's file name and its
-/// bytes, and gives whether something came of it and what is said.
+/// Holds every case of a subject to the text beside it. `read` gets the input's file name and
+/// bytes, and gives whether the input was read, and its diagnostics.
 ///
 /// # Panics
 ///
-/// With the differences of all cases, and where the cases are gone.
+/// With the differences of all cases, and where a subject has no cases or a text has no input.
 pub fn hold(subject: &str, read: impl Fn(&str, &[u8]) -> (bool, Vec<Diagnostic>)) {
     let folder = root().join("tests/cases").join(subject);
     let is_blessing = env::var_os("CHIARO_BLESS").is_some();
@@ -56,7 +56,7 @@ pub fn hold(subject: &str, read: impl Fn(&str, &[u8]) -> (bool, Vec<Diagnostic>)
     );
 }
 
-/// What is said of an input.
+/// The text beside an input: `read` or `refused`, then each diagnostic with its excerpt and hints.
 fn said(is_read: bool, problems: &[Diagnostic], input: &str) -> String {
     let mut text = String::from(if is_read { "read\n" } else { "refused\n" });
     for problem in problems {
@@ -91,7 +91,8 @@ fn said(is_read: bool, problems: &[Diagnostic], input: &str) -> String {
     text
 }
 
-/// A line of the input with a mark under the character that is meant; long lines around it.
+/// A line of the input with a mark under the character at `column`; of a long line the part around
+/// the mark. Lines and columns from 1.
 fn excerpt(input: &str, line: usize, column: usize) -> String {
     let Some(line) = input.lines().nth(line.saturating_sub(1)) else { return String::new() };
     let column = column.saturating_sub(1);
@@ -106,10 +107,10 @@ fn excerpt(input: &str, line: usize, column: usize) -> String {
     format!("    | {}\n    | {}^\n", shown.trim_end(), " ".repeat(column - from))
 }
 
-/// Lines that are gone (-) and lines that are new (+), among those that stayed.
+/// Difference of two texts, line by line: lines that are gone (-), new (+) and common to both.
 fn difference(kept: &str, said: &str) -> String {
     let (kept, said): (Vec<&str>, Vec<&str>) = (kept.lines().collect(), said.lines().collect());
-    // The length of the longest common run of lines from each pair of places on.
+    // Length of the longest common subsequence of lines from each pair of places on.
     let mut common = vec![vec![0_usize; said.len() + 1]; kept.len() + 1];
     for i in (0..kept.len()).rev() {
         for j in (0..said.len()).rev() {

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Every file in `folder` and below, in order; none where there is no such folder. Panics where one
-/// cannot be read.
+/// Every file in `folder` and below, sorted by path; none where `folder` is no folder. Panics where
+/// a folder cannot be read.
 pub fn below(folder: &Path) -> Vec<PathBuf> {
     let mut found = BTreeSet::new();
     let mut open: Vec<_> = folder.is_dir().then(|| folder.to_path_buf()).into_iter().collect();

@@ -1,15 +1,15 @@
-//! What was proved already, so that nothing is proved twice: `tests/ledger/NAME.txt`.
+//! Ledgers of long sweeps, `tests/ledger/NAME.txt`: proofs are remembered, so that no case is
+//! proved twice.
 //!
 //! A long sweep is a list of cases. The key of a case is a hash of everything that its verdict
 //! depends on: the modules that it draws, their meshes and inputs, the source of the engines that
-//! judge it, and the driver. The ledger keeps a line a case, `KEY FIGURE CASE`: the figure is what
-//! the proof came to, mostly the largest error. A case whose key is another than its line's is
+//! judge it, and the driver. The ledger keeps a line a case, `KEY FIGURE CASE`: the figure is the
+//! result of the proof, mostly the largest error. A case whose key differs from its line's is
 //! proved anew; of the rest a tenth is, chosen by the commit, so that each line is checked within
-//! ten or so commits, and one that says what is not so is found then: the figure that comes out is
-//! held against the line's.
+//! ten or so commits. A false line is found then: the new figure is held against the line's.
 //!
-//! `CHIARO_LEDGER=write` writes the lines of what was proved; `CHIARO_LEDGER=all` proves all, as
-//! `scripts/soak` does.
+//! `CHIARO_LEDGER=write` writes the lines of the proved cases; `CHIARO_LEDGER=all` proves all
+//! cases, as `scripts/soak` does.
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
@@ -23,26 +23,26 @@ use siphasher::sip128::{Hasher128 as _, SipHasher13};
 
 use crate::{files, root};
 
-/// One in so many lines is proved anew in each commit.
+/// Number of commits within which each case is proved anew, on average.
 const TURNS: u64 = 10;
-/// Figures of two proofs of one case are alike up to this factor: drivers vectorize for the
+/// Factor up to which the figures of two proofs of one case are alike: drivers vectorize for the
 /// processor that they find.
 const ALIKE: f64 = 2.0;
-/// Figures below this count as alike: three units in the last place of 1.
+/// Figure below which all figures count as alike: three units in the last place of 1.
 const NOTHING: f64 = 4e-7;
 
-/// The hash of what a verdict depends on.
+/// Hash of everything that a verdict depends on.
 #[derive(Clone)]
 pub struct Key(SipHasher13);
 
 impl Key {
-    /// The key of what depends on the files under these folders of the project alone: Rust and
-    /// WGSL, without comments.
+    /// Key of a verdict that depends on the sources under these folders of the project alone,
+    /// without comments.
     pub fn of_sources(folders: &[&str]) -> Self {
         Self::of_sources_in(root(), folders)
     }
 
-    /// The same below another root.
+    /// Key of the sources under these folders of `root`.
     pub fn of_sources_in(root: &Path, folders: &[&str]) -> Self {
         let mut key = Self(SipHasher13::new());
         for folder in folders {
@@ -51,27 +51,27 @@ impl Key {
         key
     }
 
-    /// Lets the verdict depend on more.
+    /// Adds bytes that the verdict depends on too.
     pub fn add(&mut self, bytes: &[u8]) {
         self.0.write_usize(bytes.len());
         self.0.write(bytes);
     }
 
-    /// The same with more.
+    /// A copy of the key with more bytes added.
     pub fn with(&self, bytes: &[u8]) -> Self {
         let mut key = self.clone();
         key.add(bytes);
         key
     }
 
-    /// As it stands in a ledger.
+    /// The key as a ledger holds it: 32 hexadecimal digits.
     pub fn text(&self) -> String {
         format!("{:032x}", self.0.finish128().as_u128())
     }
 }
 
-/// The hash of a folder's or file's sources, from their lines of code; read once where it lies in
-/// this project.
+/// Hash of the lines of code of a file or of a folder's sources; remembered for sources of this
+/// project.
 fn source_hash(folder: &Path) -> u128 {
     static KNOWN: Mutex<Option<HashMap<PathBuf, u128>>> = Mutex::new(None);
     let is_ours = folder.starts_with(root());
@@ -103,47 +103,47 @@ fn source_hash(folder: &Path) -> u128 {
     hash
 }
 
-/// A source without lines that are comments or blank.
+/// A source's lines of code: no blank lines and no lines that are comments alone.
 fn code(text: &str) -> String {
     let lines =
         text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
     lines.fold(String::new(), |all, line| all + line + "\n")
 }
 
-/// A line of a ledger.
+/// A line of a ledger, without the name of its case.
 #[derive(Clone, Debug, PartialEq)]
 struct Row {
     key: String,
     figure: f64,
 }
 
-/// Which cases are proved anew.
+/// The cases of a ledger that are proved anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// Those with another key, and those whose turn it is.
+    /// Cases with another key, and cases whose turn has come in this commit.
     Turns,
-    /// All of them.
+    /// All cases.
     All,
-    /// Those with another key; and the ledger is written.
+    /// Cases with another key; the ledger is then written.
     Write,
 }
 
-/// A ledger at work: what it knows, and what this run found.
+/// A ledger in use: the lines of its file, and the results of this run.
 pub struct Ledger {
     path: PathBuf,
     mode: Mode,
-    /// The hash of the commit, which chooses whose turn it is.
+    /// The commit's hash, which chooses the cases whose turn has come.
     commit: String,
     known: BTreeMap<String, Row>,
     now: BTreeMap<String, Row>,
     proved: usize,
     stand: usize,
-    /// What is wrong with cases that were proved, and with lines.
+    /// Complaints about cases that were proved and about false lines.
     pub complaints: Vec<String>,
 }
 
 impl Ledger {
-    /// The project's ledger of a sweep.
+    /// Opens the project's ledger of a sweep.
     pub fn open(name: &str) -> Self {
         let root = root();
         let mode = match env::var("CHIARO_LEDGER").as_deref() {
@@ -158,7 +158,7 @@ impl Ledger {
         Self::at(&root.join("tests/ledger").join(format!("{name}.txt")), mode, &commit)
     }
 
-    /// A ledger in a file, at work as it would be in a commit.
+    /// Opens the ledger in a file, as at a commit.
     pub fn at(path: &Path, mode: Mode, commit: &str) -> Self {
         let text = fs::read_to_string(path).unwrap_or_default();
         let row = |line: &str| {
@@ -182,7 +182,7 @@ impl Ledger {
         }
     }
 
-    /// Whether a case has to be proved; where it has not, its line stands.
+    /// True if a case has to be proved; if not, its line stands.
     pub fn is_due(&mut self, case: &str, key: &Key) -> bool {
         let Some(row) = self.known.get(case).filter(|row| row.key == key.text()) else {
             return true;
@@ -199,7 +199,7 @@ impl Ledger {
         is_due
     }
 
-    /// Whether this commit proves a case whatever its line says.
+    /// True if this commit proves a case anew even where its key is unchanged.
     fn has_turn(&self, case: &str) -> bool {
         let mut hasher = SipHasher13::new();
         hasher.write(self.commit.as_bytes());
@@ -207,7 +207,7 @@ impl Ledger {
         hasher.finish128().h1.is_multiple_of(TURNS)
     }
 
-    /// What a proof of a case came to: its figure, or what is wrong.
+    /// Notes the result of a proof of a case: its figure, or a complaint.
     pub fn note(&mut self, case: &str, key: &Key, proof: Result<f64, String>) {
         self.proved += 1;
         let figure = match proof {
@@ -237,17 +237,17 @@ impl Ledger {
         }
     }
 
-    /// What each case of this run came to, in this run or as its line has it.
+    /// The figure of each case of this run: proved now, or taken from its line.
     pub fn figures(&self) -> impl Iterator<Item = (&str, f64)> {
         self.now.iter().map(|(case, row)| (case.as_str(), row.figure))
     }
 
-    /// How many cases were proved anew, and how many stand as they are in the ledger.
+    /// Number of cases proved anew, and number of cases whose lines stand.
     pub fn counts(&self) -> [usize; 2] {
         [self.proved, self.stand]
     }
 
-    /// Writes the ledger where that is asked for, and fails with everything that is wrong.
+    /// Writes the ledger in `Mode::Write`, and fails with all complaints.
     #[allow(clippy::print_stdout, reason = "`--nocapture` shows what was proved")]
     pub fn close(self) {
         let name = self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -268,8 +268,8 @@ impl Ledger {
     }
 }
 
-/// Whether a ledger whose only line gives `figure` to a case complains of it in the first commit
-/// that proves the case anew.
+/// True if a ledger whose only line gives `figure` to a case complains of the line in the first
+/// commit that proves the case anew.
 pub fn is_found_false(
     case: &str,
     key: &Key,
@@ -289,7 +289,7 @@ pub fn is_found_false(
     ledger.complaints.iter().any(|complaint| complaint.contains("the line is false"))
 }
 
-/// Whether two figures can be of the same proof.
+/// True if two figures can come from the same proof.
 fn are_alike(one: f64, other: f64) -> bool {
     let (least, most) = (one.min(other), one.max(other));
     one == other || (least.is_finite() && most.is_finite() && most <= (ALIKE * least).max(NOTHING))

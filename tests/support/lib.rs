@@ -1,6 +1,6 @@
-//! What several test programs share and what knows no more of Chiaro than its words and its files:
+//! Helpers of several test programs that know no more of Chiaro than its words and its files:
 //! formulas in f64, random numbers, cases in files, ledgers, outside validators, waiting for a GPU,
-//! and the disk that documents are read from. `tests/drawing` is what draws.
+//! and the disk that documents are read from. Helpers that draw are in `tests/drawing`.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ pub mod report;
 pub mod validators;
 pub mod wait;
 
-/// The root of the repository, which a test program of any crate may be run from.
+/// The root of the repository, from a test program of any crate.
 pub fn root() -> &'static Path {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
     folder.ancestors().nth(2).expect("this crate lies two folders below")

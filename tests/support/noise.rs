@@ -1,4 +1,4 @@
-//! Hashes and noise in f64, from their integers on.
+//! Hashes and noise in f64, written anew from the published integer formulas.
 
 use glam::DVec3;
 
@@ -22,12 +22,12 @@ pub fn lattice(cell: [i64; 3], seed: u32) -> [u32; 3] {
     pcg3d(std::array::from_fn(|i| (cell[i] as u32).wrapping_add(seed.wrapping_mul(salt[i]))))
 }
 
-/// Its upper 24 bits as numbers in [0, 1).
+/// Upper 24 bits of each word of a hash as a number in [0, 1).
 pub fn unit3(hash: [u32; 3]) -> DVec3 {
     DVec3::from_array(hash.map(|h| f64::from(h >> 8) / f64::from(1 << 24)))
 }
 
-/// One of the twelve edges of a cube.
+/// The gradient of a hash: one of the twelve edges of a cube.
 fn gradient(hash: [u32; 3]) -> DVec3 {
     let s = |h: u32| if h >> 31 == 0 { 1.0 } else { -1.0 };
     let (a, b) = (s(hash[1]), s(hash[2]));
@@ -73,7 +73,8 @@ pub fn noise(kind: &str, p: DVec3, seed: u32) -> f64 {
     }
 }
 
-/// The tetrahedron's corners by sorting the offsets: the largest component steps first.
+/// Simplex noise. The tetrahedron's corners come from sorting the offsets: the largest component
+/// steps first.
 fn simplex(p: DVec3, seed: u32) -> f64 {
     let corner = (p + (p.x + p.y + p.z) / 3.0).floor();
     let origin = corner - (corner.x + corner.y + corner.z) / 6.0;

@@ -1,12 +1,12 @@
-//! Numbers that look random and are the same in every run.
+//! Pseudo-random numbers, the same in every run.
 
 use glam::DVec3;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
+/// The generator SplitMix64 (Steele, Lea and Flood 2014).
 pub struct Random(u64);
 
 impl Random {
-    /// The numbers of a seed.
+    /// A generator that starts at a seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
@@ -20,32 +20,32 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// A number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// In `low` to `high`, without `high`.
+    /// A number from `low` to `high`, without `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// Below `count`.
+    /// An index in [0, `count`).
     pub fn index(&mut self, count: usize) -> usize {
         (self.bits() % count.max(1) as u64) as usize
     }
 
-    /// One of the items, all alike.
+    /// An item, each with the same probability.
     pub fn pick<'a, T>(&mut self, items: &'a [T]) -> &'a T {
         &items[self.index(items.len())]
     }
 
-    /// True so often.
+    /// True with a probability in [0, 1].
     pub fn chance(&mut self, probability: f64) -> bool {
         self.unit() < probability
     }
 
-    /// Even on the sphere.
+    /// A unit vector, uniform on the sphere.
     pub fn direction(&mut self) -> DVec3 {
         let z = self.between(-1.0, 1.0);
         let phi = self.between(0.0, std::f64::consts::TAU);
@@ -53,7 +53,7 @@ impl Random {
         DVec3::new(r * phi.cos(), r * phi.sin(), z)
     }
 
-    /// Even among the rotations (Shoemake 1992).
+    /// A rotation, uniform among all rotations (Shoemake 1992).
     pub fn rotation(&mut self) -> glam::DQuat {
         let (a, b, c) = (
             self.unit(),

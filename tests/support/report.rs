@@ -1,6 +1,6 @@
 //! Measured errors against their bounds.
 
-/// The largest error seen, and where.
+/// The largest error of a measurement, with its place.
 pub struct Errors {
     name: String,
     bound: f64,
@@ -10,12 +10,12 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// No error yet, of what may be `bound` off.
+    /// A measurement without errors so far; errors may be up to `bound`.
     pub fn new(name: impl Into<String>, bound: f64) -> Self {
         Self { name: name.into(), bound, largest: 0.0, place: String::new(), count: 0 }
     }
 
-    /// Takes note of one error; anything that is no number counts as infinite.
+    /// Notes one error; an error that is no finite number counts as infinite.
     pub fn note(&mut self, got: f64, wanted: f64, place: impl FnOnce() -> String) {
         let error = (got - wanted).abs();
         let error = if error.is_finite() { error } else { f64::INFINITY };
@@ -26,15 +26,15 @@ impl Errors {
         }
     }
 
-    /// Whether any was noted.
+    /// True if any error was noted.
     pub fn has_any(&self) -> bool {
         self.count > 0
     }
 
-    /// The largest error, where it keeps the bound, and what is wrong where not.
+    /// The largest error, if it keeps the bound.
     ///
     /// # Errors
-    /// The error beyond the bound, and that nothing was measured.
+    /// Where the error is beyond the bound, and where nothing was measured.
     pub fn verdict(&self) -> Result<f64, String> {
         if self.count == 0 {
             return Err(format!("{}: nothing was measured", self.name));

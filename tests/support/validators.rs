@@ -1,8 +1,8 @@
-//! Shader compilers and validators that are none of ours, for a second opinion on what we emit.
+//! Shader compilers and validators of other projects, for a second opinion on the emitted code.
 //!
-//! They come from `scripts/setup`. Where one is missing its check says so on standard error and
-//! passes, so that `cargo test` works anywhere; with `CHIARO_REQUIRE_TOOLS=1`, which `scripts/test`
-//! sets, it fails.
+//! The tools come from `scripts/setup`. Where a tool is missing, its check says so on standard
+//! error and passes, so that `cargo test` works anywhere; with `CHIARO_REQUIRE_TOOLS=1`, which
+//! `scripts/test` sets, the check fails.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub enum Tool {
 }
 
 impl Tool {
-    /// Whether it can be started here.
+    /// True if the tool can be started on this machine.
     pub fn is_here(self) -> bool {
         let starts = |program: &str, argument: &str| {
             let quiet = Command::new(program)
@@ -43,7 +43,7 @@ impl Tool {
         }
     }
 
-    /// What a check does without its tool: pass, aloud, unless the tools are required.
+    /// Result of a check without its tool: passes and prints a line, unless the tools are required.
     fn missing(self) -> Result<(), String> {
         if tools_are_required() {
             return Err(format!("{self} is missing: run scripts/setup"));
@@ -63,7 +63,7 @@ impl fmt::Display for Tool {
     }
 }
 
-/// Whether a missing tool is a failure.
+/// True if a missing tool is a failure.
 pub fn tools_are_required() -> bool {
     env::var("CHIARO_REQUIRE_TOOLS").is_ok_and(|value| value == "1")
 }
@@ -73,7 +73,7 @@ fn say(line: &str) {
     eprintln!("{line}");
 }
 
-/// The stage that a GLSL source is for; GLSL does not say it.
+/// The shader stage of a GLSL source, which the source does not name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// `vert`.
@@ -84,9 +84,9 @@ pub enum Stage {
     Compute,
 }
 
-/// Has glslang compile `source`. `flags` are its own, e.g. `["-V"]` for the rules of Vulkan;
-/// without them the source's `#version` decides. Gives what glslang says, with the source's lines
-/// numbered, where it refuses.
+/// Has glslang compile `source`. `flags` are glslang's own, e.g. `["-V"]` for the rules of Vulkan;
+/// without flags the source's `#version` decides. A refusal is told with glslang's messages and the
+/// source's lines, numbered.
 pub fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String> {
     if !Tool::Glslang.is_here() {
         return Tool::Glslang.missing();
@@ -96,7 +96,7 @@ pub fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String>
         Stage::Fragment => "frag",
         Stage::Compute => "comp",
     };
-    // It writes SPIR-V beside itself when asked to make some, hence a folder of its own.
+    // glslang may write SPIR-V into the current folder, hence a folder of its own.
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let mut command = Command::new("glslangValidator");
     command.args(["--stdin", "-S", stage]).args(flags).current_dir(folder.path());
@@ -108,8 +108,8 @@ pub fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String>
     }
 }
 
-/// Has glslang's front end for HLSL read the two entry points of `source`, with what it does not
-/// know said otherwise ([`for_glslang`]): a second opinion on every expression, type and
+/// Has glslang's front end for HLSL read the two entry points of `source`, rewritten where that
+/// front end is wrong about HLSL ([`for_glslang`]): a second opinion on every expression, type and
 /// declaration, but not that of a Direct3D compiler.
 pub fn glslang_hlsl(source: &str) -> Result<(), String> {
     let source = for_glslang(source);
@@ -127,9 +127,9 @@ pub fn glslang_hlsl(source: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// HLSL as glslang reads it: it takes a constant of the module that is made by a function for a
-/// recursion, and knows no zero that is cast to an array. Both become lists in braces, of the same
-/// values.
+/// HLSL rewritten for glslang, which takes a constant of the module that is made by a function for
+/// a recursion, and knows no zero that is cast to an array. Both become lists in braces, of the
+/// same values.
 pub fn for_glslang(source: &str) -> String {
     let line = |line: &str| -> String {
         if line.starts_with("static const ") && line.contains(" = Construct") {
@@ -152,7 +152,7 @@ pub fn for_glslang(source: &str) -> String {
     source.lines().map(|one| line(one) + "\n").collect()
 }
 
-/// A line with `ConstructX(a, b)` as `{a, b}`, however deep.
+/// A line of HLSL with `ConstructX(a, b)` as `{a, b}`, at any depth.
 fn constructed_in_braces(line: &str) -> String {
     let mut text = String::new();
     let mut closing = Vec::new();
@@ -181,8 +181,8 @@ fn constructed_in_braces(line: &str) -> String {
     text
 }
 
-/// What glslang finds in the program that `files` of `folder` make together: names, offsets and
-/// types of its uniforms, a line each. `None` without glslang; panics where it cannot link them.
+/// The uniforms of the program that `files` of `folder` make together, by glslang: names, offsets
+/// and types, a line each. `None` without glslang; panics where glslang cannot link the files.
 pub fn glslang_reflection(folder: &Path, files: &[String]) -> Option<String> {
     if !Tool::Glslang.is_here() {
         Tool::Glslang.missing().expect("a required tool");
@@ -207,8 +207,8 @@ pub fn spirv_val(module: &[u8], environment: &str) -> Result<(), String> {
     if output.status.success() { Ok(()) } else { Err(said(&output)) }
 }
 
-/// Has Tint compile WGSL files, all in one start of it. Gives `path:line:column: severity: message`
-/// for each message of each file that it refuses.
+/// Has Tint compile WGSL files in one run. A refusal is told as `path:line:column: severity:
+/// message`, for each message of each refused file.
 pub fn tint<P: AsRef<Path>>(files: &[P]) -> Result<(), String> {
     if !Tool::Tint.is_here() {
         return Tool::Tint.missing();
@@ -253,7 +253,7 @@ fn refusal(report: &serde_json::Value) -> String {
     messages.map(line).collect::<Vec<_>>().join("\n")
 }
 
-/// Where `scripts/setup` puts Tint, or where `CHIARO_TINT` says it is.
+/// The folder that Tint is installed in: `CHIARO_TINT`, by default where `scripts/setup` puts Tint.
 fn tint_folder() -> PathBuf {
     env::var_os("CHIARO_TINT").map_or_else(|| root().join(".tools/tint"), PathBuf::from)
 }
@@ -269,7 +269,7 @@ fn feed(command: &mut Command, input: &[u8]) -> Result<Output, String> {
     command.stdin(file).output().map_err(|error| format!("{program}: {error}"))
 }
 
-/// Everything that a program printed.
+/// Standard output, standard error and exit status of a program.
 fn said(output: &Output) -> String {
     let text = [&output.stdout[..], &output.stderr[..]].map(String::from_utf8_lossy).concat();
     format!("{} ({})", text.trim(), output.status)

@@ -1,5 +1,5 @@
-//! The tile of blue noise that dither and dots share: made here, by void and cluster (Ulichney
-//! 1993), and held to what blue noise is. `CHIARO_BLESS=1` writes it.
+//! The tile of blue noise that dither and dots share: made here by void and cluster (Ulichney
+//! 1993), and tested to be blue noise. `CHIARO_BLESS=1` writes the tile.
 
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -8,8 +8,8 @@ use std::path::Path;
 const SIDE: usize = 32;
 const CELLS: usize = SIDE * SIDE;
 
-/// How much a point is felt at each offset, on a torus. Whole numbers, so that every machine ranks
-/// alike.
+/// The weight that a point adds at each offset from it, on a torus. Whole numbers, so that every
+/// machine ranks cells alike.
 fn weights() -> Vec<u64> {
     let apart = |d: usize| d.min(SIDE - d) as f64;
     let weight = |index: usize| {
@@ -40,24 +40,24 @@ impl Pattern {
         }
     }
 
-    /// The point with the most others around it.
+    /// The point with the greatest sum of weights: the tightest cluster.
     fn cluster(&self) -> usize {
         let points = (0..CELLS).filter(|&at| self.is_set[at]);
         points.max_by_key(|&at| (self.felt[at], CELLS - at)).expect("there are points")
     }
 
-    /// The empty place with the fewest points around it.
+    /// The empty cell with the smallest sum of weights: the largest void.
     fn void(&self) -> usize {
         let free = (0..CELLS).filter(|&at| !self.is_set[at]);
         free.min_by_key(|&at| (self.felt[at], at)).expect("there is room")
     }
 }
 
-/// When each cell's turn is, from 0.
+/// Rank of each cell: the order in which void and cluster fills the cells, from 0.
 fn ranks() -> Vec<usize> {
     let mut pattern =
         Pattern { weights: weights(), is_set: vec![false; CELLS], felt: vec![0; CELLS] };
-    // Points anywhere, moved out of clusters into voids until that changes nothing.
+    // Random points, moved out of clusters into voids until a move changes nothing.
     let mut state = 1_u32;
     let first = CELLS / 10;
     while pattern.is_set.iter().filter(|set| **set).count() < first {
@@ -141,7 +141,8 @@ fn the_tile_is_what_void_and_cluster_makes() {
     assert_eq!(std::fs::read_to_string(&path).unwrap(), wanted, "run with CHIARO_BLESS=1");
 }
 
-/// Of white noise every frequency has the same power; of blue noise the low ones have next to none.
+/// White noise has the same power at every frequency; blue noise has next to none at low
+/// frequencies.
 #[test]
 fn low_frequencies_have_no_power() {
     let ranks = ranks();
@@ -155,7 +156,7 @@ fn low_frequencies_have_no_power() {
                 re += phase.cos();
                 im += phase.sin();
             }
-            // 1 for white noise.
+            // The power, scaled to be 1 for white noise.
             (re * re + im * im) / (CELLS as f64 * share * (1.0 - share))
         };
         let low: Vec<f64> = (0..=3)

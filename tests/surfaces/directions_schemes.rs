@@ -1,14 +1,13 @@
-//! How far the three schemes of direction weights are from each other.
+//! Differences between the weights of the three schemes of direction keys.
 //!
-//! `cargo test --test directions_schemes -- --ignored --nocapture` prints the figures that the
-//! documentation gives.
+//! `cargo test --test surfaces directions_schemes -- --ignored --nocapture` prints the figures that
+//! the documentation gives.
 
 use chiaro::directions::{KeyWeights, Tessellation};
 use chiaro::document::KeyScheme;
 use glam::DVec3;
 
-/// A small generator of random numbers (SplitMix64), so that the sets are the same on every machine
-/// and for ever.
+/// The generator SplitMix64, so that the sets of keys are the same on every machine and for ever.
 struct Random(u64);
 
 impl Random {
@@ -29,7 +28,7 @@ impl Random {
         }
     }
 
-    /// 2 to 8 keys, at least 25 degrees apart, as an artist would set them.
+    /// A set of 2 to 8 keys, at least 25 degrees apart, as an artist would set them.
     fn keys(&mut self) -> Vec<DVec3> {
         let count = 2 + (self.next() % 7) as usize;
         let mut keys: Vec<DVec3> = Vec::new();
@@ -57,8 +56,8 @@ fn difference(a: &KeyWeights, b: &KeyWeights) -> f64 {
     largest
 }
 
-/// Mean and maximum, over 40 random sets of keys, of the largest difference between two ways to
-/// make weights.
+/// Mean and maximum, over 40 random sets of keys, of the largest difference between the weights of
+/// two schemes.
 fn over_sets(a: impl Fn(&[DVec3]) -> KeyWeights, b: impl Fn(&[DVec3]) -> KeyWeights) -> (f64, f64) {
     let mut random = Random(1);
     let largest: Vec<f64> = (0..40)

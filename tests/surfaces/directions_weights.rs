@@ -10,7 +10,7 @@ use proptest::prelude::*;
 const CLOSED: [KeyScheme; 2] = [Biharmonic, AppendixB];
 const ALL: [KeyScheme; 3] = [Biharmonic, AppendixB, Tessellated];
 
-/// Weights of keys that nothing serious is wrong with.
+/// Weights of keys without errors; warnings are allowed.
 fn keys(directions: &[DVec3], scheme: KeyScheme) -> KeyWeights {
     let (keys, problems) = KeyWeights::new(directions, scheme).into_parts();
     assert!(!has_errors(&problems), "{problems:?}");
@@ -38,7 +38,7 @@ fn code(directions: &[DVec3], scheme: KeyScheme) -> Vec<&'static str> {
     KeyWeights::new(directions, scheme).warnings.iter().map(|d| d.code).collect()
 }
 
-/// Weights at keys are unit vectors, and everywhere in [0, 1] with sum 1.
+/// Asserts that weights at keys are unit vectors, and everywhere in [0, 1] with sum 1.
 fn check(keys: &KeyWeights, directions: &[DVec3], at_keys: f64) {
     for (key, &direction) in directions.iter().enumerate() {
         for (other, weight) in keys.weights(direction).into_iter().enumerate() {
@@ -116,7 +116,7 @@ fn opposite_keys_give_symmetric_halves() {
             assert_eq!(here[0] > 0.5, direction.dot(axis) > 0.0);
             let equator = pair.weights(direction - direction.dot(axis) * axis);
             assert!((equator[0] - 0.5).abs() < 1e-14, "{equator:?}");
-            // The light direction between them is one of them, never zero.
+            // A light direction blended half-way is one of the two directions, never zero.
             let light = blend_direction(&equator, &[axis, -axis]).unwrap();
             assert!((light.dot(axis).abs() - 1.0).abs() < 1e-12);
         }
@@ -164,7 +164,7 @@ fn a_query_without_direction_favours_no_key() {
 
 #[test]
 fn keys_ten_degrees_apart_and_between_vertices_are_met() {
-    // Hard case 23: no vertex of a regular mesh is at any of these.
+    // Hard case 23: no vertex of a regular mesh lies at any of these keys.
     let (sin, cos) = 10f64.to_radians().sin_cos();
     let directions = [DVec3::new(cos, sin, 0.0), DVec3::X, DVec3::new(0.123, 0.456, -0.789)];
     for scheme in ALL {
@@ -225,8 +225,8 @@ fn many_keys_are_fine_and_too_many_are_reported() {
 
 #[test]
 fn weights_are_flat_at_keys_from_every_side() {
-    // C1: one-sided derivatives along great circles agree at a key, being all 0 there. (Raw ones
-    // are not 0.)
+    // C1: one-sided derivatives along great circles agree at a key, because all are 0 there. (Those
+    // of raw weights are not 0.)
     let directions = some_keys();
     for scheme in CLOSED {
         let weights = keys(&directions, scheme);
@@ -283,7 +283,8 @@ fn weights_are_continuously_differentiable_everywhere() {
 
 #[test]
 fn the_second_derivative_of_raw_weights_grows_like_a_logarithm_at_keys() {
-    // The paper claims C2; every factor of 10 nearer to a key adds the same amount instead.
+    // The paper claims C2; but the second derivative grows by the same amount with every factor of
+    // 10 nearer to a key.
     let pair = keys(&[DVec3::Z, DVec3::X], Biharmonic);
     let second = |h: f64| {
         let at = |h: f64| pair.raw(DVec3::new(0.0, h.sin(), h.cos()))[0];
@@ -298,20 +299,20 @@ fn the_second_derivative_of_raw_weights_grows_like_a_logarithm_at_keys() {
     }
 }
 
-/// Directions uniform in a cube, short ones thrown away: any spread, clusters included.
+/// Directions uniform in a cube, without short ones: any spread, clusters included.
 fn any_direction() -> impl Strategy<Value = DVec3> {
     [-1.0..1.0, -1.0..1.0, -1.0f64..1.0]
         .prop_map(DVec3::from)
         .prop_filter("too short", |d| d.length() > 0.1)
 }
 
-/// Infinities and NaN, subnormals and the largest numbers.
+/// Vectors of any bits: infinities and NaN, subnormals and the largest numbers.
 fn any_bits() -> impl Strategy<Value = DVec3> {
     use prop::num::f64::ANY;
     [ANY, ANY, ANY].prop_map(DVec3::from)
 }
 
-/// `cases` sets; nothing is written to disk.
+/// A configuration of `cases` random sets that writes no failures to disk.
 fn config(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() }
 }

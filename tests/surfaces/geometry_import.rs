@@ -1,4 +1,4 @@
-//! Small files of every format, whole, wrong and cut short.
+//! Small mesh files of every format: whole, wrong and cut short.
 
 use crate::support::cases::hold;
 use chiaro::diag::{Diagnostic, LineColumn, Warned};
@@ -18,7 +18,7 @@ fn errors(name: &str, bytes: impl AsRef<[u8]>) -> Vec<Diagnostic> {
     problems
 }
 
-/// What is told of small files that are wrong: `tests/cases/mesh`.
+/// Diagnostics of small wrong files: `tests/cases/mesh`.
 #[test]
 fn wrong_files() {
     hold("mesh", |name, bytes| match import(name, bytes, &no_siblings) {
@@ -91,7 +91,7 @@ fn a_cube_keeps_its_edges() {
 
 #[test]
 fn a_faceted_ball_becomes_smooth() {
-    // 12 by 24 quads: edges bend by 15 degrees.
+    // A ball of 12 by 24 quads, whose edges bend by 15 degrees.
     let mut text = String::new();
     for j in 0..=12 {
         for i in 0..24 {
@@ -195,7 +195,7 @@ fn tangents_without_uvs_are_level() {
 fn all_mistakes_of_an_obj_are_told_up_to_a_bound() {
     let at = errors("x.obj", "v 0 0 0\n  v 1 0 oh\n")[0].place.at;
     assert_eq!(at, Some(LineColumn { line: 2, column: 9 }));
-    // All of them, up to a bound.
+    // All mistakes are told, up to a bound.
     let two = errors("x.obj", "v 0 a 0\nv 1 0 b\n");
     assert_eq!(two.len(), 2);
     let many = errors("x.obj", "v a b c\n".repeat(1000));
@@ -279,7 +279,7 @@ fn ply_of_every_encoding_is_the_same_mesh() {
         assert_eq!(read("house.ply", ply_binary(big)).value, text);
     }
     assert_eq!(read("house.ply", ply_text().replace('\n', "\r\n")).value, text);
-    // Known by its first bytes, too.
+    // The format is also known by the file's first bytes.
     assert_eq!(read("house", ply_text()).value, text);
 }
 
@@ -350,7 +350,7 @@ fn stl_of_either_kind_is_the_same_mesh() {
         "all edges of a tetrahedron are creases"
     );
     assert_eq!(read("x.STL", stl_binary()).value, text);
-    // Welded: a fold of 45 degrees between two facets is smooth, so they share two vertices.
+    // STL is welded: a fold of 45 degrees between two facets is smooth, so they share two vertices.
     let fold = "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n\
         facet\nvertex 1 0 0\nvertex 0 0 0\nvertex 0 -1 -1\nendfacet\nendsolid\n";
     assert_eq!(read("x.stl", fold).value.positions.len(), 4);
@@ -360,8 +360,8 @@ fn stl_of_either_kind_is_the_same_mesh() {
 
 const POINTS: [[f32; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
 
-/// Positions, normals, UVs (0,0 is the upper left), linear colors as normalised u8 with padding,
-/// u16 indices.
+/// Buffer of a glTF: positions, normals, UVs (0,0 is the upper left), linear colors as normalized
+/// u8 with padding, u16 indices.
 fn gltf_bytes() -> Vec<u8> {
     let mut bytes = Vec::new();
     POINTS.iter().flatten().for_each(|c| bytes.extend(c.to_le_bytes()));
@@ -449,13 +449,14 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
         (part.material.as_str(), part.two_sided, part.alpha_cutoff),
         ("leaf", true, Some(0.25))
     );
-    // Scaled by 2 and moved; UVs turned up; red stays, 55 of 255 in linear light is 0.5018 on the
-    // sRGB curve.
+    // The first instance is scaled by 2 and moved. V is turned up; red stays; 55 of 255 in linear
+    // light is 0.5018 on the sRGB curve.
     let corner = mesh.positions.iter().position(|p| *p == [12.0, 2.0, 0.0]).unwrap();
     assert_eq!((mesh.uvs[corner], mesh.normals[corner]), ([1.0, 1.0], [0.0, 0.0, 1.0]));
     assert!((mesh.colors[corner][1] - 0.5018).abs() < 1e-3 && mesh.colors[corner][0] == 1.0);
     assert_eq!(mesh.tangents[corner], [1.0, 0.0, 0.0, 1.0]);
-    // The mirrored one: x to -x, then a quarter turn about y takes -x to +z and the normal z to +x.
+    // The second instance is mirrored: x goes to -x, then a quarter turn about y takes -x to +z and
+    // the normal z to +x.
     let far = mesh.positions.iter().position(|p| p[2] > 0.9).unwrap();
     assert!(Vec3::from(mesh.normals[far]).distance(Vec3::X) < 1e-6, "{:?}", mesh.normals[far]);
     assert!(
@@ -481,7 +482,7 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
 
 #[test]
 fn gltf_tangents_strips_and_sparse() {
-    // Positions all zero but for sparse ones; a strip; given tangents.
+    // A mesh of sparse positions over zeros, a triangle strip, and given tangents.
     let mut bytes = Vec::new();
     [1u16, 2, 3].iter().for_each(|i| bytes.extend(i.to_le_bytes()));
     bytes.extend([0; 2]);
@@ -514,7 +515,8 @@ fn gltf_tangents_strips_and_sparse() {
     );
 }
 
-/// Whether by the crate that reads the JSON or by the bound on memory.
+/// A file with more vertices than bytes is refused, by the crate that reads the JSON or by the
+/// bound on memory.
 #[test]
 fn more_vertices_than_bytes_are_refused() {
     let bytes = gltf_bytes();
@@ -530,8 +532,8 @@ fn more_vertices_than_bytes_are_refused() {
     assert!(["mesh-syntax", "mesh-too-large"].contains(&errors("x.glb", huge)[0].code));
 }
 
-/// A triangle in a glTF with more in its JSON: in the root, in the node, in the primitive, among
-/// its attributes.
+/// A glTF of one triangle with more fields in its JSON: in the root, in the node, in the primitive,
+/// among its attributes.
 fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> String {
     let points: Vec<u8> =
         [0f32, 0., 0., 1., 0., 0., 0., 1., 0.].iter().flat_map(|x| x.to_le_bytes()).collect();
@@ -558,8 +560,8 @@ fn triangle_gltf(root: &str, node: &str, primitive: &str, attributes: &str) -> S
 fn gltf_takes_all_that_2_0_allows() {
     let plain = read("x.gltf", triangle_gltf("", "", "", "")).value;
     assert_eq!(plain.triangle_count(), 1);
-    // Attributes of the maker's own, of whatever count; extras of any kind; channels without a
-    // node; what is to come.
+    // Custom attributes of any count; extras of any kind; animation channels without a node; fields
+    // of later versions.
     let channel = r#", "animations": [{"channels": [{"sampler": 0, "target": {"path": "pointer"}}],
         "samplers": []}],
         "cameras": [{}], "textures": 7, "extras": "made by hand", "future": {"a": [1]}"#;
@@ -603,7 +605,7 @@ fn draco_beside_plain_data_is_no_hindrance() {
     assert_eq!(read("x.gltf", triangle_gltf("", "", extension, "")).value.triangle_count(), 1);
 }
 
-/// Zeros between letters are no sign of UTF-16 where a file is binary.
+/// Zeros between letters are no sign of UTF-16 in a binary file.
 #[test]
 fn a_binary_stl_may_begin_as_utf_16_does() {
     let mut binary = stl_binary();
@@ -637,7 +639,7 @@ fn load_reads_the_file_and_those_beside_it() {
     }
 }
 
-// --- Strangers' files
+// --- Files of unknown origin
 
 fn samples() -> Vec<(&'static str, Vec<u8>)> {
     let embedded = gltf_json(&format!(r#", "uri": "data:;base64,{}""#, base64(&gltf_bytes())));
@@ -659,8 +661,8 @@ fn files_cut_short_are_told_so() {
         read(name, &bytes);
         for length in 0..bytes.len() {
             let result = import(name, &bytes[..length], &no_siblings);
-            // OBJ has no end: what is there may be whole. Elsewhere only the last line's end may be
-            // missing.
+            // OBJ has no end mark, so that a part may be a whole file. In other formats only the
+            // last line's end may be missing.
             let rest = bytes[length..].trim_ascii();
             if name != "x.obj" && rest.len() > 1 && !b"endsolid corner".ends_with(rest) {
                 assert!(result.is_err(), "{name} cut at {length} of {}", bytes.len());

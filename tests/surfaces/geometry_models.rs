@@ -1,4 +1,4 @@
-//! Real meshes, where they are at hand.
+//! Real meshes, where the folder of trial meshes exists.
 
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
@@ -7,7 +7,8 @@ use chiaro::diag::Warned;
 use chiaro::geometry::{Mesh, load};
 use glam::{Vec3, Vec4};
 
-/// The file's text and what was read from it; `None` where the trial meshes are not at hand.
+/// Text of a mesh file, and the mesh read from it; `None` where the folder of trial meshes is
+/// missing.
 fn model(name: &str) -> Option<(String, Warned<Mesh>)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let path =
@@ -17,7 +18,7 @@ fn model(name: &str) -> Option<(String, Warned<Mesh>)> {
     Some((std::fs::read_to_string(&path).unwrap(), imported))
 }
 
-/// How many vertices lie at each place.
+/// Number of vertices at each place.
 fn at_places(mesh: &Mesh) -> HashMap<[u32; 3], usize> {
     let mut count = HashMap::new();
     for p in &mesh.positions {
@@ -31,7 +32,7 @@ fn volume(mesh: &Mesh) -> f64 {
     mesh.indices.chunks(3).map(|t| at(t[0]).cross(at(t[1])).dot(at(t[2])) / 6.0).sum()
 }
 
-/// The share of the places that faces use where normals are split, UV seams left out.
+/// Share of the vertices' places where normals are split; UV seams alone do not count. From 0 to 1.
 fn creased(mesh: &Mesh) -> f64 {
     let mut normals: HashMap<[u32; 3], HashSet<[u32; 3]>> = HashMap::new();
     for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
@@ -47,7 +48,7 @@ fn real_meshes_have_what_their_files_say() {
         else {
             return;
         };
-        // Counted by other means: a polygon of n corners gives n - 2 triangles.
+        // Triangles counted from the text: a polygon of n corners gives n - 2.
         let faces = text.lines().filter_map(|line| line.strip_prefix("f "));
         let corners: Vec<usize> =
             faces.clone().map(|face| face.split_whitespace().count()).collect();

@@ -1,11 +1,11 @@
-//! The own shapes against what mathematics says of them.
+//! The own shapes against their mathematical definitions.
 
 use std::collections::{HashMap, HashSet};
 
 use chiaro::geometry::{Mesh, SHAPES, shape};
 use glam::{Vec3, Vec4};
 
-/// The vertices' places, each once.
+/// Index of each vertex's place, equal for vertices at the same place.
 fn places(mesh: &Mesh) -> Vec<usize> {
     let mut known = HashMap::new();
     mesh.positions
@@ -22,7 +22,8 @@ fn triangles(mesh: &Mesh) -> Vec<[usize; 3]> {
     mesh.indices.chunks_exact(3).map(|t| [t[0] as usize, t[1] as usize, t[2] as usize]).collect()
 }
 
-/// Vertices - edges + faces, after asserting that every edge is used once in either direction.
+/// Euler characteristic: vertices - edges + faces, after asserting that every edge is used once in
+/// either direction.
 fn euler(mesh: &Mesh, name: &str) -> i64 {
     let places = places(mesh);
     let mut edges = HashSet::new();
@@ -43,10 +44,10 @@ fn euler(mesh: &Mesh, name: &str) -> i64 {
     used.len() as i64 - edges.len() as i64 / 2 + mesh.triangle_count() as i64
 }
 
-/// Whether the triangles around every place form one ring.
+/// True if the triangles around every place form one ring.
 fn is_manifold(mesh: &Mesh) -> bool {
     let places = places(mesh);
-    // From the one neighbour of a place to the next, around it.
+    // The next neighbour around a place, by place and neighbour.
     let mut next: HashMap<(usize, usize), usize> = HashMap::new();
     let mut degree: HashMap<usize, usize> = HashMap::new();
     for t in triangles(mesh) {
@@ -72,7 +73,7 @@ fn is_manifold(mesh: &Mesh) -> bool {
     })
 }
 
-/// The volume enclosed, positive where triangles are counter-clockwise from outside.
+/// The enclosed volume, positive where triangles are counter-clockwise seen from outside.
 fn volume(mesh: &Mesh) -> f64 {
     let at = |i: usize| Vec3::from(mesh.positions[i]).as_dvec3();
     triangles(mesh).iter().map(|t| at(t[0]).cross(at(t[1])).dot(at(t[2])) / 6.0).sum()
@@ -104,7 +105,7 @@ fn volumes_are_those_of_the_formulas() {
     let pi = std::f64::consts::PI;
     near("sphere", 4.0 / 3.0 * pi);
     near("torus", 2.0 * pi * pi * 0.7 * 0.3 * 0.3);
-    // Pappus: the tube's section times the length of its curve.
+    // Pappus's theorem: the tube's cross section times the length of its curve.
     let point = |t: f64| {
         let ring = 0.68 + 0.3 * (3.0 * t).cos();
         glam::DVec3::new(ring * (2.0 * t).cos(), ring * (2.0 * t).sin(), 0.36 * (3.0 * t).sin())
@@ -115,7 +116,8 @@ fn volumes_are_those_of_the_formulas() {
         .map(|[a, b]| point(a).distance(point(b)))
         .sum();
     near("knot", length * pi * 0.2 * 0.2);
-    // A cube grown by a radius: faces, edges (four quarter cylinders each way), corners (a ball).
+    // A cube grown by a radius: the inner cube, its faces, edges (four quarter cylinders each way)
+    // and corners (a ball).
     let (inner, r) = (1.28f64, 0.16f64);
     near(
         "cube",
@@ -129,7 +131,8 @@ fn volumes_are_those_of_the_formulas() {
     }
 }
 
-/// The thesis's scenes: a surface of 5,000 triangles with a ball of 400, and a city of 27,860.
+/// The thesis's scenes have their numbers of triangles: a surface of 5,000 with a ball of 400, and
+/// a city of 27,860.
 #[test]
 fn the_thesis_scenes_have_their_triangles() {
     for (name, count) in [("waves", 5_000), ("ball", 400), ("city", 27_860)] {
@@ -139,7 +142,7 @@ fn the_thesis_scenes_have_their_triangles() {
     let city = shape("city").unwrap();
     let mut walls = 0;
     for quad in city.indices.chunks_exact(6) {
-        // A wall shows whole repeats: its corners lie on whole numbers of texture coordinates.
+        // Walls show whole repeats of a texture: their corners lie at whole texture coordinates.
         let is_wall = city.normals[quad[0] as usize][1].abs() < 0.5;
         walls += usize::from(is_wall);
         for &v in quad {
@@ -152,7 +155,8 @@ fn the_thesis_scenes_have_their_triangles() {
                 "{p:?}"
             );
         }
-        // u goes to the right of who looks at the wall, v up: the tangent frame is right-handed.
+        // Seen by a viewer of the wall u grows to the right and v up: the tangent frame is
+        // right-handed.
         assert_eq!(city.tangents[quad[0] as usize][3], 1.0);
     }
     assert_eq!(walls, 4 * 2_785);
@@ -214,7 +218,7 @@ fn the_sphere_is_one() {
     for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
         assert!(Vec3::from(*p).distance(Vec3::from(*n)) < 1e-6);
     }
-    // Its tangent goes east, its bitangent north.
+    // The sphere's tangent points east, its bitangent north.
     for (v, uv) in mesh.uvs.iter().enumerate().filter(|(_, uv)| (0.01..0.99).contains(&uv[1])) {
         let longitude = (f64::from(uv[0]) - 0.5) * std::f64::consts::TAU;
         let east = Vec3::new(longitude.cos() as f32, 0.0, -longitude.sin() as f32);
@@ -234,7 +238,7 @@ fn the_organic_shapes_are_dense_and_hollow() {
             "{name}: {}",
             mesh.triangle_count()
         );
-        // Concave edges: the neighbour's far point lies in front of the triangle.
+        // An edge is concave where the neighbour's far corner lies in front of the triangle.
         let places = places(&mesh);
         let mut apex: HashMap<(usize, usize), Vec3> = HashMap::new();
         let at = |i: usize| Vec3::from(mesh.positions[i]);

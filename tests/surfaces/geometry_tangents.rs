@@ -1,4 +1,5 @@
-//! Tangents are MikkTSpace's own to the bit, and a normal map baked in its frames comes back.
+//! Tangents equal MikkTSpace's to the bit, and a normal map baked in MikkTSpace's frames gives its
+//! normals back.
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 use std::fmt::Write as _;
@@ -8,10 +9,11 @@ use bevy_mikktspace::{Geometry, TangentSpace, generate_tangents};
 use chiaro::geometry::{Mesh, SHAPES, import, no_siblings, shape};
 use glam::{DVec2, DVec3, Vec3, Vec4};
 
-/// A mesh as the other implementation, which follows the reference to the byte, reads it.
+/// A mesh as input of another implementation of MikkTSpace, which follows the reference to the
+/// byte.
 struct Other<'m> {
     mesh: &'m Mesh,
-    /// By corner.
+    /// Tangents by corner.
     tangents: Vec<Option<[f32; 4]>>,
 }
 
@@ -54,7 +56,8 @@ fn expected(mesh: &Mesh) -> Vec<Option<[f32; 4]>> {
     other.tangents
 }
 
-/// Holds all tangents of a mesh; gives how many corners there were to hold.
+/// Asserts that all tangents of a mesh are the other implementation's; gives the number of corners
+/// compared.
 fn hold(name: &str, mesh: &Mesh) -> usize {
     let mut held = 0;
     for (corner, (&vertex, wanted)) in mesh.indices.iter().zip(expected(mesh)).enumerate() {
@@ -65,7 +68,7 @@ fn hold(name: &str, mesh: &Mesh) -> usize {
             (along.length() - 1.0).abs() < 1e-5 && along.dot(normal).abs() < 1e-5,
             "{name} {corner}: {found:?}"
         );
-        // Where the UVs say nothing the reference has no tangent, or one of length 0.
+        // Where UVs define no direction the reference has no tangent, or one of length 0.
         let Some(wanted) = wanted.filter(|t| Vec4::from(*t).truncate().length() > 0.5) else {
             continue;
         };
@@ -91,8 +94,8 @@ fn read(text: &str) -> Mesh {
         .value
 }
 
-/// Corners (position, UV) as an OBJ in which every corner is written anew or, when `shares`, each
-/// position and UV once.
+/// An OBJ of triangles with corners (position, UV): every corner is written anew or, when `shares`,
+/// each position and UV once.
 fn obj(triangles: &[[([f32; 3], [f32; 2]); 3]], shares: bool) -> String {
     let mut text = String::new();
     let (mut places, mut uvs): (Vec<[f32; 3]>, Vec<[f32; 2]>) = (Vec::new(), Vec::new());
@@ -118,7 +121,7 @@ fn obj(triangles: &[[([f32; 3], [f32; 2]); 3]], shares: bool) -> String {
     text + &faces
 }
 
-/// A wavy square of `n` by `n` cells, the same left and right, with a UV of each corner of each
+/// A wavy square of `n` by `n` cells, mirror-symmetric in x, with a UV for each corner of each
 /// triangle.
 fn waves(n: usize, uv: impl Fn(f32, f32) -> [f32; 2]) -> Vec<[([f32; 3], [f32; 2]); 3]> {
     let corner = |i: usize, j: usize| {
@@ -167,14 +170,14 @@ fn mirrored_and_cut_uvs_have_the_references_tangents() {
     }
 }
 
-/// Where the UVs of triangles span no area they take what is beside them; where a file repeats its
-/// points nothing changes.
+/// Triangles whose UVs span no area take the tangents of their neighbours; a file that repeats its
+/// points gives the same tangents.
 #[test]
 fn triangles_without_area_have_the_references_tangents() {
     let mut random = Random::new(3);
     for round in 0..300 {
-        // Few places and UVs, so that triangles share edges, meet at points alone, fold over and
-        // lose their area.
+        // With few places and UVs triangles share edges, meet at single points, fold over and lose
+        // their area.
         let mut number = |steps: usize| random.index(steps) as f32 / 3.0 - 1.0;
         let places: Vec<[f32; 3]> = (0..8).map(|_| [number(7), number(7), number(7)]).collect();
         let uvs: Vec<[f32; 2]> = (0..5).map(|_| [number(5), number(5)]).collect();
@@ -183,7 +186,7 @@ fn triangles_without_area_have_the_references_tangents() {
         let triangles: Vec<_> =
             (0..count).map(|_| [0; 3].map(|_| *random.pick(&corners))).collect();
         for shares in [false, true] {
-            // A file of nothing but triangles without area is refused.
+            // A file of triangles without area alone is refused.
             if let Ok(read) = import("test.obj", obj(&triangles, shares).as_bytes(), &no_siblings) {
                 hold(&format!("round {round}, {shares}"), &read.value);
             }
@@ -191,8 +194,8 @@ fn triangles_without_area_have_the_references_tangents() {
     }
 }
 
-/// A cone whose point has one UV: directions of growing u turn all the way round it, and opposite
-/// ones leave each other out.
+/// A cone whose tip has one UV: directions of growing u turn all the way around the tip, and
+/// opposite ones cancel.
 #[test]
 fn opposite_directions_have_the_references_tangents() {
     for count in [4, 8, 60, 200] {
@@ -206,8 +209,8 @@ fn opposite_directions_have_the_references_tangents() {
     }
 }
 
-/// The reference walks around a point by calling itself, and compares all triangles there with all
-/// others: neither would end here.
+/// A point, and an edge, of 300,000 triangles. The reference walks around a point by recursion, and
+/// compares all triangles there with each other: neither would end here.
 #[test]
 fn a_point_of_many_triangles_is_no_harder_than_others() {
     let count = 300_000;
@@ -221,7 +224,7 @@ fn a_point_of_many_triangles_is_no_harder_than_others() {
         let (a, b) = (k + 2, (k + 1) % count + 2);
         let _ = writeln!(text, "f {a}/{a} {b}/{b} 1/1");
     }
-    // An edge of as many triangles, all of them running along it in one direction.
+    // An edge of 300,000 triangles, all of which run along it in one direction.
     text += "v 5 0 -1\nv 5 0 1\n";
     for k in 0..count {
         let turn = std::f64::consts::TAU * f64::from(k) / f64::from(count);
@@ -234,8 +237,8 @@ fn a_point_of_many_triangles_is_no_harder_than_others() {
     assert!(mesh.tangents[apex][0] > 0.999, "{:?}", mesh.tangents[apex]);
 }
 
-/// Normals that a map shall bring back, the waves' own with smaller ones on them: of x and y alone,
-/// so that a pixel tells them, and mirrored as x is.
+/// Normals that the baked map must give back, the waves' own with smaller waves on them: functions
+/// of x and y alone, so that a pixel's place tells them, and mirrored as x is.
 #[cfg(feature = "gpu")]
 fn known(at: DVec2) -> DVec3 {
     let (wave_x, wave_y) = (3.0 * at.x, 2.0 * at.y + 0.4);
@@ -273,8 +276,8 @@ fn frame_at(mesh: &Mesh, tangents: &[Option<[f32; 4]>], at: DVec2) -> glam::DMat
     panic!("{at} lies beside the mesh");
 }
 
-/// By how much a normal is off where a fragment reads it in an orthonormal frame, as Chiaro does,
-/// in place of the baker's.
+/// Angle between a known normal and the normal that a fragment reads in an orthonormal frame, as
+/// Chiaro's, in place of the baker's frame. In radians.
 #[cfg(feature = "gpu")]
 fn off_by_frame(mesh: &Mesh, tangents: &[Option<[f32; 4]>], at: DVec2) -> f64 {
     let frame = frame_at(mesh, tangents, at);
@@ -286,8 +289,8 @@ fn off_by_frame(mesh: &Mesh, tangents: &[Option<[f32; 4]>], at: DVec2) -> f64 {
     (upright * vector).angle_between(known(at))
 }
 
-/// A map is baked with the other implementation's tangents from known normals, for two halves that
-/// share one half of a texture, and drawn by a look.
+/// A normal map is baked from known normals with the other implementation's tangents, for two
+/// halves that share one half of a texture, and drawn by a look.
 #[cfg(feature = "gpu")]
 #[test]
 fn a_baked_normal_map_brings_its_normals_back() {
@@ -297,8 +300,8 @@ fn a_baked_normal_map_brings_its_normals_back() {
     use chiaro::library::Library;
     use serde_json::json;
 
-    // Every corner is written anew, as many exporters do, so that only welding finds what is one
-    // vertex.
+    // Every corner is written anew, as by many exporters, so that only welding finds equal
+    // vertices.
     let mesh = read(&obj(&waves(48, |x, y| [x.abs(), 0.5 + 0.4 * y + 0.1 * x.abs()]), false));
     assert!(hold("the mesh", &mesh) > 0);
     let tangents = expected(&mesh);
@@ -307,7 +310,7 @@ fn a_baked_normal_map_brings_its_normals_back() {
     for (i, j, texel) in map.enumerate_pixels_mut() {
         let [u, v] =
             [f64::from(i) + 0.5, f64::from(size - 1 - j) + 0.5].map(|x| x / f64::from(size));
-        // The first half that is seen through this texel; nothing reads texels beside the mesh.
+        // The point of the first half that shows this texel; texels beside the mesh are not read.
         let at = DVec2::new(u, ((v - 0.5 - 0.1 * u) / 0.4).clamp(-1.0, 1.0));
         let vector = (frame_at(&mesh, &tangents, at).inverse() * known(at)).normalize();
         texel.0 = (127.5 * (vector + 1.0)).round().to_array().map(|x| x as u8);
@@ -347,7 +350,7 @@ fn a_baked_normal_map_brings_its_normals_back() {
         by_frame = by_frame.max(off_by_frame(&setup.objects[0].mesh, &tangents, at));
     }
     let mean = sum / f64::from(count);
-    // Eight bits a channel alone are 4e-3, and an orthonormal frame is not quite a baker's.
+    // Eight bits a channel alone make 4e-3, and an orthonormal frame is not quite a baker's.
     assert!(worst < 2e-2 && mean < 5e-3, "{worst:.2e} rad, {mean:.2e} in the mean");
     assert!(by_frame < 2e-4, "{by_frame:.2e} by the frame alone");
 }

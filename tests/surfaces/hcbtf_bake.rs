@@ -1,5 +1,5 @@
-//! A look that is baked onto an HCBTF shows, looked up at the grid's directions, what the look
-//! itself shows there.
+//! A look baked onto an HCBTF: looked up at the grid's directions, the HCBTF shows the look's own
+//! colors there.
 #![cfg(feature = "gpu")]
 
 use std::path::{Path, PathBuf};
@@ -31,7 +31,7 @@ fn example(name: &str) -> SetupLook {
     }
 }
 
-/// A look that shows an HCBTF and nothing else.
+/// A look that shows an HCBTF alone.
 fn showing(path: &Path) -> SetupLook {
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
@@ -47,8 +47,8 @@ fn showing(path: &Path) -> SetupLook {
     }))
 }
 
-/// Every texel under every light and view of the grid; lights on the horizon itself are an edge,
-/// and left out.
+/// Surface samples of every texel under every light and view of the grid, without lights on the
+/// horizon, where lit and unlit meet.
 fn samples() -> Vec<EvalSample> {
     let mut samples = Vec::new();
     for address in GRID.addresses().filter(|address| address.light.theta + 1 < GRID.light.theta) {
@@ -82,7 +82,7 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
     for name in ["figure6-comics.json", "figure5-directional.json"] {
         let setup = example(name);
         let light = moving_light(&setup, Some("key")).unwrap();
-        // With one sample, which is where the look is evaluated.
+        // One sample a texel, at the place where the look is evaluated.
         let (assets, progress) = (Assets::default(), Progress::new());
         let baked =
             bake_look_sampled(&setup, Library::built_in(), GRID, &light, &assets, 1, &progress)
@@ -104,7 +104,7 @@ fn a_baked_look_is_the_look_at_the_grids_directions() {
     }
 }
 
-/// A look of two colors that meet in a straight line at u = 0.3, and of an alpha that ends at v =
+/// A look of two colors that meet in a straight line at u = 0.3, with an alpha that ends at v =
 /// 0.45.
 fn edges(color_space: &str) -> SetupLook {
     let code = "fn edges(at: vec2f) -> vec4f \
@@ -122,8 +122,8 @@ fn edges(color_space: &str) -> SetupLook {
     }))
 }
 
-/// The share of a texel that an edge leaves is what it shows, as nearly as so many samples in rows
-/// of their own come.
+/// A texel on an edge shows the share on either side, as exactly as its samples in rows of their
+/// own allow.
 #[test]
 fn edges_are_smooth_with_samples_enough() {
     let one = Directions { theta: 1, phi: 1 };
@@ -147,8 +147,8 @@ fn edges_are_smooth_with_samples_enough() {
         .unwrap();
         let tile = baked.hcbtf.painted.values().next().unwrap().clone();
         let within = 0.5 / f64::from(samples) + 1.0 / 255.0;
-        // The second column has 0.3 - 0.25 of 0.25 black; of the third row from the top as much of
-        // v is below 0.45.
+        // Of the second column's texels (0.3 - 0.25) / 0.25 is black; of the third row's from the
+        // top the same share is opaque.
         let (white, opaque) = (0.8, 0.8);
         let decoded = |byte: u8| match (color_space, f64::from(byte) / 255.0) {
             ("linear", shown) => chiaro::document::srgb_to_linear(shown),
@@ -166,7 +166,7 @@ fn edges_are_smooth_with_samples_enough() {
             [255, 255, 0]
         );
         assert_eq!([tile.texel(0, 3), tile.texel(2, 3)].map(|texel| texel[0]), [0, 255]);
-        // Half of the samples are off where edges are, and nowhere else.
+        // The two halves of the samples differ at edges, and nowhere else.
         assert_eq!(
             baked.halves_off.is_some_and(|off| off > 0.001 && off < 0.2),
             samples > 1,
@@ -183,7 +183,7 @@ fn edges_are_smooth_with_samples_enough() {
     assert_eq!(told[0].code, "out-of-range");
 }
 
-/// One tile alone is many pieces, and none is begun once it is stopped.
+/// One tile alone is baked in many pieces, and no piece is begun after a stop.
 #[test]
 fn a_tile_that_is_not_wanted_any_more_is_left_in_the_middle() {
     let one = Directions { theta: 1, phi: 1 };
@@ -254,14 +254,14 @@ fn what_a_look_shows_is_filled_once_and_its_preparation_is_told() {
         tile_assets(&setup, Library::built_in(), &light, Assets::default(), &filling).unwrap();
     let steps = told.lock().unwrap().clone();
     let total = steps[0][1];
-    // All that is told before the 3 x 3 tiles of 6 rows is preparation, and there is much of it.
+    // Steps before the last, the 3 x 3 tiles of 6 rows, are preparation, of which there is much.
     let before = steps.iter().take_while(|[done, _]| *done < total - 9 * 6).count();
     assert!(before >= 12, "{steps:?}");
     assert!(
         steps.iter().all(|[_, of]| *of == total) && steps.iter().any(|[done, _]| *done == total),
         "{steps:?}"
     );
-    // Every view finds it filled.
+    // The bake finds the HCBTF filled for every view.
     let baked =
         bake_look(&setup, Library::built_in(), GRID, &light, &assets, &Progress::new()).unwrap();
     assert_eq!(told.lock().unwrap().len(), steps.len());

@@ -1,4 +1,4 @@
-//! Every edit of an HCBTF can be undone and redone to the byte, and a journal gives it back.
+//! Edits of an HCBTF can be undone and redone to the byte, and a journal gives them back.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use crate::support::random::Random;
 
 const SIZES: [[u32; 2]; 2] = [[7, 5], [16, 16]];
 
-/// Random edits from a seed.
+/// Random edits, from a seed.
 struct Edits(Random);
 
 impl Edits {
@@ -45,7 +45,7 @@ impl Edits {
         Grid { size: *self.pick(&SIZES).unwrap(), light, view }
     }
 
-    /// An address that is mostly in the grid.
+    /// An address, mostly within the grid.
     fn address(&mut self, hcbtf: &Hcbtf) -> Address {
         let painted: Vec<Address> = hcbtf.painted.keys().copied().collect();
         if let Some(address) = self.pick(&painted).copied().filter(|_| self.chance(6)) {
@@ -57,8 +57,7 @@ impl Edits {
         Address::new(direction(hcbtf.grid.light), direction(hcbtf.grid.view))
     }
 
-    /// A tile, mostly of the grid's size; now and then what is painted already, changed here and
-    /// there.
+    /// A tile, mostly of the grid's size; now and then the painted one with some bytes changed.
     fn tile(&mut self, hcbtf: &Hcbtf, address: Address) -> Tile {
         let size = if self.chance(9) { hcbtf.grid.size } else { SIZES[1] };
         if let Some(tile) = hcbtf.painted(address).filter(|_| self.chance(7)) {
@@ -82,7 +81,7 @@ impl Edits {
             4 => Rule::Morph { sharpness: self.below(70) as f64 },
             5 => {
                 let mut strokes = Strokes::preset(self.pick(&Strokes::PRESETS).unwrap());
-                // Now and then what no file may hold.
+                // The softness is now and then beyond the bounds of files.
                 strokes.shadow.softness = self.below(12) as f64 / 10.0;
                 Rule::Strokes(Box::new(strokes))
             }
@@ -91,7 +90,7 @@ impl Edits {
         }
     }
 
-    /// Mostly within its bounds.
+    /// A relief, mostly within its bounds.
     fn relief(&mut self, hcbtf: &Hcbtf) -> Relief {
         let mut relief = self.pick(&PRESETS).unwrap().1();
         if self.chance(3) {
@@ -137,7 +136,7 @@ fn bytes(hcbtf: &Hcbtf) -> Vec<u8> {
     write(hcbtf).unwrap_or_else(|problem| panic!("{problem}"))
 }
 
-/// All that undo leads through, and redo back.
+/// All documents that undo leads through, and redo back.
 fn all_of(mut history: History<Hcbtf>) -> Vec<Hcbtf> {
     let mut all = vec![history.document().clone()];
     while history.undo().is_some() {
@@ -166,7 +165,7 @@ proptest! {
             gesture += u64::from(random.chance(7));
             let applied = history.apply_in(gesture, edit.clone());
             if applied.is_ok() && history.revision() > revision {
-                // One more of a gesture belongs to its step.
+                // A further edit of a gesture belongs to the gesture's step.
                 if history.steps().0 == steps {
                     states.pop();
                 }
@@ -227,7 +226,7 @@ proptest! {
     }
 }
 
-/// As the text of an edit says it, so it is read.
+/// Edits are read from JSON as they were written.
 #[test]
 fn edits_are_written_as_json() {
     let mut random = Edits::new(4);
@@ -248,7 +247,7 @@ fn edits_are_written_as_json() {
     );
 }
 
-/// A stroke's edit knows what it was painted on, and holds no more than what it changed.
+/// A stroke's edit holds the old texels of its tile, and no more than the texels that it changed.
 #[test]
 fn a_stroke_is_small_and_goes_on_its_own_tile_alone() {
     let size = [512, 512];
@@ -269,7 +268,7 @@ fn a_stroke_is_small_and_goes_on_its_own_tile_alone() {
     assert_eq!(**hcbtf.painted(address).unwrap(), tile);
     assert_eq!(hcbtf.apply(back).unwrap(), edit);
     assert_eq!(hcbtf.painted(address).unwrap().texel(5, 5), [9, 9, 9, 255]);
-    // What changes nothing is no step.
+    // An edit that changes nothing is no step.
     let same = HcbtfEdit::paint(&hcbtf, address, Tile::filled(size, [9, 9, 9, 255]));
     let mut history = History::new(hcbtf);
     history.apply(same).unwrap();

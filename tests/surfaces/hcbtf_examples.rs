@@ -1,5 +1,5 @@
-//! The HCBTFs of `examples/hcbtf`, and the looks beside them: small, found, bounded, and the same
-//! whenever they are filled.
+//! HCBTFs of `examples/hcbtf`, and the looks beside them: the files are small, the looks find them,
+//! the memory is bounded, and every sample can be filled.
 
 use std::path::{Path, PathBuf};
 
@@ -32,8 +32,8 @@ fn the_files_are_small_and_nothing_is_odd_in_them() {
         let needed = layers_bytes(&hcbtf.grid, true);
         assert!(needed < 64 << 20, "{}: {} MiB", path.display(), needed >> 20);
         assert_eq!(estimate(&hcbtf).unwrap().samples, hcbtf.grid.sample_count());
-        // Seen straight from above in full light, and from low under a low light; nothing of it is
-        // empty.
+        // Samples seen straight from above in full light, and from low under a low light: both are
+        // filled, and they differ.
         let grid = hcbtf.grid;
         let low = Address::new(
             [grid.light.theta - 1, grid.light.phi / 2],
@@ -71,7 +71,7 @@ fn the_looks_beside_them_show_them() {
     }
 }
 
-/// Chalk answers to a tone: from ring to ring, as the light sinks, there is less of it.
+/// Chalk follows the tone: from ring to ring, as the light sinks, fewer texels are chalk.
 #[test]
 fn chalk_is_darker_by_other_strokes_and_not_by_dimmer_ones() {
     let hcbtf = load(&folder().join("chalk.hcbtf")).unwrap().value;
@@ -90,7 +90,7 @@ fn chalk_is_darker_by_other_strokes_and_not_by_dimmer_ones() {
     };
     let [above, high, low, grazing] = bright(150);
     assert!(above > high && high > low && low > grazing, "{above} {high} {low} {grazing}");
-    // Where chalk is left it is chalk: halfway down its strokes are nearly as bright as under the
+    // The remaining strokes are not dimmed: halfway down they are nearly as bright as under the
     // light.
     let [above, high, ..] = bright(180);
     assert!(above > 0 && high > 0, "{above} {high}");

@@ -1,4 +1,4 @@
-//! `.hcbtf` files: what is written is read, and what is wrong is told.
+//! `.hcbtf` files: written files are read back, and wrong files are refused with diagnostics.
 
 use std::io::{Cursor, Read as _, Write as _};
 use std::sync::Arc;
@@ -26,7 +26,7 @@ fn noise(random: &mut Random, size: [u32; 2]) -> Arc<Tile> {
     Arc::new(Tile::new(size, bytes).unwrap())
 }
 
-/// One with a rule of every kind.
+/// An HCBTF with a rule of every kind.
 fn sample() -> Hcbtf {
     let mut random = Random::new(7);
     let mut hcbtf = Hcbtf::new(GRID);
@@ -104,12 +104,12 @@ fn png(size: [u32; 2], byte: u8) -> Vec<u8> {
     Picture { size, rgba }.to_png().unwrap()
 }
 
-/// What is told of a file that cannot be used.
+/// Diagnostics of a file that must be refused.
 fn errors(bytes: &[u8]) -> Vec<Diagnostic> {
     read(bytes, "grass.hcbtf").expect_err("it cannot be used")
 }
 
-/// Each has one error of this code, with the file's name, a hint, and these words.
+/// Asserts that a file gives an error of this code, with the file's name and these words.
 fn expect(bytes: &[u8], code: &str, words: &[&str]) {
     let told = errors(bytes);
     let error = told
@@ -173,7 +173,7 @@ fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
     ];
     let (hcbtf, notes) = read(&pack(&all, CompressionMethod::Stored), "g").unwrap().into_parts();
     assert!(notes.is_empty() && hcbtf.rules.len() == 3 && hcbtf.grid == Grid::THESIS, "{notes:?}");
-    // What is written of it is the same text.
+    // The HCBTF is written as the same text again.
     let written = entries(&write(&hcbtf).unwrap()).swap_remove(0).1;
     let plain = |text: &str| text.split_whitespace().collect::<String>();
     assert_eq!(plain(std::str::from_utf8(&written).unwrap()), plain(example));
@@ -193,7 +193,7 @@ fn the_example_in_the_docs_is_read_and_every_rule_is_in_them() {
 fn any_zip_and_any_png_that_comes_back_is_taken() {
     let all = entries(&write(&sample()).unwrap());
     for method in [CompressionMethod::Stored, CompressionMethod::Deflated] {
-        // Another order, folders as entries, no thumbnail.
+        // Entries in another order, folders as entries, no thumbnail.
         let mut shuffled: Vec<_> =
             all.iter().rev().filter(|(name, _)| name != "thumbnail.png").cloned().collect();
         shuffled.insert(0, ("samples/".to_owned(), Vec::new()));
@@ -281,7 +281,7 @@ fn what_is_no_hcbtf_is_told() {
     expect(&with(|all| all[0].1 = b"[".repeat(100_000)), "not-json", &[]);
 }
 
-/// What is told of manifests: `tests/cases/hcbtf`, each in a file with its three samples.
+/// Diagnostics of manifests: `tests/cases/hcbtf`, each in a file with its three samples.
 #[test]
 fn manifests() {
     hold("hcbtf", |name, manifest| {
@@ -323,7 +323,7 @@ fn wrong_samples_are_told_by_their_name() {
     expect(&with(|all| all[4].1.truncate(60)), "hcbtf-sample", &[last, "decoded"]);
     let huge = with(|all| all[4].1[16..24].copy_from_slice(&[0x7f; 8]));
     expect(&huge, "hcbtf-sample", &[last, "2139062143 x 2139062143"]);
-    // Everything is told, not only the first.
+    // All problems are told, not only the first.
     let two = with(|all| {
         all[3].1 = png([1, 1], 1);
         all[4].1 = png([2, 2], 1);
@@ -342,13 +342,13 @@ fn damage_is_noticed() {
 
 #[test]
 fn what_unpacks_to_too_much_is_refused_as_it_unpacks() {
-    // Zeros pack a thousandfold. A sample's bound is what a PNG of the tile's size and its notes
-    // can be.
+    // Zeros pack a thousandfold. The bound of a sample is the size of the largest PNG of the tile's
+    // size with its notes.
     let bomb = vec![0_u8; 80 << 20];
     let bytes = with(|all| all[4].1 = bomb.clone());
     expect(&bytes, "too-large", &["samples/l2.3_v1.5.png", "help:"]);
     expect(&with(|all| all[0].1 = bomb.clone()), "too-large", &["manifest.json"]);
-    // The same, by an entry that says it is small.
+    // The same entry, which now claims to be small.
     let mut lying = bytes;
     let size = (80_u32 << 20).to_le_bytes();
     let places: Vec<usize> = lying
@@ -360,7 +360,8 @@ fn what_unpacks_to_too_much_is_refused_as_it_unpacks() {
     assert!(!places.is_empty());
     places.iter().for_each(|at| lying[*at..at + 4].copy_from_slice(&100_u32.to_le_bytes()));
     assert!(!errors(&lying).is_empty());
-    // More samples than memory is given for, before any of them is unpacked.
+    // A file with more samples than the bound on memory allows, refused before any sample is
+    // unpacked.
     let listed: Vec<String> = (0..3)
         .flat_map(|t| (0..4).map(move |p| (t, p)))
         .filter(|(t, p)| *t > 0 || *p == 0)
@@ -383,8 +384,8 @@ fn directories_that_lie_are_refused() {
     let valid = write(&sample()).unwrap();
     let mut huge = vec![0_u8; 200_000];
     huge[..valid.len().min(4)].copy_from_slice(b"PK\x03\x04");
-    // The larger end of a directory, with 150,000 entries that are not there; then its locator;
-    // then the plain end.
+    // The zip64 end of a directory, with 150,000 entries that are not there; then its locator; then
+    // the plain end.
     let at = huge.len() as u64;
     huge.extend(b"PK\x06\x06");
     huge.extend(44_u64.to_le_bytes());
@@ -417,7 +418,7 @@ fn what_could_not_be_read_again_is_not_written() {
     assert_eq!(write(&Hcbtf::new(Grid { size: [0, 1], ..GRID })).unwrap_err().code, "hcbtf-grid");
 }
 
-/// Files from a hostile stranger: nothing panics, and what is read can be filled.
+/// Files from a hostile author never cause a panic, and an HCBTF read from one can be filled.
 #[test]
 fn mutated_files_never_panic() {
     let valid = write(&sample()).unwrap();
@@ -440,8 +441,8 @@ fn mutated_files_never_panic() {
             _ => {}
         }
         for _ in 0..random.index(8) {
-            // Ends of directories lie at the end, and lengths and offsets in them are what hurts
-            // most.
+            // Ends of directories lie at the file's end, and their lengths and offsets do the most
+            // harm.
             let near_the_end = random.chance(0.5);
             let span = if near_the_end { bytes.len().min(500) } else { bytes.len() };
             if span > 0 {
@@ -460,7 +461,8 @@ fn mutated_files_never_panic() {
     assert!(read_well > 20, "{read_well}: some mutations miss everything that matters");
 }
 
-/// The same for the manifest's own text, which the zip's checksums would otherwise protect.
+/// Mutated manifests never cause a panic; in mutated files the zip's checksums would protect the
+/// manifest's text.
 #[test]
 fn mutated_manifests_never_panic() {
     let all = entries(&write(&sample()).unwrap());

@@ -1,4 +1,4 @@
-//! Meshes, painted surfaces and directions: what a scene is made of, without a GPU.
+//! Tests of meshes, painted surfaces and directions, the parts of a scene that need no GPU.
 
 use chiaro_test_drawing as support;
 

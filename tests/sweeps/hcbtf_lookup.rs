@@ -1,6 +1,6 @@
-//! The HCBTF node on the GPU and in f64 against a lookup written by hand, for every tier and way to
-//! look up: at random, at every sample's own direction, and where directions, frames and texture
-//! coordinates are hard (hard-cases.md 24 and 25).
+//! The HCBTF node on the GPU and in f64 against a lookup written by hand, for every tier and every
+//! choice of lookup: at random places, at every sample's own direction, and where directions,
+//! frames and texture coordinates are hard (hard-cases.md 24 and 25).
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
@@ -23,7 +23,7 @@ use glam::{DVec2, DVec3};
 use serde_json::json;
 
 const BELOW: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
-/// The choices of how to look up, and the node that shows the nearest painting.
+/// Choices of the lookup: two of the lookup node, and the node that shows the nearest sample.
 const LOOKUPS: [&str; 3] = ["smooth", "texels", "nearest"];
 
 fn grids() -> [(&'static str, Grid); 4] {
@@ -36,7 +36,7 @@ fn grids() -> [(&'static str, Grid); 4] {
     ]
 }
 
-/// Every sample painted, each texel of its own color.
+/// An HCBTF with every sample painted, each texel in a random color.
 fn painted(grid: Grid, is_opaque: bool) -> Hcbtf {
     let mut random = Random::new(7 + grid.texels() as u64);
     let mut tile = || {
@@ -52,7 +52,7 @@ fn painted(grid: Grid, is_opaque: bool) -> Hcbtf {
     Hcbtf { painted, ..Hcbtf::new(grid) }
 }
 
-/// Writes an HCBTF into a folder of the build's own.
+/// Writes an HCBTF into a folder of the build, and gives its path.
 fn file(name: &str, hcbtf: &Hcbtf) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("hcbtf_lookup");
     std::fs::create_dir_all(&folder).unwrap();
@@ -103,7 +103,7 @@ fn sample(
     }
 }
 
-/// A sample whose light and view stand at given angles over a surface that lies anyhow.
+/// A surface sample in a random frame, with light and view at given angles.
 fn at_angles(random: &mut Random, light: [f64; 2], view: [f64; 2], uv: DVec2) -> EvalSample {
     let turn = random.rotation();
     let is_mirrored = random.chance(0.5);
@@ -111,7 +111,7 @@ fn at_angles(random: &mut Random, light: [f64; 2], view: [f64; 2], uv: DVec2) ->
     let vector = |[theta, phi]: [f64; 2]| {
         turn * DVec3::new(theta.sin() * phi.sin(), side * theta.sin() * phi.cos(), theta.cos())
     };
-    // A sheared tangent, and lengths that are no units.
+    // The tangent is sheared, and no vector has length 1.
     let lean = random.between(-2.0, 2.0);
     let tangent = turn * DVec3::new(1.0, 0.0, lean) * random.between(0.1, 10.0);
     let normal = turn * DVec3::Z * random.between(0.2, 5.0);
@@ -127,7 +127,7 @@ fn at_angles(random: &mut Random, light: [f64; 2], view: [f64; 2], uv: DVec2) ->
 
 // The lookup once more, by hand.
 
-/// The two angles of a direction over the frame of Gram and Schmidt.
+/// The two angles of a direction in the frame made by Gram and Schmidt's method.
 fn angles(sample: &EvalSample, direction: DVec3) -> [f64; 2] {
     let n = sample.normal.normalize();
     let t = sample.tangent.unwrap().normalize();
@@ -138,7 +138,7 @@ fn angles(sample: &EvalSample, direction: DVec3) -> [f64; 2] {
     [x.hypot(y).atan2(z), x.atan2(y).rem_euclid(TAU)]
 }
 
-/// The samples around a direction with their weights.
+/// The four HCBTF samples around a direction, with their weights.
 fn around(directions: Directions, [theta, phi]: [f64; 2]) -> Vec<(Direction, f64)> {
     let ring = theta.min(FRAC_PI_2) / FRAC_PI_2 * f64::from(directions.theta - 1);
     let step = phi / TAU * f64::from(directions.phi);
@@ -200,11 +200,11 @@ fn by_hand(hcbtf: &Hcbtf, sample: &EvalSample, lookup: &str) -> [f64; 4] {
         }
     }
     let [r, g, b, a] = sum;
-    // The nearest painting is shown as it is, its transparent texels too.
+    // The nearest sample is shown unmixed, with its transparent texels.
     if a > 0.0 { [r / a, g / a, b / a, a] } else { [0.0, 0.0, 0.0, 0.0] }
 }
 
-/// A texture coordinate that lies clearly inside a texel, anywhere on the plane.
+/// A texture coordinate clearly inside of a texel, in any repeat of the tile.
 fn inside(random: &mut Random, grid: &Grid) -> DVec2 {
     let axis = |random: &mut Random, side: u32| {
         let texel = random.index(side as usize) as f64 + random.between(0.02, 0.98);
@@ -217,7 +217,7 @@ fn angle_pair(random: &mut Random) -> [f64; 2] {
     [random.between(0.0, FRAC_PI_2 - 0.01), random.between(0.0, TAU)]
 }
 
-/// Angles that are clearly nearer to one sample than to the others.
+/// Angles that are clearly nearer to one HCBTF sample than to any other.
 fn clear(random: &mut Random, directions: Directions) -> [f64; 2] {
     loop {
         let pair = angle_pair(random);
@@ -240,8 +240,8 @@ fn at_random(hcbtf: &Hcbtf, count: usize) -> Vec<EvalSample> {
     (0..count).map(one).collect()
 }
 
-/// Compares an answer with what was found by hand, as painted over black: where nearly nothing is
-/// painted, its color does not matter.
+/// Compares a color with the one found by hand, both premultiplied: where nearly nothing is
+/// painted, the color does not matter.
 fn note(errors: &mut Errors, got: [f64; 4], wanted: [f64; 4], place: impl Fn() -> String) {
     for channel in 0..4 {
         let over =
@@ -250,7 +250,7 @@ fn note(errors: &mut Errors, got: [f64; 4], wanted: [f64; 4], place: impl Fn() -
     }
 }
 
-/// Every look's value at each sample on the GPU.
+/// The look's value at each surface sample on the GPU.
 fn seen(path: &Path, lookup: &str, tier: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
     eval_with(&wearing(path, lookup, tier), Library::built_in(), &options(""), samples)
 }
@@ -281,8 +281,8 @@ fn every_tier_on_the_gpu_is_as_near_as_it_says() {
             let path = file(&format!("{name}_{is_opaque}"), &hcbtf);
             let samples = at_random(&hcbtf, 4000);
             for lookup in LOOKUPS {
-                // A texture coordinate of 32 bits knows the less of its place in a texel the more
-                // texels there are.
+                // A texture coordinate of 32 bits knows its place in a texel the less exactly the
+                // more texels there are.
                 let bound = 1e-6 * f64::from(grid.size[0] + grid.size[1]);
                 let mut exact =
                     Errors::new(format!("{name}, {lookup}, exact, opaque {is_opaque}"), bound);
@@ -305,14 +305,14 @@ fn every_tier_on_the_gpu_is_as_near_as_it_says() {
     }
 }
 
-/// However it is stored, with views that share layers and with palettes, it looks as it was
-/// painted.
+/// Every storage shows the painted colors, also where views share layers and where colors are
+/// stored in palettes.
 #[test]
 fn every_storage_looks_the_same() {
     let mut random = Random::new(77);
     let directions = Directions { theta: 3, phi: 5 };
     let grid = Grid { size: [20, 12], light: directions, view: Directions { theta: 4, phi: 6 } };
-    // Of few colors, of many, and alike for many lights and views.
+    // Tiles of few colors, of many colors, and tiles shared by many lights and views.
     let tiles: Vec<Arc<Tile>> = (0..7)
         .map(|kind| {
             let mut texel = || match kind {
@@ -363,7 +363,7 @@ fn every_storage_looks_the_same() {
     }
 }
 
-/// A compact texture of more than one layer.
+/// Samples in the second layer of a compact texture are found.
 #[test]
 fn what_lies_in_a_second_layer_is_found() {
     let one = Directions { theta: 1, phi: 1 };
@@ -387,7 +387,7 @@ fn what_lies_in_a_second_layer_is_found() {
         &samples,
     );
     for (got, sample) in got.iter().zip(&samples) {
-        // f32 knows a texture coordinate of a few repeats to a thousandth of these texels.
+        // f32 holds a texture coordinate of a few repeats to a thousandth of these texels.
         assert!(
             got.iter().zip(by_hand(&hcbtf, sample, "nearest")).all(|(a, b)| (a - b).abs() < 1e-6),
             "{sample:?}"
@@ -408,7 +408,8 @@ fn at_its_own_directions_a_texel_is_what_was_painted() {
                 (f64::from(x) + 0.5) / f64::from(grid.size[0]),
                 -(f64::from(y) + 0.5) / f64::from(grid.size[1]),
             );
-            // The horizon itself belongs to the light above it, but rounding may put it below.
+            // The horizon itself belongs to the light above it, but rounding may move the light
+            // below.
             let mut light = grid.light.angles(address.light);
             light[0] = light[0].min(FRAC_PI_2 - 1e-6);
             let sample = at_angles(&mut random, light, grid.view.angles(address.view), uv);
@@ -480,7 +481,8 @@ fn the_nodes_beside_it_do_what_they_say() {
     for (got, sample) in got.iter().zip(&samples) {
         let weights: Vec<f64> =
             around(grid.view, angles(sample, sample.view)).into_iter().map(|(_, w)| w).collect();
-        // By hand the two steps of a ring come first; in the node the two rings of a step.
+        // The lookup by hand lists the two steps of a ring first; the node, the two rings of a
+        // step.
         let [a, b, c, d] = [weights[0], weights[2], weights[1], weights[3]];
         for (got, wanted) in got.iter().zip([a + d, b + d, c + d]) {
             errors.note(*got, wanted, || format!("weights {sample:?}"));
@@ -512,7 +514,7 @@ fn the_nodes_beside_it_do_what_they_say() {
     errors.finish();
 }
 
-/// hard-cases.md 24: the pole has one color, and nothing jumps where phi begins anew.
+/// hard-cases.md 24: the pole has one color, and no color jumps where phi begins anew.
 #[test]
 fn poles_and_seams_are_whole() {
     let hcbtf = painted(Grid { size: [4, 4], ..Grid::THESIS }, true);
@@ -561,8 +563,8 @@ fn poles_and_seams_are_whole() {
     }
 }
 
-/// hard-cases.md 25: grazing and back-facing views, lights on and below the horizon, odd lengths,
-/// far coordinates.
+/// hard-cases.md 25: lookups have a finite color with grazing and back-facing views, lights on and
+/// below the horizon, odd lengths, and far coordinates.
 #[test]
 fn hard_places_have_a_color() {
     let hcbtf = painted(Grid { size: [4, 4], ..Grid::THESIS }, true);
@@ -587,7 +589,7 @@ fn hard_places_have_a_color() {
     for light in [DVec3::X, DVec3::new(1.0, 0.0, -0.0), DVec3::new(1.0, 0.0, 1e-6)] {
         samples.push(sample(DVec3::Z, DVec3::X, false, light, up, DVec2::splat(0.4)));
     }
-    // A tangent along the normal is none.
+    // A tangent along the normal gives no frame.
     samples.push(sample(DVec3::Z, DVec3::Z, true, up, up, DVec2::splat(0.4)));
     for lookup in LOOKUPS {
         for (storage, one) in
@@ -603,7 +605,7 @@ fn hard_places_have_a_color() {
                     "{lookup} {one} {index}: {value:?}"
                 );
             }
-            // A view below the horizon counts as on it.
+            // A view below the horizon counts as on the horizon.
             assert_eq!(
                 values[0].map(|c| (c * 500.0).round()),
                 values[7].map(|c| (c * 500.0).round()),

@@ -1,5 +1,4 @@
-//! The ledger finds what it is there to find: changed shaders, changed engines, and lines that are
-//! false.
+//! Ledgers notice changed shaders, changed engines, and false lines.
 #![cfg(feature = "gpu")]
 
 use std::fs;
@@ -74,8 +73,8 @@ fn a_line_with_another_key_counts_for_nothing() {
     );
 }
 
-/// The interpreter judges; with one sign of it changed nothing that it judged stands. Comments
-/// judge nothing.
+/// A changed operator in the interpreter, which judges, changes every key; a changed comment
+/// changes none.
 #[test]
 fn a_changed_interpreter_is_another_key() {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/language/interp");
@@ -100,8 +99,7 @@ fn a_changed_interpreter_is_another_key() {
     assert_ne!(key(), before);
 }
 
-/// One digit of a shader is another: what was proved with it stands no more, and what was proved of
-/// other nodes does.
+/// A changed digit in a shader changes the keys of its node, and leaves those of other nodes.
 #[test]
 fn a_changed_constant_in_a_shader_is_another_key() {
     let key = |library: &Library, node: &str| {

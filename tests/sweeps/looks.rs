@@ -1,4 +1,4 @@
-//! The example looks against their truth: over lights and views, at many sizes, and from frame to
+//! Example looks against their truth: over lights and views, at many sizes, and from frame to
 //! frame.
 #![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
@@ -30,7 +30,7 @@ fn flawless<T>(result: Result<T, MeasureError>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
-/// What judges a look, besides what it is made of.
+/// Sources that judge a look, besides the shaders and numbers of the look.
 const JUDGES: &[&str] = &[
     "src/language/interp",
     "src/scene/frame",
@@ -41,7 +41,7 @@ const JUDGES: &[&str] = &[
     "tests/sweeps/looks.rs",
 ];
 
-/// What the verdict on a look's pictures depends on.
+/// The key of the verdict on a look's pictures.
 fn key(path: &Path, precise: &Renderer, effort: &str, meshes: &[&str], tiers: &[Tier]) -> Key {
     let mut key = Key::of_sources(JUDGES)
         .with(precise.gpu().info.driver_info.as_bytes())
@@ -151,7 +151,8 @@ fn soak_looks_are_true_from_everywhere() {
     hold_looks(&LookEffort::soak(), "looks-soak");
 }
 
-/// 4096 by 4096 pixels, the rows in the middle; in 4 GB of memory.
+/// Pictures of 4096 by 4096 pixels, of which the rows in the middle are judged; takes 4 GB of
+/// memory.
 #[test]
 #[ignore = "half an hour: scripts/soak"]
 fn soak_looks_are_true_in_the_largest_pictures() {
@@ -164,7 +165,7 @@ fn soak_nothing_flickers_while_light_and_camera_turn() {
     hold_stability(&StabilityEffort { frames: 60, side: 256 }, "stability-soak");
 }
 
-/// A camera whose picture is the same but for so many pixels to the right.
+/// A scene whose camera shows the same picture, moved by some pixels.
 fn shifted(setup: &Setup, pixels: f64, side: u32) -> Setup {
     let mut setup = setup.clone();
     let camera = &mut setup.scene.camera;
@@ -203,7 +204,8 @@ fn only_what_a_step_of_the_grid_explains_is_settled() {
         inside.iter().copied().min_by(|a, b| apart(*a).total_cmp(&apart(*b))).expect("pixels");
     assert!(apart(leaping) > 1e-3 && apart(still) < 1e-5);
 
-    // What leaps is as the camera aside sees it; what does not is wrong.
+    // The leaping pixel gets the color that the camera aside sees; the still pixel gets a wrong
+    // one.
     let mut got = Colors { size: [side; 2], rgba: here.clone().into() };
     got.rgba.to_mut()[leaping] = there[leaping];
     let wrong = 2.0 * apart(leaping);

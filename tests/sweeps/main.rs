@@ -1,4 +1,5 @@
-//! Every node, look and lookup over its whole domain, GPU against the f64 reference.
+//! Sweeps of every node, look and lookup over the whole domain: the GPU against the reference in
+//! f64.
 
 use chiaro_test_drawing as support;
 

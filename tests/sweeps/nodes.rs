@@ -35,7 +35,7 @@ fn sweep(effort: &Effort) -> Vec<CaseFigures> {
     all
 }
 
-/// A case's figures.
+/// A line with a case's figures.
 fn line(one: &CaseFigures) -> String {
     format!(
         "{:50} {:8} {:6} {:5} {:3} abs {:.1e} p999 {:.1e} max {:.1e} of {:.0e}  {}",
@@ -65,7 +65,7 @@ fn hold(all: &[CaseFigures]) {
     assert!(broken.is_empty(), "{} beyond their bounds:\n{}", broken.len(), broken.join("\n"));
 }
 
-/// What judges a node, besides what it is made of.
+/// Sources that judge a node, besides the shaders and numbers of the node.
 pub(crate) const JUDGES: &[&str] = &[
     "src/language/interp",
     "src/scene/frame",
@@ -75,7 +75,7 @@ pub(crate) const JUDGES: &[&str] = &[
     "tests/sweeps/nodes.rs",
 ];
 
-/// What a case's verdict depends on.
+/// The key of a case's verdict.
 pub(crate) fn key(lab: &mut Lab<'_>, case: &Case, effort: &Effort) -> Key {
     let mut key = Key::of_sources(JUDGES).with(lab.renderer.gpu().info.driver_info.as_bytes());
     let content = lab.content(case, effort, &mut |bytes| key.add(bytes));
@@ -98,8 +98,8 @@ fn every_node_keeps_its_bound() {
         ledger.prove(&name, &key, || {
             let measured = block_on(lab.measure(&case, &effort))
                 .map_err(|stopped| told(&Vec::<Diagnostic>::from(stopped)))?;
-            // Of what is documented alone: elsewhere it depends on the thread whether denormals
-            // count as 0.
+            // The verdict covers the documented domain alone: outside of it the figures depend on
+            // the thread, which may count denormals as 0.
             if measured.holds() { Ok(measured.p999) } else { Err(line(&measured)) }
         });
     }
@@ -112,7 +112,7 @@ fn soak_every_node_keeps_its_bound() {
     hold(&sweep(&Effort::FULL));
 }
 
-/// What the GPU and the truth give where every slot has these numbers.
+/// Outputs of a node on the GPU and in the truth, for inputs with these numbers; others are 0.
 fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
     let mut renderer = renderer();
     let mut lab = Lab::new(Library::built_in(), &mut renderer)
@@ -132,7 +132,7 @@ fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
     [finding.got, finding.truth]
 }
 
-/// An angle of pi that is turned by another pi stays at pi, on the GPU and in f64.
+/// An angle of pi turned by another pi stays at pi, on the GPU and in f64.
 #[test]
 fn a_turn_by_pi_beyond_pi_ends_at_pi() {
     let quarter = [std::f64::consts::FRAC_PI_2];
@@ -143,7 +143,7 @@ fn a_turn_by_pi_beyond_pi_ends_at_pi() {
     }
 }
 
-/// A tangent that nearly lies along the normal still gives a frame at right angles.
+/// A tangent that nearly lies along the normal still gives an orthogonal frame.
 #[test]
 fn a_tangent_beside_the_normal_gives_a_frame_at_right_angles() {
     let normal = [-1.0, -2.3e-4, 2.4e-4];
@@ -158,7 +158,7 @@ fn a_tangent_beside_the_normal_gives_a_frame_at_right_angles() {
     }
 }
 
-/// Points beside the origin have an angle as long as f32 tells them from it.
+/// A point beside the origin has an angle as long as f32 tells the point from the origin.
 #[test]
 fn the_smallest_point_has_an_angle() {
     let least = [-f64::from(f32::MIN_POSITIVE)];
@@ -167,7 +167,7 @@ fn the_smallest_point_has_an_angle() {
     }
 }
 
-/// Workers share a survey, and it says what one alone would, in the same order.
+/// A survey by several workers gives the figures of one worker alone, in the same order.
 #[test]
 fn a_survey_by_several_workers_is_that_of_one() {
     let library = Library::built_in();
@@ -237,7 +237,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
         "every step is told: {steps:?}"
     );
 
-    // Nobody goes on who was told to stop.
+    // A stopped survey ends before its last step.
     let progress = Progress::observed(|progress| {
         if progress.steps()[0] >= 3 {
             progress.stop();

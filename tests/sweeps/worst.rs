@@ -1,4 +1,4 @@
-//! The worst inputs that a search has found for each node stay within what the node is held to.
+//! The worst inputs that a search has found for each node stay within the node's bound.
 #![cfg(feature = "gpu")]
 
 use std::collections::BTreeMap;
@@ -49,8 +49,8 @@ fn the_worst_inputs_stay_within_their_bounds() {
                     ));
                 }
             }
-            // The verdict alone: many of these inputs are denormal, and whether those count as 0
-            // depends on the thread.
+            // The figure is the verdict alone: many of these inputs are denormal, and threads
+            // differ in whether those count as 0.
             Ok(0.0)
         });
     }

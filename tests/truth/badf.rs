@@ -1,5 +1,4 @@
-//! Every formula of the BADF model, as the GPU computes it, against f64 from the paper's own
-//! formulas.
+//! Every formula of the BADF model on the GPU against f64, by the paper's own formulas.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -26,7 +25,7 @@ fn toward(direction: DVec3) -> indexmap::IndexMap<chiaro::ids::LightId, LightOve
         .collect()
 }
 
-/// A light, a parametrization and a profile whose parameters each sample sets.
+/// A look of a light, a parametrization and a profile whose parameters each sample sets.
 fn profile_look() -> SetupLook {
     let exposed = ["offset", "falloff", "cutoff", "shift"]
         .map(|name| json!({"name": name, "target": format!("tone.{name}")}));
@@ -47,8 +46,8 @@ fn profile_look() -> SetupLook {
     }))
 }
 
-/// The same with the profile's parameters wired from the surface, so that `prepare` runs in the
-/// fragment in f32.
+/// The look with the profile's parameters wired from the surface, so that `prepare` runs in the
+/// fragment, in f32.
 fn profile_look_per_fragment() -> SetupLook {
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
@@ -74,7 +73,7 @@ fn profile_look_per_fragment() -> SetupLook {
 
 /// A normal at an angle from the light at +z, and the angle that its f32 components stand for.
 fn at_angle(u: f64) -> (DVec3, f64) {
-    // In a plane of no axis, so that every component rounds.
+    // The normal lies in a plane along no axis, so that every component is rounded.
     let aside = DVec3::new(0.6, 0.8, 0.0);
     let normal = DVec3::new(f32_of(u.sin() * aside.x), f32_of(u.sin() * aside.y), f32_of(u.cos()));
     (normal, angle(normal, DVec3::Z))
@@ -128,7 +127,7 @@ fn the_angles_of_all_parametrizations() {
             let (n, v) = (held(random.direction()), held(random.direction()));
             let mut own = random.direction();
             if round % 4 == 0 {
-                // Close to, or opposite to, where the angle is 0.
+                // A light close to, or opposite to, the direction at which the angle is 0.
                 let near = match *kind {
                     "diffuse" => turn.inverse() * n,
                     "specular" => turn.inverse() * mirrored(n, v),
@@ -155,7 +154,8 @@ fn the_angles_of_all_parametrizations() {
                 ..EvalSample::default()
             });
         }
-        // Rounding a unit vector to f32 turns it by up to 1e-7, the camera's matrix turns it again.
+        // Rounding a unit vector to f32 turns it by up to 1e-7, and so does rounding the camera's
+        // matrix.
         let mut errors = Errors::new(
             format!("angle u, {kind}"),
             if *kind == "half_vector" { 4e-7 } else { 5e-7 },
@@ -163,7 +163,7 @@ fn the_angles_of_all_parametrizations() {
         for ((value, u), sample) in
             eval(&look, "angle.angle", &samples).iter().zip(&wanted).zip(&samples)
         {
-            // Where light and eye are opposite, the half-vector's direction is rounding's.
+            // Where light and eye are opposite, rounding alone decides the half-vector's direction.
             let l = sample.frame * sample.lights["key"].direction.unwrap_or(DVec3::Z).normalize();
             if *kind == "half_vector" && (l + sample.view).length() < 0.5 {
                 assert!(value[0].is_finite());
@@ -198,7 +198,8 @@ fn check_alpha(
     {
         let [tau, f, c] = badf::sanitised(*parameters);
         let x = (u - shift).clamp(0.0, PI) - tau;
-        // At a step's very edge one rounding of u decides; hard cases hold those one by one.
+        // At the very edge of a step one rounding of u decides; `hard_cases` tests those edges one
+        // by one.
         if (c - tau <= 0.0 || f - tau <= 2e-9) && x.abs() < 2e-6 {
             assert!(value[0] == 0.0 || value[0] == 1.0);
             continue;
@@ -259,7 +260,7 @@ fn alpha_of_narrow_profiles() {
             .map(|_| {
                 let f = least * (most / least).powf(random.unit());
                 let c = random.between(f, PI);
-                // Where the profile is neither 0 nor 1.
+                // An angle at which the profile is neither 0 nor 1.
                 (f * random.between(0.0, 3.0), 0.0, [0.0, f, c])
             })
             .collect();
@@ -317,8 +318,8 @@ fn alpha_of_parameters_out_of_order() {
     while cases.len() < 8000 {
         let parameters = [odd(&mut random), odd(&mut random), odd(&mut random)];
         let [tau, f, c] = badf::sanitised(parameters);
-        // Narrow ones and near-ambient ones have tests of their own; at the corner f' = c' = pi the
-        // exponent hangs on the last digit of pi.
+        // Narrow and near-ambient profiles have tests of their own; at the corner f' = c' = pi the
+        // exponent depends on the last digit of pi.
         let is_plain = |x: f64| x == 0.0 || (0.2..3.0).contains(&x);
         if is_plain(f - tau) && is_plain(c - tau) && !(PI - 1e-4..PI).contains(&tau) {
             cases.push((random.between(0.0, PI), 0.0, parameters));
@@ -369,7 +370,7 @@ fn alpha_of_parameters_wired_near_0_and_near_pi() {
         for c in far_and_wide() {
             for f in far_and_wide() {
                 let [_, f, c] = [tau, f, c].map(f32_of);
-                // What is narrow beside its cut-off has tests of its own.
+                // Profiles that are narrow beside their cut-off have tests of their own.
                 if tau + 0.05 * (c - tau) < f && f <= c {
                     let parts = [0.1, 0.4, 0.7, 0.95, (f - tau) / (c - tau)];
                     cases.extend(parts.map(|part| (tau + part * (c - tau), 0.0, [tau, f, c])));
@@ -377,7 +378,7 @@ fn alpha_of_parameters_wired_near_0_and_near_pi() {
             }
         }
     }
-    // The slope at the cut-off is infinite there, and rounding of the angle shows.
+    // Near pi the slope at the cut-off is infinite, and rounding of the angle shows.
     cases.retain(|(u, _, _)| *u < 3.1);
     let mut errors = Errors::new("alpha, prepare in f32 on the CPU, everywhere", 2e-5);
     for &(u, _, parameters) in &cases {
@@ -401,7 +402,8 @@ fn the_two_forms_of_the_truth_agree() {
     let mut errors = Errors::new("f64: eq. 5, 10, 11 to the letter against 1 - q^2", 1e-11);
     for (u, shift, parameters) in grid(&[0.0, 0.4, 1.3], 0.05) {
         let [tau, _, c] = parameters;
-        // At c itself a base of 1e-17 in place of 0 is raised to less than 1.
+        // At c itself a base of 1e-17 in place of 0 is raised to a power below 1, and the result
+        // exceeds the bound.
         if (u - c).abs() > 1e-3 && c - tau > 0.1 {
             errors.note(
                 badf::alpha_by_the_letter(u, shift, parameters),
@@ -434,7 +436,7 @@ fn the_special_cases_of_section_3_2() {
         }
         errors.finish();
     }
-    // The presets are these cases.
+    // Presets of the node have these parameters.
     let library = chiaro::library::Library::built_in();
     let presets = &library.nodes["profile"].presets;
     for label in ["Lambert", "Half-Lambert", "Phong specular", "Cartoon", "Ambient"] {
@@ -442,7 +444,7 @@ fn the_special_cases_of_section_3_2() {
     }
 }
 
-/// Transition, color and warp of a curvature.
+/// Transition, color and warp by curvature.
 #[test]
 fn curvature_moves_and_colors() {
     let curved = look(&json!({
@@ -512,7 +514,7 @@ fn curvature_moves_and_colors() {
     [transition, warp, mixed].into_iter().for_each(Errors::finish);
 }
 
-/// While unset, the concave color is the convex one: a value, a wire, or what a scene sets.
+/// An unset concave color is the convex one, which may come from a value, a wire, or a scene.
 #[test]
 fn an_unset_concave_color_is_the_convex_one() {
     let base = json!({
@@ -547,7 +549,7 @@ fn an_unset_concave_color_is_the_convex_one() {
     wired["wires"].as_array_mut().unwrap().push(json!({"from": "tint", "to": "layer.convex"}));
     wired["exposed"] = json!([]);
     check("wire", &wired, &samples, |_| [0.2, 0.6, 0.4]);
-    // An exposed one has a value of its own, which begins with the convex one.
+    // An exposed concave color has a value of its own, which begins with the convex one.
     let mut exposed = base.clone();
     exposed["exposed"]
         .as_array_mut()
@@ -640,7 +642,7 @@ fn the_blends() {
     }
 }
 
-/// A look of a base and a layer whose opacity, tone and alphas are wired from the surface, or
+/// A look of a base and a layer whose opacity, tone and alphas are wired from the surface or
 /// exposed.
 fn look_of_shares(mode: Mode, is_wired: bool) -> SetupLook {
     let mut json = json!({
@@ -678,7 +680,7 @@ fn look_of_shares(mode: Mode, is_wired: bool) -> SetupLook {
     look(&json)
 }
 
-/// An opacity, a mask or an alpha beyond 1 covers, and does not go on past the color.
+/// Opacity, mask and alpha count from 0 to 1: beyond 1 they cover, and do not go on past the color.
 #[test]
 fn shares_count_from_0_to_1() {
     let base = DVec4::new(0.9, 0.5, 0.1, 1.0);
@@ -721,7 +723,7 @@ fn shares_count_from_0_to_1() {
             errors.finish();
         }
     }
-    // The issue's numbers: they covered with (0, 0, 0.3).
+    // Numbers of the issue, where the layer used to cover with (0, 0, 0.3).
     let issue = badf::blend(
         Mode::Alpha,
         DVec4::new(0.9, 0.9, 0.9, 1.0),
@@ -733,7 +735,7 @@ fn shares_count_from_0_to_1() {
     assert!(issue.distance(DVec4::new(0.2, 0.4, 0.6, 1.0)) < 1e-15);
 }
 
-/// A base's own alpha, and the share of convex and concave colors, count from 0 to 1 too.
+/// The alpha of a base and the share of convex and concave colors also count from 0 to 1.
 #[test]
 fn shares_of_bases_and_of_curvature_count_from_0_to_1() {
     let look = look(&json!({
@@ -773,7 +775,7 @@ fn shares_of_bases_and_of_curvature_count_from_0_to_1() {
     }
 }
 
-/// Nothing is emitted for shares that are known to be some.
+/// No bounds are emitted for shares that are known to lie in 0 to 1.
 #[test]
 fn bounds_that_change_nothing_are_left_out() {
     let text = |look: &SetupLook| {
@@ -791,9 +793,10 @@ fn bounds_that_change_nothing_are_left_out() {
     let wired = text(&look_of_shares(Mode::Alpha, true));
     assert_eq!(wired.matches("= unit_share(parts").count(), 2, "{wired}");
     assert_eq!(wired.matches("= with_unit_alpha(color").count(), 1, "{wired}");
-    // The host bounds what is a uniform.
+    // Uniforms are bounded on the host.
     assert!(!text(&look_of_shares(Mode::Alpha, false)).contains("unit_"), "exposed");
-    // Colors that are set from outside are bounded there, and stay so where curvature mixes them.
+    // Colors that are set from outside are bounded on the host, and mixing them by curvature keeps
+    // the bounds.
     let exposed = look(&json!({
         "exposed": [
             {"name": "convex", "target": "layer.convex"},
@@ -844,7 +847,7 @@ fn bounds_that_change_nothing_are_left_out() {
     }
 }
 
-/// One layer of BADF table 1 with numbers of its own.
+/// A layer of BADF's table 1, with random numbers.
 struct Layer {
     kind: &'static str,
     light: usize,
@@ -979,8 +982,8 @@ fn stacks_of_light_layers() {
     errors.finish();
 }
 
-/// Distance and cone attenuation by the formulas of docs and document: half at the half distance,
-/// ended by a quartic window, smoothstep between the cosines of the cone.
+/// Distance and cone attenuation of a light by the formulas of docs and document: half at the half
+/// distance, ended by a quartic window, smoothstep between the cosines of the cone.
 fn faded(distance: f64, half: f64, range: f64) -> f64 {
     let fading = if half > 0.0 { 1.0 / (1.0 + (distance / half).powi(2)) } else { 1.0 };
     let window =
@@ -1111,7 +1114,7 @@ fn lights_without_fading_and_with_hard_cones() {
     }
 }
 
-/// Below 1 the intensity fades the tone, above 1 it brightens the color.
+/// An intensity below 1 fades the tone; above 1 it brightens the color.
 #[test]
 fn intensity_fades_or_brightens() {
     let look = look(&json!({
@@ -1157,7 +1160,7 @@ fn intensity_fades_or_brightens() {
     errors.finish();
 }
 
-/// Turning the illumination frame turns every light in it together, and nothing else.
+/// A turn of the illumination frame turns all lights in it together, and nothing else.
 #[test]
 fn the_illumination_frame_turns_its_lights_together() {
     let stack = Stack::random(&mut Random::new(50));
@@ -1167,14 +1170,14 @@ fn the_illumination_frame_turns_its_lights_together() {
         light.direction = random.direction().to_array();
     }
     for node in look.look.graph.nodes.values_mut().filter(|node| node.kind == "light_layer") {
-        // Screen-aligned layers do not see the frame.
+        // Screen-aligned layers do not depend on the frame, so all layers get another type.
         node.values.insert(
             "type".into(),
             Value::Text((*random.pick(&["diffuse", "specular", "half_vector"])).to_owned()),
         );
     }
-    // Turning frame, surface and eye together changes nothing; so does turning the lights by hand
-    // in place of the frame.
+    // Turning frame, surface and eye together changes nothing; and turning the lights themselves
+    // equals turning the frame.
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, -0.5).normalize(), 1.1);
     let still: Vec<EvalSample> = (0..200)
         .map(|_| EvalSample {

@@ -1,12 +1,12 @@
-//! Three whole looks against their closed forms: every pixel computed here, in f64, from the
-//! paper's formulas (`formulas`), for surfaces that are known in every point (`surfaces`), and held
-//! against what the reference draws.
+//! Three whole looks against their closed forms: every pixel is computed here in f64, from the
+//! paper's formulas (`formulas`), for surfaces that are known at every point (`surfaces`), and
+//! compared with the reference's picture.
 //!
-//! `cargo test --no-default-features --test reference_closed_forms -- --nocapture` prints the
-//! largest difference of each. On a plane whose normals turn linearly everything has a closed form,
-//! the curvature pass included, so that only the polynomials of the shader library are between the
-//! two: the least accurate of them are atan2's series (3e-9) and the logarithm's (2e-10, times a
-//! profile's exponent). On a sphere made of triangles it is the triangles.
+//! `cargo test --no-default-features --test truth closed_forms -- --nocapture` prints the largest
+//! difference of each. On a plane whose normals turn linearly everything has a closed form, the
+//! curvature pass included, so that only the polynomials of the shader library differ: the least
+//! accurate of them are atan2's series (3e-9) and the logarithm's (2e-10, times a profile's
+//! exponent). On a sphere made of triangles the triangles differ.
 
 mod formulas;
 mod surfaces;
@@ -30,7 +30,7 @@ use surfaces::{Plane, Sphere, Surface};
 const LOOKS: [&str; 3] = ["figure1-layers", "figure6-comics", "figure5-directional"];
 const SIZE: [u32; 2] = [192, 128];
 
-/// A look of the examples as JSON, with what `change` makes of it.
+/// JSON of an example look, changed by `change`.
 fn example(name: &str, change: impl Fn(&mut Json)) -> Json {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("examples/looks/{name}.json"));
     let text = std::fs::read_to_string(path).expect("an example");
@@ -39,7 +39,7 @@ fn example(name: &str, change: impl Fn(&mut Json)) -> Json {
     json
 }
 
-/// All layers' colors and warps without curvature.
+/// Takes curvature out of a look: no slopes in its colors and warps.
 fn flat(json: &mut Json) {
     for node in json["nodes"]
         .as_array_mut()
@@ -51,7 +51,7 @@ fn flat(json: &mut Json) {
     }
 }
 
-/// The key light between the two keys of figure 5, where both have weight.
+/// Moves the key light between the two keys of figure 5, where both have weight.
 fn between_keys(json: &mut Json) {
     if json.get("direction_keys").is_some() {
         json["lights"]["key"]["direction"] = serde_json::json!([-0.25, 0.8, -0.1]);
@@ -85,7 +85,7 @@ fn picture(plan: &FramePlan) -> ReferencePicture {
         .expect("it is drawn")
 }
 
-/// Holds the picture of a look against its closed form, where `surface` says that it can be told.
+/// Compares the picture of a look with its closed form, at all pixels that `surface` knows.
 fn compare(errors: &mut Errors, look: &Json, surface: &dyn Surface, camera: Camera) {
     let plan = plan(look, surface.mesh(), camera);
     let picture = picture(&plan);
@@ -130,7 +130,8 @@ fn a_plane_of_turning_normals_without_curvature() {
     }
 }
 
-/// The normals' slope is linear on the screen, which finite differences measure without error.
+/// A plane whose normals' slope is linear on the screen, so that finite differences measure it
+/// exactly.
 #[test]
 fn a_plane_of_turning_normals_with_curvature_from_the_pass() {
     for look in LOOKS {
@@ -143,10 +144,10 @@ fn a_plane_of_turning_normals_with_curvature_from_the_pass() {
     }
 }
 
-/// Ray and sphere meet where an equation says; the mesh is as fine as its triangles, which are
-/// 1/120 wide: at most 1e-5 below the sphere, so that angles differ by up to 4e-5 toward the rim,
-/// twice that where the view is mirrored. A highlight that falls within 0.1 makes ten times that of
-/// it; cartoon edges take the width of their ramp from the triangles' planes, which lean by 1/240.
+/// A sphere met by rays, by its equation. The mesh is as fine as its triangles, which are 1/120
+/// wide: at most 1e-5 below the sphere, so that angles differ by up to 4e-5 toward the rim, twice
+/// that where the view is mirrored. A highlight that falls within 0.1 multiplies that by ten;
+/// cartoon edges take the width of their ramp from the triangles' planes, which lean by 1/240.
 #[test]
 fn a_sphere_by_its_equation() {
     for (look, bound) in LOOKS.into_iter().zip([1e-4, 2e-3, 4e-4]) {
@@ -163,8 +164,8 @@ fn a_sphere_by_its_equation() {
     }
 }
 
-/// kappa = (1 + nz^2) / (2 R nz^3), against differences over up to three pixels of a sphere of 160:
-/// 2e-4 of it in the middle, 1e-3 where n.z is 0.8.
+/// The sphere's curvature, kappa = (1 + nz^2) / (2 R nz^3), against differences over up to three
+/// pixels of a sphere of 160: relative errors of 2e-4 in the middle, 1e-3 where n.z is 0.8.
 #[test]
 fn a_sphere_with_curvature_from_the_pass() {
     for (look, bound) in LOOKS.into_iter().zip([2e-4, 5e-3, 2e-4]) {

@@ -1,5 +1,5 @@
-//! Every context that the table has, as a GPU and as the reference find it: each is shown by a look
-//! of its own, so that a new row is drawn on both without another word.
+//! Every context of the table on a GPU and on the reference: each is shown by a look of its own, so
+//! that a new row is tested without further code.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::{look, renderer, scene_of, shape, told};
@@ -14,7 +14,7 @@ use serde_json::json;
 
 const SIZE: [u32; 2] = [96, 80];
 
-/// A look that shows a context, squeezed into colors.
+/// A look that shows a context, squeezed into the range of colors.
 fn showing(context: Context) -> SetupLook {
     let (word, ty) = (context.word(), context.wgsl_type());
     let shown = match ty {
@@ -55,7 +55,8 @@ fn drawn_by(executor: &mut dyn Executor, plan: &FramePlan) -> Picture {
     picture.unwrap_or_else(|error| panic!("{}: {error}", executor.name()))
 }
 
-/// Pixels that both show, and how many of these differ by more than a hundredth.
+/// Number of pixels that both pictures show, and number of those that differ by more than a
+/// hundredth.
 fn differing(one: &Picture, other: &Picture) -> [usize; 2] {
     let both = one.rgba.iter().zip(&other.rgba).filter(|(a, b)| a[3] > 0.5 && b[3] > 0.5);
     both.fold([0; 2], |[count, far], (a, b)| {

@@ -1,5 +1,5 @@
-//! The nodes of the techniques that the two sources build on, on the GPU against f64 from their
-//! papers' own formulas.
+//! Nodes of the techniques that the two sources build on: the GPU against f64, by the papers' own
+//! formulas.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -14,11 +14,11 @@ use chiaro::frame::{EvalSample, LightOverride};
 use chiaro::library::{Library, NodeDef, Type};
 use glam::{DVec2, DVec3};
 
-/// What the surface, the eye and the light are.
+/// The surface, the eye and the light at a sample.
 struct Place {
     l: DVec3,
     v: DVec3,
-    /// Its normal; nodes that have an input for one are given another.
+    /// The surface's normal; nodes that have an input for a normal get another one there.
     n: DVec3,
     depth: f64,
 }
@@ -37,13 +37,13 @@ fn half(l: DVec3, v: DVec3) -> DVec3 {
     (l + v).normalize()
 }
 
-/// Direction and the unit axes, the first three inputs.
+/// Direction and unit axes, from the first three inputs.
 fn bent(i: In<'_>) -> [DVec3; 3] {
     [0, 1, 2].map(|k| v3(&i[k]).normalize())
 }
 
-/// Over how much of a circle of radius 1 a star reaches, found as where a ray meets the line
-/// between two corners.
+/// Radius of a star within a circle of radius 1, found by intersecting a ray with the line between
+/// two corners.
 fn star(turn: f64, rays: f64, inner: f64, round: f64) -> f64 {
     let sector = TAU / rays;
     let theta = turn.rem_euclid(sector);
@@ -68,7 +68,7 @@ fn oklab(rgb: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// Its inverse by Newton's method, so that no second matrix is believed.
+/// Inverse of `oklab` by Newton's method, so that no second matrix is trusted.
 fn rgb_of_oklab(lab: [f64; 3]) -> [f64; 3] {
     let mut rgb = DVec3::splat(0.5);
     for _ in 0..200 {
@@ -87,7 +87,7 @@ fn three(i: &[f64]) -> [f64; 3] {
     [i[0], i[1], i[2]]
 }
 
-/// The non-separable modes of the W3C's Compositing and Blending, as its pseudocode has them.
+/// The non-separable modes of the W3C's Compositing and Blending, by its pseudocode.
 fn non_separable(mode: &str, a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     let lum = |c: [f64; 3]| 0.3 * c[0] + 0.59 * c[1] + 0.11 * c[2];
     let most = |c: [f64; 3]| c.into_iter().fold(f64::MIN, f64::max);
@@ -124,7 +124,7 @@ fn steps(x: f64, count: f64) -> f64 {
     (x * n).floor().min(n - 1.0) / (n - 1.0)
 }
 
-/// [`steps`] with a ramp around each edge, which takes so much of a step.
+/// [`steps`] with a ramp around each edge, which takes the share `softness` of a step.
 fn soft_steps(x: f64, count: f64, softness: f64) -> f64 {
     let n = count.max(2.0);
     let risen =
@@ -136,7 +136,7 @@ fn unit(x: f64) -> f64 {
     x.clamp(0.0, 1.0)
 }
 
-/// The width of a highlight.
+/// Width of a highlight, by its roughness.
 fn wide(roughness: f64) -> f64 {
     unit(roughness).powi(2).max(0.001)
 }
@@ -389,7 +389,8 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
     })
 }
 
-/// 1 near a centre, 0 from the radius on, by the cubic that is level at both ends.
+/// Weight of a position: 1 near a center, 0 from the radius on, by the cubic that is level at both
+/// ends.
 fn near(position: &[f64], center: &[f64], radius: f64, hardness: f64) -> f64 {
     let (far, reach) = (v3(position).distance(v3(center)), radius.max(0.0));
     let inner = reach * unit(hardness);
@@ -400,8 +401,8 @@ fn near(position: &[f64], center: &[f64], radius: f64, hardness: f64) -> f64 {
     1.0 - t * t * (3.0 - 2.0 * t)
 }
 
-/// Rusinkiewicz et al. 2006, section 3: detail at each scale, and the smoothest normal under the
-/// light itself.
+/// The tone of Rusinkiewicz et al. 2006, section 3: detail at each scale, and the smoothest normal
+/// under the light itself.
 fn exaggerated(i: In<'_>, l: DVec3, scales: usize) -> f64 {
     let (contrast, detail) = (i[1][0].max(0.0), i[2][0]);
     let normals: Vec<DVec3> = std::iter::once(&i[0])
@@ -422,7 +423,8 @@ fn exaggerated(i: In<'_>, l: DVec3, scales: usize) -> f64 {
     unit(0.5 + 0.5 * sum / weights.iter().sum::<f64>())
 }
 
-/// The greatest and the least eigenvalue of xx, xy, yy, as roots of the characteristic polynomial.
+/// The largest and the smallest eigenvalue of a tensor (xx, xy, yy), as roots of the characteristic
+/// polynomial.
 fn eigenvalues(tensor: &[f64]) -> [f64; 2] {
     let (trace, determinant) =
         (tensor[0] + tensor[2], tensor[0] * tensor[2] - tensor[1] * tensor[1]);
@@ -430,7 +432,7 @@ fn eigenvalues(tensor: &[f64]) -> [f64; 2] {
     [0.5 * (trace + root), 0.5 * (trace - root)]
 }
 
-/// A line where x is above the limit, fading at the outline.
+/// Ink of a line where x is above the limit, fading at the outline.
 fn lined(x: f64, i: In<'_>, p: &Place) -> f64 {
     let (limit, soft) = (i[1][0].max(0.0), unit(i[2][0]));
     let width = limit * soft;
@@ -439,7 +441,7 @@ fn lined(x: f64, i: In<'_>, p: &Place) -> f64 {
     above * seen * seen * (3.0 - 2.0 * seen)
 }
 
-/// Numbers that an input of this node would be given.
+/// Random numbers in the range of an input of a node.
 fn random_value(def: &NodeDef, name: &str, ty: &Type, random: &mut Random) -> Vec<f64> {
     let f32_of = |x: f64| f64::from(x as f32);
     let number = |random: &mut Random| match (def.kind.as_str(), name) {
@@ -476,13 +478,13 @@ fn place(random: &mut Random) -> (Place, EvalSample) {
     (Place { l: l.normalize(), v: v.normalize(), n, depth: -position.z }, sample)
 }
 
-/// A highlight's power multiplies rounding by its exponent.
+/// Tolerance of a node's outputs; a highlight's power multiplies rounding by its exponent.
 fn tolerance(kind: &str, word: &str) -> f64 {
     match (kind, word) {
         ("reflectance", "phong" | "blinn_phong") => 6e-5,
         ("reflectance", "ggx" | "ward") => 2e-5,
         ("star_angle" | "polar_place" | "thin_film", _) | ("detail", "highlight") => 1e-5,
-        // Near black the screen's curve is 13 times as steep as light.
+        // Near black the sRGB curve is 13 times as steep as linear light.
         ("mix_evenly", _) => 2e-5,
         _ => 2e-6,
     }
@@ -523,7 +525,7 @@ fn every_technique_is_its_papers_formula() {
                     "{} {word}: {got:?} of {row:?}",
                     def.kind
                 );
-                // Where a last digit of the input changes much, a jump is near: both sides are
+                // Where the last digit of an input changes much, a jump is near, and both sides are
                 // right.
                 let moved: Vec<Vec<f64>> = row
                     .iter()
@@ -549,7 +551,7 @@ fn every_technique_is_its_papers_formula() {
     }
 }
 
-/// A node with these numbers, at ordinary places.
+/// Outputs of a node for rows of inputs, at default samples.
 fn results(kind: &str, choice: &[(&str, &str)], rows: &[Vec<Vec<f64>>]) -> Vec<Vec<f64>> {
     let def = &Library::built_in().nodes[kind];
     let types: Vec<Type> = numeric(def).iter().map(|input| input.ty.clone()).collect();
@@ -583,7 +585,7 @@ fn oklab_comes_back() {
     errors.finish();
 }
 
-/// The steps are even in lightness, and what was of one hue stays of it.
+/// Posterized colors have even steps in lightness, and keep their hue.
 #[test]
 fn posters_keep_their_hues() {
     let rows: Vec<Vec<Vec<f64>>> =
@@ -593,8 +595,8 @@ fn posters_keep_their_hues() {
     for (got, row) in results("posterize", &[("by", "lightness")], &rows).iter().zip(&rows) {
         let [was, is] = [&row[0], got].map(|c| oklab(three(c).map(to_linear)));
         let step = steps(was[0], 4.0);
-        // Beside a step both are right; what would leave the screen's colors is the nearest that
-        // does not.
+        // Beside a step both values are right; and a color outside of the screen's colors is
+        // replaced by the nearest one within.
         let is_near = ((was[0] * 4.0).round() - was[0] * 4.0).abs() < 1e-4;
         let is_outside = three(got).into_iter().any(|c| c <= 1e-6 || c >= 1.0 - 1e-6);
         if is_near || is_outside {
@@ -609,8 +611,8 @@ fn posters_keep_their_hues() {
     hue.finish();
 }
 
-/// Around the hues chroma goes straight from one to the other, and the hue turns evenly, the
-/// shorter way.
+/// Mixing around the hues: chroma goes in a straight line from one color's to the other's, and the
+/// hue turns evenly, the shorter way.
 #[test]
 fn hues_turn_evenly() {
     let (from, to) = (colors(400, 503), colors(400, 504));
@@ -644,8 +646,8 @@ fn hues_turn_evenly() {
     }
 }
 
-/// Light warping in the tangent plane: along each principal direction the light's stereographic
-/// place is scaled by a power of two, found here from the tensor's eigenvectors.
+/// Light warping in the tangent plane: the light's stereographic projection is scaled along each
+/// principal direction by a power of two, found here from the tensor's eigenvectors.
 #[test]
 fn warped_lights_are_drawn_along_the_principal_directions() {
     let look = support::eval::look(&serde_json::json!({
@@ -673,8 +675,8 @@ fn warped_lights_are_drawn_along_the_principal_directions() {
         let camera = glam::DMat3::from_quat(random.rotation());
         let tensor = [(); 3].map(|()| f64::from((6.0 * random.unit() - 3.0) as f32));
         let (n, l, v) = (place.n.normalize(), place.l, place.v);
-        // Facing away nothing is seen; opposite the normal a light has no place; the picture's axes
-        // need a line of sight.
+        // Left out are surfaces that face away, which are not seen; lights opposite the normal,
+        // which have no projection; and lines of sight along the picture's axes.
         let right = camera.transpose() * DVec3::X;
         if n.dot(v) < -0.5 || n.dot(l) < -0.95 || right.dot(v).abs() > 0.95 {
             continue;
@@ -713,7 +715,7 @@ fn warped_lights_are_drawn_along_the_principal_directions() {
     errors.finish();
 }
 
-/// Around a place a light is bent and stronger, elsewhere as it is.
+/// A local light is bent and stronger around its center, and unchanged elsewhere.
 #[test]
 fn local_lights_change_around_their_place() {
     let look = support::eval::look(&serde_json::json!({
@@ -754,7 +756,7 @@ fn local_lights_change_around_their_place() {
     errors.finish();
 }
 
-/// A node that reads a ramp or curves, with one exposed input, at 200 values of that.
+/// Outputs of a node that reads a ramp or curves, at 200 values of one exposed input.
 fn over(
     node: &serde_json::Value,
     input: &str,
@@ -772,7 +774,7 @@ fn over(
     support::eval::eval(&look, "", &values.iter().map(at).collect::<Vec<_>>())
 }
 
-/// Between two stops a ramp goes as the two colors mix in its space.
+/// Between two stops a ramp mixes the two colors in the ramp's space.
 #[test]
 fn ramps_go_through_their_space() {
     let stops = [[0.9, 0.1, 0.2, 1.0], [0.1, 0.3, 0.8, 0.5], [0.95, 0.9, 0.3, 1.0]];
@@ -839,7 +841,8 @@ fn ramps_go_through_their_space() {
                 }
             };
             let alpha = a[3] + t * (b[3] - a[3]);
-            // Colors that no screen shows have no Newton of ours.
+            // Colors outside of the screen's range are left out, because Newton's method here does
+            // not find them.
             if wanted.iter().all(|c| (0.0..=1.0).contains(c)) {
                 (0..3).for_each(|k| errors.note(got[k], wanted[k], || format!("{x}")));
             }
@@ -849,8 +852,8 @@ fn ramps_go_through_their_space() {
     }
 }
 
-/// A palette gives the nearest color in Oklab, those nearly as near blended there, or one by its
-/// number.
+/// A palette gives the nearest color in Oklab, nearly equally near colors blended there, or the
+/// color of a number.
 #[test]
 fn palettes_judge_as_eyes_do() {
     let inks = colors(7, 507);
@@ -904,7 +907,7 @@ fn palettes_judge_as_eyes_do() {
     }
 }
 
-/// Each channel goes along the curve of all and then along its own.
+/// Curves move each channel along the common curve and then along the channel's own.
 #[test]
 fn curves_redraw_channels() {
     let points = |rows: &[[f64; 2]]| serde_json::json!({"points": rows});
@@ -933,7 +936,7 @@ fn curves_redraw_channels() {
     errors.finish();
 }
 
-/// A light that is bent is seen by layers from where it was bent to.
+/// A bent light arrives from its new direction.
 #[test]
 fn a_bent_light_arrives_from_there() {
     let look = support::eval::look(&serde_json::json!({

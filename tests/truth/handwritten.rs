@@ -1,5 +1,5 @@
-//! What generated modules are measured against draws the same pictures: `benches/handwritten.rs`
-//! tells the rest.
+//! Handwritten modules, which generated modules are measured against, draw the same pictures:
+//! `benches/handwritten.rs` tells the rest.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::renderer;
@@ -8,7 +8,7 @@ use crate::support::wait::block_on;
 use chiaro::document::Tier;
 use chiaro::render::Renderer;
 
-/// 8-bit pictures are the same, but for the rounding of a step.
+/// 8-bit pictures of both are equal, except for the rounding of a step.
 #[test]
 #[allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]
 fn handwritten_modules_draw_what_generated_ones_draw() {

@@ -1,6 +1,6 @@
-//! The hard cases of the BADF model, each where a straightforward implementation gives NaN, sparkle
-//! or the wrong picture. All run on the GPU; those that are one function run through the
-//! interpreter in f64 and f32 as well.
+//! Hard cases of the BADF model, at each of which a straightforward implementation gives NaN,
+//! sparkle or the wrong picture. All run on the GPU; those that are one function also run through
+//! the interpreter in f64 and f32.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
@@ -18,7 +18,7 @@ use chiaro::render::Picture;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use serde_json::{Value as Json, json};
 
-/// One function of the library, on the CPU.
+/// Calls a function of the library, on the CPU.
 fn call(function: &str, arguments: &[Number], precision: Precision) -> Number {
     let module = &Library::built_in().nodes["profile"].module;
     let program = module.program(function).unwrap_or_else(|problem| panic!("{problem}"));
@@ -29,7 +29,7 @@ fn number(x: f64) -> Number {
     Number::Float(x)
 }
 
-/// The angle u and alpha as the library's functions give them, in f64 or f32.
+/// The angle u and alpha by the library's functions, in f64 or f32.
 fn interpreted(
     n: DVec3,
     l: DVec3,
@@ -46,7 +46,7 @@ fn interpreted(
     (call("angle_radians", &[u], precision).as_f64().expect("a number"), alpha)
 }
 
-/// What a case asks of alpha.
+/// Inputs of alpha, with the wanted value and its tolerance.
 struct Case {
     normal: DVec3,
     light: DVec3,
@@ -63,8 +63,8 @@ impl Case {
     }
 }
 
-/// The tone of a directional light at +z with parameters that each sample sets; the normal is a
-/// wired value, as it is.
+/// A look that shows the tone of a directional light at +z with parameters that each sample sets;
+/// the normal is wired as it is, of any length.
 fn profile_look() -> SetupLook {
     let exposed = ["normal.vector", "tone.offset", "tone.falloff", "tone.cutoff", "tone.shift"]
         .map(|target| json!({"name": target.split('.').next_back(), "target": target}));
@@ -102,12 +102,12 @@ fn sample_of(case: &Case) -> EvalSample {
     }
 }
 
-/// The tiers, and how much farther from what is wanted each may be than the exact one: of the tone,
-/// for profiles as narrow as these cases have.
+/// Each tier with the error of the tone that it may have beyond the exact tier's, for profiles as
+/// narrow as in these cases.
 const TIERS: [(Tier, f64); 3] = [(Tier::Exact, 0.0), (Tier::Balanced, 2e-5), (Tier::Fast, 1e-4)];
 
-/// Holds alpha on the GPU in every tier and in the interpreter against what is wanted; gives the
-/// GPU's exact angles.
+/// Compares alpha with the wanted values, on the GPU in every tier and in the interpreter; gives
+/// the GPU's exact angles.
 fn check(cases: &[Case]) -> Vec<f64> {
     let samples: Vec<EvalSample> = cases.iter().map(sample_of).collect();
     let look = profile_look();
@@ -118,11 +118,12 @@ fn check(cases: &[Case]) -> Vec<f64> {
             let told = || {
                 format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile)
             };
-            // A warp turns the angle, and the steeper the profile, the more of its error is seen.
+            // A warp turns the angle, and the steeper the profile is, the more the warp's error
+            // shows.
             let [tau, f, _] = badf::sanitised(case.profile);
             let turned = if case.shift == 0.0 || f <= tau { 0.0 } else { 0.05 * more / (f - tau) };
             if tier != Tier::Exact && !(1e-15..1e18).contains(&case.normal.length()) {
-                // They say that they find no direction there.
+                // Cheaper tiers state that they find no direction at such lengths.
                 assert!((0.0..=1.0).contains(&tone[0]), "GPU, {tier:?}: {} at {}", tone[0], told());
                 continue;
             }
@@ -135,7 +136,7 @@ fn check(cases: &[Case]) -> Vec<f64> {
         let error = (tone[0] - case.wanted).abs();
         let told =
             || format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile);
-        // The library's series end where f32 does, and so do they in f64.
+        // The library's series end at f32's precision, also in f64.
         assert!(
             error <= case.tolerance + 1e-8,
             "whole look in f64: {} for {} at {}",
@@ -179,7 +180,7 @@ fn case_01_a_dot_product_above_one() {
         }
     }
     assert!(check(&cases).into_iter().all(|u| u <= 3e-7));
-    // Without a rounding between them the angle is 0 exactly.
+    // Equal normals without a rounding between them make an angle of exactly 0.
     let n = Number::vec(&cases[0].normal.to_array());
     let u = call("angle_between", &[n.clone(), n], Precision::F32);
     assert_eq!(call("angle_radians", &[u], Precision::F32), number(0.0));
@@ -224,7 +225,7 @@ fn case_04_interpolated_normals_are_short() {
     };
     let cases: Vec<Case> = (0..200).map(|_| short(random.direction())).collect();
     assert!(check(&cases).into_iter().all(|u| u <= 5e-7));
-    // Long, tiny and huge ones too.
+    // Long, tiny and huge normals.
     for length in [1e-20, 3.0, 1e20] {
         let long = |n: DVec3| Case { normal: length * n, ..short(n) };
         assert!(check(&[long(random.direction())])[0] <= 5e-7, "{length}");
@@ -239,7 +240,7 @@ fn case_05_a_step_is_inclusive() {
         Case::at(1.0, step, 1.0, 0.0),
         Case::at(1.001, step, 0.0, 0.0),
     ]);
-    // At its very edge in every direction, though each rounds in its own way.
+    // The very edge of the step in every direction, where each direction rounds in its own way.
     let mut random = Random::new(5);
     let cases: Vec<Case> = (0..500)
         .map(|_| {
@@ -271,7 +272,7 @@ fn case_06_ambient_is_everywhere() {
         normal: -DVec3::Z,
         ..Case::at(PI, [f32_of(PI), 0.0, 0.0], 1.0, 0.0)
     });
-    // As people write pi: it is ambient too.
+    // An offset of pi as people type it is ambient too.
     let written = ["3.14159".parse().unwrap(), 0.0, 0.0];
     cases.push(Case { shift: -1.0, ..Case::at(PI, written, 1.0, 0.0) });
     check(&cases);
@@ -336,7 +337,7 @@ fn case_10_tiny_cutoffs() {
 fn case_11_a_gaussian() {
     let f = 3e-4;
     check(&[Case::at(f, [0.0, f, FRAC_PI_2], (-0.5_f64).exp(), 2e-6)]);
-    // It stays one over its whole width.
+    // The profile follows a Gaussian over its whole width.
     let bell: Vec<Case> = (0..=40)
         .map(|i| 3e-5 * f64::from(i))
         .map(|u| Case::at(u, [0.0, f, FRAC_PI_2], (-0.5 * (u / f).powi(2)).exp(), 3e-6))
@@ -374,7 +375,7 @@ fn case_13_parameters_out_of_order() {
         let us: Vec<f64> = (0..=90).map(|i| PI * f64::from(i) / 90.0).collect();
         let cases: Vec<Case> = us
             .iter()
-            // What lies on an edge is for case 5.
+            // Angles on an edge are tested by case 5.
             .filter(|u| [tau, f, c].iter().all(|edge| (**u - edge).abs() > 1e-5))
             .map(|&u| Case::at(u, profile, alpha(u, 0.0, profile), 3e-6))
             .collect();
@@ -462,7 +463,7 @@ fn case_16_warps_do_not_come_around() {
         Case { shift: -1.0, ..Case::at(3.0, soft, 0.0, 0.0) },
         Case { shift: PI, ..Case::at(3.0, soft, 1.0, 0.0) },
         Case { shift: -PI, ..Case::at(0.1, soft, 0.0, 0.0) },
-        // Half-Lambert is where a cosine beyond pi would come back.
+        // Half-Lambert, where a cosine beyond pi would come back.
         Case { shift: -1.0, ..Case::at(3.0, [0.0, FRAC_PI_2, PI], 0.0, 1e-12) },
         Case { shift: 1.0, ..Case::at(0.2, [0.0, FRAC_PI_2, PI], 1.0, 0.0) },
     ];
@@ -494,7 +495,7 @@ fn ball() -> Mesh {
     one_part(mesh)
 }
 
-/// A square of half a side of 3 in the plane z = 0.
+/// A square with sides of 6 in the plane z = 0.
 fn plane(normal: DVec3) -> Mesh {
     let mut mesh = Mesh::default();
     let right = normal.cross(DVec3::Y).normalize() * -1.0;
@@ -526,7 +527,7 @@ fn one_part(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-/// The height of every picture below in scene units; a camera without perspective looks along -z.
+/// Height of every picture below; a camera without perspective looks along -z. In scene units.
 const HEIGHT: f64 = 2.5;
 
 fn parallel() -> Scene {
@@ -539,7 +540,7 @@ fn picture(parts: Vec<(SetupLook, Mesh, DMat4)>, size: [u32; 2], samples: u32) -
     draw(&scene_of(parts, parallel()), Library::built_in(), &Live::Keyed, size, samples)
 }
 
-/// Where the middle of a pixel lies on the plane through the origin.
+/// The point of the plane z = 0 under the middle of a pixel.
 fn place(size: [u32; 2], x: f64, y: f64) -> DVec2 {
     let pixel = HEIGHT / f64::from(size[1]);
     DVec2::new(
@@ -553,7 +554,7 @@ fn pixels(picture: &Picture) -> impl Iterator<Item = (u32, u32, [f32; 4])> + '_ 
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y, picture.pixel(x, y))))
 }
 
-/// A look that shows lambda, of curvature that is found in a tier.
+/// A look that shows lambda, by curvature that is measured in a tier.
 fn convexity_look(slope: f64, tier: Tier) -> SetupLook {
     let mut convexity = look(&json!({
         "nodes": [
@@ -569,17 +570,17 @@ fn convexity_look(slope: f64, tier: Tier) -> SetupLook {
     convexity
 }
 
-/// The tiers in which curvature is found.
+/// Tiers that measure curvature.
 const KAPPA_TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 
-/// kappa of a ball of radius `radius` in viewport heights, where its normal has this z.
+/// kappa of a ball where its normal has the z component `nz`. `radius` in viewport heights.
 fn ball_kappa(radius: f64, nz: f64) -> f64 {
     (1.0 + nz * nz) / (2.0 * nz.powi(3)) / radius
 }
 
 const SLOPE: f64 = 0.05;
 
-/// How much curvature is found where there is none.
+/// Largest curvature that a tier measures on flat surfaces.
 fn kappa_noise(tier: Tier) -> f64 {
     if tier == Tier::Fast { 1e-3 } else { 0.0 }
 }
@@ -588,7 +589,7 @@ fn kappa_noise(tier: Tier) -> f64 {
 fn case_17_silhouettes_and_depth_edges() {
     for tier in KAPPA_TIERS {
         let size = [240, 240];
-        // Two balls of one object, one before the other, and a plane behind both.
+        // Two balls of one object, one in front of the other, and a plane behind both.
         let mut pair = ball();
         let second = ball();
         let offset = pair.positions.len() as u32;
@@ -630,7 +631,8 @@ fn case_17_silhouettes_and_depth_edges() {
                 );
                 on_plane += 1;
             } else if (near - 1.0).abs() > 2.0 * margin && (near < 1.0 || far < 1.0 - margin) {
-                // The facing halves of both balls, also right beside the depth edge between them.
+                // The facing halves of both balls are compared, also right beside the depth edge
+                // between them.
                 let (radius, r) = if near < 1.0 { (0.5, near) } else { (1.0, far) };
                 let nz = (1.0 - r * r).max(0.0).sqrt();
                 if nz > 0.5 {
@@ -681,7 +683,7 @@ fn case_17_a_ball_has_its_curvature() {
                 let class = usize::from(nz < 0.6);
                 worst[class] = worst[class].max(error);
             } else if r < 0.99 {
-                // Beyond nz = .2 the division is clamped, so kappa stays bounded.
+                // Below nz = 0.2 the division is clamped, so kappa stays bounded.
                 assert!(
                     t > 0.0 && t.atanh() / SLOPE < 2.0 * ball_kappa(1.0 / HEIGHT, 0.2),
                     "{t} at nz {nz}"
@@ -715,7 +717,8 @@ fn case_18_curvature_at_twice_the_resolution() {
     }
 }
 
-/// The part of a pixel within a cartoon's lit area, by 32 x 32 points of the exact ball.
+/// Share of a pixel that lies within a cartoon's lit area, by 32 x 32 points of the exact ball.
+/// `None` near the silhouette.
 fn exact_coverage(
     size: [u32; 2],
     x: u32,
@@ -734,8 +737,8 @@ fn exact_coverage(
             );
             let p = at - center;
             let z2 = 1.0 - p.length_squared();
-            // Two pixels inside of the silhouette, where the normals of a pixel's neighbours are
-            // the ball's.
+            // Two pixels inside of the silhouette all neighbours of a pixel have normals of the
+            // ball.
             if z2 < 0.06 {
                 return None;
             }
@@ -748,14 +751,14 @@ fn exact_coverage(
 #[test]
 fn case_19_cartoon_edges_are_covered() {
     cartoon_edges(Tier::Exact, 0.06, 0.02);
-    // The width by the sum of both derivatives is too wide on diagonals, by as much as the square
-    // root of 2.
+    // These tiers take the width from the sum of both derivatives, which on diagonals is too wide
+    // by up to the square root of 2.
     cartoon_edges(Tier::Balanced, 0.06, 0.02);
     cartoon_edges(Tier::Fast, 0.15, 0.07);
 }
 
-/// Draws cartoons in a tier, and bounds how far pixels on and beside their edges are from what the
-/// edge covers: the worst, and the mean of those on the edge.
+/// Draws cartoons in a tier, and bounds the difference between pixels on and beside their edges and
+/// the edge's exact coverage: the largest one, and the mean over pixels on the edge.
 fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
     let size = [160, 160];
     let mut errors = Vec::new();
@@ -766,7 +769,7 @@ fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
         DVec3::new(0.6, -0.6, 0.2),
     ];
     for (step, light) in lights.into_iter().enumerate() {
-        // The ball moves by parts of a pixel.
+        // The ball moves by fractions of a pixel.
         let center = DVec2::new(0.37, -0.21) * step as f64 * HEIGHT / f64::from(size[1]);
         for edge in [FRAC_PI_4, 0.3] {
             let mut cartoon = look(&json!({
@@ -801,7 +804,7 @@ fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
                 if wanted > 0.0 && wanted < 1.0 {
                     errors.push(error);
                 } else {
-                    // Beside the edge a ramp may still show a trace.
+                    // Beside the edge the ramp may still leave a trace.
                     assert!(error <= most, "{pixel:?} for {wanted} at {x}, {y}, light {light}");
                 }
             }
@@ -858,7 +861,7 @@ fn case_19_thresholds_and_bands_are_covered() {
                 }
             }
             assert!(worst <= bound, "{kind}, {tier:?}: {worst} beyond {bound}");
-            // What is stated is no more than half as large again as what is found.
+            // The stated error is at most half as large again as the measured one.
             assert!(
                 tier == Tier::Exact || worst >= bound / 1.5,
                 "{kind}, {tier:?}: {worst} far below {bound}"
@@ -926,8 +929,8 @@ fn case_20_every_layer_is_clamped() {
     assert!((free - DVec4::new(1.1, 1.1, 1.1, 1.0)).abs().max_element() < 1e-6, "{free}");
 }
 
-/// Every source of NaN that the paper's formulas have, in one layer of five; the other four must
-/// not notice.
+/// Every source of NaN in the paper's formulas, in one layer of five, leaves the other four layers
+/// unchanged.
 #[test]
 fn case_21_no_layer_poisons_the_stack() {
     let layers = |profile: Json, kind: &str| {
@@ -1079,7 +1082,7 @@ fn case_22_odd_sets_of_keys() {
         "one key holds everywhere"
     );
     for apart in [0.0, 1e-6] {
-        // Duplicates share a weight, so together they weigh as one.
+        // Duplicate keys share a weight, so together they weigh as one.
         let near = (DVec3::X + apart * DVec3::Y) * 5.0;
         let pair = keyed(&json!([key(DVec3::X, 2.0), key(near, 4.0), key(-DVec3::Z, 9.0)]));
         let merged = keyed(&json!([key(DVec3::X, 3.0), key(-DVec3::Z, 9.0)]));
@@ -1088,7 +1091,7 @@ fn case_22_odd_sets_of_keys() {
         }
         assert!((seen_from(&pair, &[DVec3::X])[0] - 3.0).abs() < 1e-6);
     }
-    // Antipodal and unnormalised: symmetric halves.
+    // Antipodal keys of any length have symmetric weights.
     let poles = keyed(&json!([key(DVec3::Z * 1e-3, 0.0), key(-DVec3::Z * 40.0, 1.0)]));
     let mirrored: Vec<DVec3> = views.iter().map(|v| -*v).collect();
     for (a, b) in seen_from(&poles, &views).iter().zip(seen_from(&poles, &mirrored)) {
@@ -1104,7 +1107,7 @@ fn case_23_keys_hold_where_they_are() {
         let mut places: Vec<DVec3> = Vec::new();
         while places.len() < count {
             let place = if places.len() == 1 {
-                // The second one lies ten degrees from the first.
+                // The second key lies ten degrees from the first.
                 let aside = places[0].cross(random.direction()).normalize();
                 places[0] * 10_f64.to_radians().cos() + aside * 10_f64.to_radians().sin()
             } else {

@@ -23,7 +23,7 @@ const SCHEMES: [(&str, KeyScheme); 3] = [
     ("tessellated", KeyScheme::Tessellated),
 ];
 
-/// A number and a color with keys at directions.
+/// A look of a number and a color with keys at directions.
 fn keyed(by: &Json, scheme: &str, keys: &[Json]) -> SetupLook {
     look(&json!({
         "lights": {"key": {"direction": [0, 0, 1]}},
@@ -62,7 +62,8 @@ fn toward(direction: DVec3) -> indexmap::IndexMap<chiaro::ids::LightId, LightOve
         .collect()
 }
 
-/// Numbers and colors between keys of the view (world space) and of a light (screen space).
+/// Numbers and colors hold their values at keys of the view (world space) and of a light (screen
+/// space), and blend between them by weight.
 #[test]
 fn keys_hold_their_values_and_blend_by_weight() {
     for (word, scheme) in SCHEMES {
@@ -91,7 +92,7 @@ fn keys_hold_their_values_and_blend_by_weight() {
                     if by_view {
                         EvalSample { view: 3.0 * direction, frame, camera, ..EvalSample::default() }
                     } else {
-                        // The key lies in camera axes; the light is told in the illumination frame.
+                        // The key lies in camera axes; the light is set in the illumination frame.
                         let own = frame.inverse() * (camera.transpose() * direction);
                         EvalSample {
                             lights: toward(own),
@@ -135,8 +136,7 @@ fn keys_hold_their_values_and_blend_by_weight() {
     }
 }
 
-/// Every key sets offset, fall-off and cut-off in an order of its own; what is blended is in order
-/// everywhere.
+/// Every key sets offset, fall-off and cut-off in any order; blended, they are in order everywhere.
 #[test]
 fn blended_profiles_stay_in_order() {
     let mut random = Random::new(61);
@@ -298,8 +298,7 @@ fn words_step_in_time() {
     assert!(values.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-6), "{values:?}");
 }
 
-/// Exposed values reach the shader whether they are numbers or words, through the binary and in
-/// scenes.
+/// Exposed values reach the shader, be they numbers or words, through the binary and in scenes.
 #[test]
 fn exposed_values_are_heard() {
     let look_json = json!({
@@ -348,7 +347,7 @@ fn exposed_values_are_heard() {
     }
 }
 
-/// A number with keys by drivers.
+/// A look of a number with keys by drivers.
 fn driven(drivers: &Json, keys: &[(&[f64], f64)]) -> SetupLook {
     let keys: Vec<Json> =
         keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
@@ -363,7 +362,7 @@ fn driven(drivers: &Json, keys: &[(&[f64], f64)]) -> SetupLook {
     }))
 }
 
-/// Along one driver values go by a smoothstep from key to key, and hold beyond the last.
+/// Along one driver values follow a smoothstep from key to key, and hold beyond the last key.
 #[test]
 fn one_driver_goes_from_key_to_key() {
     let keys: [(&[f64], f64); 4] = [(&[3.0], 2.0), (&[1.0], -1.0), (&[10.0], 0.5), (&[4.0], 8.0)];
@@ -389,7 +388,8 @@ fn one_driver_goes_from_key_to_key() {
     errors.finish();
 }
 
-/// Each driver is what the document says, and values hold at keys of two and three of them.
+/// Each driver has the value that the document defines, and values hold at keys of two and three
+/// drivers.
 #[test]
 fn keys_of_several_drivers_hold_their_values() {
     let mut random = Random::new(66);
@@ -437,8 +437,8 @@ fn keys_of_several_drivers_hold_their_values() {
     }
 }
 
-/// Weights between keys of drivers lie in [0, 1], sum to 1, have no jumps or kinks, and do not know
-/// the axes' units.
+/// Weights between keys of drivers lie in [0, 1], sum to 1, have no jumps or kinks, and do not
+/// depend on the axes' units.
 #[test]
 fn weights_between_drivers_are_smooth_and_know_no_units() {
     let mut random = Random::new(67);
@@ -480,8 +480,7 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
             assert!((weights.weights(*place)[key] - 1.0).abs() < 1e-9);
         }
     }
-    // Two keys in one place share a weight, one alone has it all, and no number at all favours
-    // none.
+    // Two keys in one place share a weight, a single key has all weight, and a NaN favours no key.
     let (shared, problems) = KeyWeights::at_places(&[DVec3::X, DVec3::X, DVec3::Y]).into_parts();
     assert!(problems.iter().any(|problem| problem.code == "merged-keys"));
     assert_eq!(shared.weights(DVec3::X), [0.5, 0.5, 0.0]);
@@ -489,8 +488,8 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
     assert_eq!(shared.weights(DVec3::NAN), [0.25, 0.25, 0.5]);
 }
 
-/// In a scene each object has its own distance, front and neighbours; an object that is not there
-/// is told of.
+/// Drivers of a scene are each object's own distance, front and neighbours; an object that does not
+/// exist is told of.
 #[test]
 fn every_object_is_driven_by_its_own_place() {
     let (mesh, matrix) = shape("sphere");
@@ -513,7 +512,7 @@ fn every_object_is_driven_by_its_own_place() {
         seen.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
         (seen, planner.warnings)
     };
-    // The two are 6 apart, and one is no neighbour of itself.
+    // The objects are 6 apart, and an object is no neighbour of itself.
     let (seen, warnings) =
         pictured(json!([{"near": "object_0"}]), &[(&[6.0], 0.25), (&[7.0], 0.75)]);
     assert_eq!(seen, [0.25, 0.75], "the neighbour, and what is far from any");
@@ -523,12 +522,12 @@ fn every_object_is_driven_by_its_own_place() {
         warnings.iter().any(|p| p.message.contains("nobody") && p.hints[0].contains("object_1")),
         "{warnings:?}"
     );
-    // Both stand with their fronts as they were made.
+    // Both objects face forward as they were made.
     let (seen, warnings) = pictured(json!(["facing"]), &[(&[0.0], 0.25), (&[3.0], 0.75)]);
     assert!(warnings.is_empty() && seen.len() <= 2, "{seen:?} {warnings:?}");
 }
 
-/// What a document may say of drivers, and what is told of where it says something else.
+/// Drivers are read and written, and wrong drivers are told of.
 #[test]
 fn drivers_are_read_written_and_checked() {
     use chiaro::document::Look;

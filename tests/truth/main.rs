@@ -1,4 +1,4 @@
-//! What the shaders compute against independent formulas in f64, and the reference against itself.
+//! Tests of the shaders against independent formulas in f64, and of the reference against itself.
 
 use chiaro_test_drawing as support;
 

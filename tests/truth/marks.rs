@@ -1,5 +1,5 @@
 //! Half-tones, dither, paper and marks on the GPU against f64: every dot and every stroke is found
-//! by looking through all that could be there, and means are what the tone says.
+//! by a search through all candidates, and means equal the tone.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -28,7 +28,7 @@ fn v2(v: &[f64]) -> DVec2 {
 
 // Half-tones
 
-/// The share of a cell that lies within a disk of its middle, by halving the cell's quarter into
+/// Share of a cell that lies within a disk around its middle, by halving the cell's quarter into
 /// strips.
 fn covered_by_disk(radius: f64) -> f64 {
     const STRIPS: usize = 4000;
@@ -44,7 +44,7 @@ fn halftone(shape: &str, i: In<'_>) -> Vec<f64> {
     let cell = DVec2::from_angle(i[3][0]).rotate(v2(&i[1]) * i[2][0].max(0.0));
     let near = cell - cell.round();
     let ink = match shape {
-        // As much of the cell lies nearer to its middle.
+        // A dot covers the points with less than the share of the cell nearer to its middle.
         "dots" => covered_by_disk(near.length()) <= share,
         "lines" => 2.0 * near.y.abs() <= share,
         _ => {
@@ -57,7 +57,8 @@ fn halftone(shape: &str, i: In<'_>) -> Vec<f64> {
 
 // Dither
 
-/// The tile as the shader has it; tests/surfaces/blue_noise.rs holds it to what makes it.
+/// The tile as the shader has it; tests/surfaces/blue_noise.rs tests that it is made by void and
+/// cluster.
 fn blue_tile() -> Vec<f64> {
     let text = include_str!("../../shaders/lib/blue_noise.wgsl");
     let numbers =
@@ -97,7 +98,7 @@ fn dither(pattern: &str, i: In<'_>, tile: &[f64]) -> Vec<f64> {
     };
     let steps = i[2][0].trunc().clamp(2.0, 256.0) - 1.0;
     let x = unit(i[0][0]) * steps;
-    // Between two tones the middle is where both are as likely.
+    // Half-way between two tones both are equally likely.
     let low = x.floor().min(steps - 1.0);
     let upper = (x - low) - 0.5 >= (threshold - 0.5) * unit(i[3][0]);
     vec![(low + f64::from(u8::from(upper))) / steps]
@@ -105,9 +106,9 @@ fn dither(pattern: &str, i: In<'_>, tile: &[f64]) -> Vec<f64> {
 
 // Marks
 
-/// A place in spacings with its stretch.
+/// A place in units of spacings, with its stretch.
 fn spaced(place: &[f64], stretch: &[f64], count: f64) -> (DVec2, [f64; 3]) {
-    // A sample's picture is one pixel high.
+    // The picture of a sample is one pixel high.
     let is_pixel = stretch[0] + stretch[2] <= 0.0;
     (
         v2(place) * count.max(0.0),
@@ -120,7 +121,7 @@ struct Stroke {
     profile: f64,
 }
 
-/// A stroke of the line through (odd number) / 2^octave.
+/// The stroke on the line at (odd number) / 2^octave, at the place `x` along the line.
 fn stroke(line: [i64; 2], x: f64, level: f64, [length, taper]: [f64; 2], seed: u32) -> Stroke {
     let own = unit3(lattice([line[0], line[1], 1 << 20], seed));
     let of = |zoom: i32| {
@@ -141,7 +142,7 @@ fn stroke(line: [i64; 2], x: f64, level: f64, [length, taper]: [f64; 2], seed: u
     Stroke { turn: a.0 + f * (b.0 - a.0), profile: a.1 + f * (b.1 - a.1) }
 }
 
-/// Whether ink lies here: every line of every octave that is drawn, near here, is looked at.
+/// 1 where there is ink: a search through every drawn line of every octave near the place.
 fn hatching(i: In<'_>) -> Vec<f64> {
     let number = |k: usize| i[k][0];
     let ink = 1.0 - unit(number(0));
@@ -160,7 +161,7 @@ fn hatching(i: In<'_>) -> Vec<f64> {
         let square = across.x * across.x * stretch[0]
             + 2.0 * across.x * across.y * stretch[1]
             + across.y * across.y * stretch[2];
-        // Nor are strokes finer than where the place is drawn out eight times.
+        // Strokes become no finer where the place is stretched more than eight times.
         let square = square.max((stretch[0] + stretch[2]) / 65.0);
         let level = (-0.5 * square.max(1e-30).log2()).clamp(-16.0, 16.0);
         let (x, mut y) = (along.dot(p), across.dot(p));
@@ -198,26 +199,27 @@ fn seed_of(x: f64) -> u32 {
     x.trunc() as i32 as u32
 }
 
-/// A stretch's matrix: offsets of a place are where its inverse puts them in the picture.
+/// Length in the picture of an offset of a place, through the inverse of the stretch's matrix.
 fn picture_length(offset: DVec2, s: [f64; 3]) -> f64 {
     let m = DMat2::from_cols(DVec2::new(s[0], s[1]), DVec2::new(s[1], s[2]));
     (offset.dot(m.inverse() * offset).max(0.0) * m.determinant() / area_square(s)).sqrt()
 }
 
-/// The square of the area that a stretch makes of a unit's, by its two principal stretches; drawn
-/// out more than eight times counts as eight.
+/// Square of the area that a stretch makes of a unit area, by its two principal stretches; a ratio
+/// of more than eight counts as eight.
 fn area_square(s: [f64; 3]) -> f64 {
     let spread = (0.5 * (s[0] - s[2])).hypot(s[1]);
     let [most, least] = [1.0, -1.0].map(|sign| 0.5 * (s[0] + s[2]) + sign * spread);
     (most * least).max((most + least).powi(2) / 66.0)
 }
 
-/// Of two octaves: how many of the dots of each are drawn.
+/// The coarser of two octaves, and the share of the dots drawn of each.
 fn octaves(stretch: [f64; 3]) -> (f64, [f64; 2]) {
     let area = area_square(stretch);
     let level = (-0.25 * area.max(1e-60).log2()).clamp(-16.0, 16.0);
     let f = level - level.floor();
-    // As many cells of the coarser one are in the picture as there would be of its own size.
+    // The coarser octave has as many cells in the picture as an octave of exactly the size would
+    // have.
     let cells = 4_f64.powf(-f);
     (level.floor(), [1.0 - f, (1.0 - (1.0 - f) * cells) / (4.0 * cells)])
 }
@@ -272,8 +274,8 @@ const PIXEL: Context = Context::named("pixel");
 const ANCHOR: Context = Context::named("anchor");
 const MAGNIFICATION: Context = Context::named("magnification");
 
-/// Where a place is, and how its coordinates change along the picture: by stepping aside in the
-/// picture and going on along the line of sight to the surface.
+/// A place and how its coordinates change along the picture: by stepping aside in the picture and
+/// going on along the line of sight to the surface.
 fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
     let (n, v) = (at.normal.normalize(), at.view.normalize());
     let turned = |place: DVec2, angle: f64| DVec2::from_angle(-angle).rotate(place);
@@ -349,7 +351,7 @@ fn truth(kind: &str, word: &str, i: In<'_>, at: &EvalSample, tile: &[f64]) -> Op
     })
 }
 
-/// Numbers that an input would be given.
+/// Random numbers in the range of an input.
 fn random_value(kind: &str, name: &str, ty: &Type, random: &mut Random) -> Vec<f64> {
     let between =
         |low: f64, high: f64, random: &mut Random| vec![f32_of(random.between(low, high))];
@@ -393,7 +395,7 @@ fn random_value(kind: &str, name: &str, ty: &Type, random: &mut Random) -> Vec<f
 
 fn sample(random: &mut Random) -> EvalSample {
     let normal = held(random.direction());
-    // Toward the viewer, away from where the surface is seen from its edge.
+    // A direction toward the viewer, away from grazing views.
     let view = loop {
         let view = held(random.direction());
         if view.dot(normal) > 0.2 {
@@ -465,7 +467,7 @@ fn every_mark_is_where_it_must_be() {
                 );
                 let wanted = truth(&def.kind, &word, row, at, &tile).expect("one");
                 assert_eq!(got.len(), wanted.len(), "{} {word}", def.kind);
-                // Where a last digit of the input decides, both sides are right.
+                // Where the last digit of an input decides, both sides are right.
                 let is_near = [3e-6, -3e-6].into_iter().any(|by| {
                     let moved: Vec<Vec<f64>> = row
                         .iter()
@@ -500,7 +502,7 @@ fn every_mark_is_where_it_must_be() {
 /// Inputs by name; the others are 0.
 type Set<'a> = Vec<(&'a str, Vec<f64>)>;
 
-/// A node's first output at many places for each set of values; there is no footprint.
+/// First output of a node at many places for each set of values, without a footprint.
 fn over(kind: &str, choice: &[(&str, &str)], places: &[DVec2], sets: &[Set<'_>]) -> Vec<Vec<f64>> {
     let def = &Library::built_in().nodes[kind];
     let types: Vec<Type> = numeric(def).iter().map(|input| input.ty.clone()).collect();
@@ -531,7 +533,7 @@ fn set<'a>(values: &[(&'a str, &[f64])]) -> Set<'a> {
     values.iter().map(|(name, numbers)| (*name, numbers.to_vec())).collect()
 }
 
-/// The same with another value.
+/// A set with one more value, which comes first.
 fn with<'a>(base: &Set<'a>, name: &'a str, value: f64) -> Set<'a> {
     [vec![(name, vec![value])], base.clone()].concat()
 }
@@ -540,7 +542,7 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// Places that lie evenly, and on no lattice (Roberts' R2).
+/// Places that lie evenly and on no lattice (Roberts's R2 sequence).
 fn evenly(count: usize, scale: f64) -> Vec<DVec2> {
     (1..=count)
         .map(|k| {
@@ -595,7 +597,7 @@ fn dithers_have_the_tones_mean() {
         }
         errors.finish();
     }
-    // Without a spread bands are flat, and with some only their edges are sprinkled.
+    // Without a spread bands are flat; with a small one only their edges are sprinkled.
     let base = set(&[("value", &[0.36]), ("levels", &[2.0]), ("size", &[1.0])]);
     let got = over(
         "dither",
@@ -640,7 +642,7 @@ fn lighter_marks_are_among_darker_ones() {
     }
 }
 
-/// Whatever the distance, there is as much ink as the tone says.
+/// Ink follows the tone at every distance.
 #[test]
 fn ink_is_as_much_at_every_distance() {
     let mut strokes = Errors::new("hatching: ink against darkness times width", 0.015);
@@ -656,7 +658,7 @@ fn ink_is_as_much_at_every_distance() {
         };
         cases.iter().map(one).collect()
     };
-    // A unit of the picture holds many strokes.
+    // Three units of the picture hold many strokes.
     let places = evenly(2000, 3.0);
     let lines = with_case(&[("count", &[40.0]), ("width", &[0.8]), ("layers", &[1.0])]);
     for (got, (zoom, tone)) in over("hatching", &[], &places, &lines).iter().zip(&cases) {
@@ -670,8 +672,8 @@ fn ink_is_as_much_at_every_distance() {
     dots.finish();
 }
 
-/// From one octave to the next nothing jumps: just before and just after, ink is the same but at
-/// edges.
+/// Octaves go over into one another without a jump: just before and just after, ink is the same
+/// except at edges.
 #[test]
 fn octaves_go_over_without_a_jump() {
     let base = set(&[
@@ -700,7 +702,7 @@ fn octaves_go_over_without_a_jump() {
     }
 }
 
-/// Paper takes nothing of no ink, and all of full ink; on average it is level.
+/// Paper keeps 0 as 0 and full ink as full ink; on average it changes nothing.
 #[test]
 fn paper_keeps_both_ends() {
     let base = set(&[("count", &[40.0]), ("fiber", &[0.5]), ("tooth", &[0.5])]);
@@ -726,7 +728,7 @@ fn paper_keeps_both_ends() {
 
 const SIDE: u32 = 96;
 
-/// A square of 2 by 2 units at `middle`, seen straight on, and what each of its pixels is.
+/// Place and color of each pixel of a square of 2 by 2 units at `middle`, seen straight on.
 fn picture(
     nodes: &Json,
     wires: &Json,
@@ -785,7 +787,8 @@ fn pixels_count_from_the_upper_left_corner() {
     errors.finish();
 }
 
-/// What is anchored to an object stays on it: at its middle's distance a place is the object's own.
+/// An anchored place stays on its object: at the distance of the object's middle it is the object's
+/// own position.
 #[test]
 fn anchored_places_go_along() {
     let nodes = json!([
@@ -812,7 +815,7 @@ fn anchored_places_go_along() {
     }
 }
 
-/// Antialiased dots, lines and crosses are as light on average as their tone, down to cells of less
+/// Antialiased dots, lines and crosses are on average as light as their tone, down to cells of less
 /// than two pixels.
 #[test]
 fn antialiased_halftones_have_the_tones_mean() {
@@ -833,7 +836,7 @@ fn antialiased_halftones_have_the_tones_mean() {
     errors.finish();
 }
 
-/// What a stiff brush leaves of a stroke: how light it lies, and how much covers.
+/// Lightness and coverage of a stroke by a stiff brush.
 fn bristles(laid: DVec2, seed: u32) -> [f64; 2] {
     let step = |x: f64, low: f64, high: f64| {
         let t = unit((x - low) / (high - low));
@@ -854,7 +857,8 @@ fn bristles(laid: DVec2, seed: u32) -> [f64; 2] {
     [unit(shade), is_there * side * (1.0 - 0.9 * dry)]
 }
 
-/// Strokes of bristles are what a search through all cells finds, laid on one another in one order.
+/// Strokes of bristles are those that a search through all cells finds, laid over one another in
+/// one order.
 #[test]
 fn bristles_lie_in_their_cells() {
     let (aspect, size, scatter, turn, count, seed) = (3.0, 1.6, 0.6, 0.5, 12.0, 3_u32);
@@ -895,7 +899,7 @@ fn bristles_lie_in_their_cells() {
     for (k, ((ink, color), at)) in inks.iter().zip(&colors).zip(&samples).enumerate() {
         let p = at.uv * count / DVec2::new(aspect, 1.0);
         let wanted_ink = 1.0 - [0.0, 0.45, 0.8][k % 3];
-        // Cells lie on one another by their places within three by three, rows first.
+        // Cells lie over one another by their places within three by three cells, rows first.
         let mut cells: Vec<[i64; 2]> = (0..9)
             .map(|i| [p.x.floor() as i64 + i % 3 - 1, p.y.floor() as i64 + i / 3 - 1])
             .collect();
@@ -939,7 +943,7 @@ fn bristles_lie_in_their_cells() {
     );
 }
 
-/// A stroke of one color lies wherever a search through all cells finds one, and nowhere else.
+/// Strokes of one color lie where a search through all cells finds one, and nowhere else.
 #[test]
 fn brush_strokes_lie_in_their_cells() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,5 +1,5 @@
 //! Every node of the library on the GPU against f64: at ordinary values, at edges, and finite
-//! everywhere. The nodes of the BADF model itself are in `truth_badf.rs`. A kind that nothing holds
+//! everywhere. Nodes of the BADF model itself are tested in `badf.rs`. A kind without any test
 //! fails the last test.
 #![cfg(feature = "gpu")]
 
@@ -21,24 +21,24 @@ use serde_json::{Value as Json, json};
 
 const MOST: f64 = f32::MAX as f64;
 
-/// What a node gives: the numbers of one output after another.
+/// The truth of a node: the numbers of one output after another.
 type Truth = fn(In<'_>) -> Vec<f64>;
 
 fn bounded(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x.clamp(-MOST, MOST) }
 }
 
-/// As an f32 would hold it.
+/// `x` rounded to f32, and bounded.
 fn bounded_f32(x: f64) -> f64 {
     bounded(f32_of(x))
 }
 
-/// A function of one number, for each of a vector's.
+/// A function of one number, for each component of a vector.
 fn each(inputs: In<'_>, f: impl Fn(f64) -> f64) -> Vec<f64> {
     inputs[0].iter().map(|x| bounded(f(*x))).collect()
 }
 
-/// A function of two numbers, component by component; of a color (four numbers) the first one's
+/// A function of two numbers, component by component; of colors (four components) the first one's
 /// alpha stays.
 fn pair(inputs: In<'_>, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     let (a, b) = (&inputs[0], &inputs[1]);
@@ -103,7 +103,7 @@ fn rgb_of([h, s, v]: [f64; 3]) -> [f64; 3] {
     })
 }
 
-/// Blend modes of the W3C's compositing.
+/// Blend modes of the W3C's Compositing and Blending.
 fn mixed_colors(mode: &str, inputs: In<'_>) -> Vec<f64> {
     let (a, b, factor) = (&inputs[0], &inputs[1], inputs[2][0].clamp(0.0, 1.0));
     let hard = |cb: f64, cs: f64| {
@@ -142,7 +142,7 @@ fn mixed_colors(mode: &str, inputs: In<'_>) -> Vec<f64> {
     (0..3).map(|i| (1.0 - factor) * a[i] + factor * f(a[i], b[i])).chain([alpha]).collect()
 }
 
-/// What a node of a kind gives by its documentation; `None` for kinds with tests of their own.
+/// The truth of a kind by its documentation; `None` for kinds with tests of their own.
 #[expect(clippy::too_many_lines, reason = "a table: one line a node")]
 fn truth(kind: &str, word: &str) -> Option<Truth> {
     Some(match (kind, word) {
@@ -329,7 +329,7 @@ fn truth(kind: &str, word: &str) -> Option<Truth> {
     })
 }
 
-/// The tolerance of ordinary values, relative to numbers above 1.
+/// Tolerance at ordinary values, relative to numbers above 1.
 fn tolerance(kind: &str) -> f64 {
     match kind {
         "power" | "gamma" | "exponential" | "tangent_value" | "logarithm" | "transform_uv" => 3e-6,
@@ -338,7 +338,7 @@ fn tolerance(kind: &str) -> f64 {
     }
 }
 
-/// Kinds that are discontinuous: a sample within rounding of a jump says nothing.
+/// True for discontinuous kinds, of which a sample within rounding of a jump proves nothing.
 fn jumps(kind: &str) -> bool {
     matches!(
         kind,
@@ -359,7 +359,7 @@ fn jumps(kind: &str) -> bool {
     )
 }
 
-/// Each width that a kind has functions for, as the types of its inputs.
+/// Types of the inputs, for each width that a kind has functions for.
 fn type_rows(def: &NodeDef) -> Vec<Vec<Type>> {
     let inputs = numeric(def);
     let own: Vec<Type> = inputs.iter().map(|input| input.ty.clone()).collect();
@@ -416,8 +416,8 @@ fn ordinary_values() {
                 for (got, row) in run(def, choice, &types, &rows, &library).iter().zip(&rows) {
                     let wanted = truth(row);
                     assert_eq!(got.len(), wanted.len(), "{} {types:?}", def.kind);
-                    // Near a jump both sides are right; far up a power, rounding of the exponent is
-                    // multiplied.
+                    // Near a jump both sides are right; for large powers rounding of the exponent
+                    // is multiplied.
                     let shaken: Vec<Vec<f64>> = row
                         .iter()
                         .map(|v| v.iter().map(|x| x * (1.0 + 3e-7) + 1e-7).collect())
@@ -445,7 +445,7 @@ fn ordinary_values() {
     }
 }
 
-/// Numbers at which arithmetic goes wrong.
+/// Numbers at which arithmetic often fails.
 const EDGES: [f64; 17] = [
     0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -2.0, 3.0, -0.5, 1e-40, -1e-40, 1e-20, 1e19, -1e19, 1e30, MOST,
     -MOST,
@@ -454,7 +454,7 @@ const EDGES: [f64; 17] = [
 #[test]
 fn edges_give_what_is_documented_and_everything_is_finite() {
     let library = library();
-    // Their documentation says what every pair of numbers gives.
+    // Kinds whose documentation gives the result of every pair of numbers.
     let exact = [
         "add",
         "subtract",
@@ -486,8 +486,8 @@ fn edges_give_what_is_documented_and_everything_is_finite() {
             let choice: &[(&str, &str)] = if word.is_empty() { &[] } else { &[(&port, &word)] };
             for types in type_rows(def) {
                 let mut random = Random::new(81);
-                // Layers and their colors are no maths nodes: what leaves f32 there is cleared by
-                // the Output.
+                // Layers and their colors are no maths nodes: the Output clears numbers that leave
+                // f32 there.
                 let most = if matches!(def.category.as_str(), "curvature" | "layer") {
                     1e12
                 } else {
@@ -528,12 +528,12 @@ fn edges_give_what_is_documented_and_everything_is_finite() {
                         def.kind
                     );
                     let Some(truth) = truth else { continue };
-                    // The GPU is fed with f32, which keeps few digits of a denormal.
+                    // The GPU gets numbers in f32, which keeps few digits of a denormal.
                     let held: Vec<Vec<f64>> = row
                         .iter()
                         .map(|v| v.iter().map(|x| f64::from(*x as f32)).collect())
                         .collect();
-                    // A denormal may count as 0, and is then divided by as 0.
+                    // A denormal may count as 0, also as a divisor.
                     let flushed: Vec<Vec<f64>> = row
                         .iter()
                         .map(|v| v.iter().map(|x| if x.abs() < 1e-38 { 0.0 } else { *x }).collect())
@@ -553,7 +553,7 @@ fn edges_give_what_is_documented_and_everything_is_finite() {
     }
 }
 
-/// A few results that documentation names.
+/// Results that the documentation names.
 #[test]
 fn documented_results() {
     let library = library();
@@ -594,8 +594,8 @@ fn documented_results() {
     }
 }
 
-/// Bands: steps of equal width from 0 to 1, flat but for a ramp as wide as softness says around
-/// each edge.
+/// Bands are steps of equal width from 0 to 1, flat except for a ramp around each edge, as wide as
+/// softness says.
 #[test]
 fn bands_are_flat() {
     let library = library();
@@ -624,7 +624,7 @@ fn bands_are_flat() {
     }
 }
 
-// What comes from the surface
+// Inputs from the surface
 
 fn surface_sample(random: &mut Random) -> EvalSample {
     let short = |v: DVec3| DVec3::from_array(v.to_array().map(f32_of));
@@ -708,8 +708,8 @@ fn the_surface_and_the_clock() {
     }
 }
 
-/// Normal maps lean the normal in its tangent frame; a bump without slope leaves it, and one with
-/// slopes is in `shape_passes.rs`.
+/// Normal maps lean the normal in its tangent frame; a bump without slope leaves it, and bumps with
+/// slopes are tested in `shape_passes.rs`.
 #[test]
 fn normal_and_bump_maps() {
     let mut random = Random::new(83);
@@ -751,22 +751,24 @@ fn normal_and_bump_maps() {
 
 // Curves and ramps
 
-/// Hermite's cubic from `y[0]` to `y[1]` over a span, with the slopes there, `t` of the way.
+/// Hermite's cubic from `y[0]` to `y[1]` over a span, with `slopes` at both ends, at the share `t`
+/// of the span.
 fn hermite(y: [f64; 2], slopes: [f64; 2], span: f64, t: f64) -> f64 {
     let (t2, t3) = (t * t, t * t * t);
     let bend = span * ((t3 - 2.0 * t2 + t) * slopes[0] + (t3 - t2) * slopes[1]);
     (2.0 * t3 - 3.0 * t2 + 1.0) * y[0] + (3.0 * t2 - 2.0 * t3) * y[1] + bend
 }
 
-/// The slope at an inner stop of a smooth ramp: the harmonic mean of those on both sides, weighted
-/// by the spans (Fritsch and Butland 1984); 0 where they turn. At its ends a ramp is level.
+/// Slope at an inner stop of a smooth ramp: the harmonic mean of the slopes on both sides, weighted
+/// by the spans (Fritsch and Butland 1984); 0 where the slopes change sign. At its ends a ramp is
+/// level.
 fn ramp_slope(xs: &[f64], ys: &[f64], at: usize) -> f64 {
     if at == 0 || at + 1 == xs.len() {
         return 0.0;
     }
     let spans = [xs[at] - xs[at - 1], xs[at + 1] - xs[at]];
     let [before, after] = [(ys[at] - ys[at - 1]) / spans[0], (ys[at + 1] - ys[at]) / spans[1]];
-    // Each side counts as much as a third of its own span and two thirds of the other's.
+    // Each side's weight is a third of its own span and two thirds of the other's.
     let share = (spans[0] + 2.0 * spans[1]) / (3.0 * (spans[0] + spans[1]));
     if before * after <= 0.0 {
         0.0
@@ -778,8 +780,9 @@ fn ramp_slope(xs: &[f64], ys: &[f64], at: usize) -> f64 {
 #[test]
 fn curves_and_ramps() {
     let points = [[-1.0, 0.5], [0.0, 0.0], [0.5, 2.0], [1.5, 2.5], [2.0, 2.5], [3.0, -1.0]];
-    // Fritsch and Butland 1984: the harmonic mean of the slopes on both sides, 0 where they turn,
-    // at an end its own. Between 0 and 1.5 they are 4 and 0.5: 8 / 9.
+    // Slopes by Fritsch and Butland 1984: the harmonic mean of the slopes on both sides, 0 where
+    // they change sign, and at an end the end's own slope. Between 0 and 1.5 the slopes are 4 and
+    // 0.5, which makes 8 / 9.
     let slopes = [-0.5, 0.0, 8.0 / 9.0, 0.0, 0.0, -3.5];
     let stops_at = points.map(|[x, _]| x);
     let colors: Vec<[f64; 4]> = points.iter().map(|[x, y]| [*y, 0.1 * x, 0.3, 0.2 * y]).collect();
@@ -830,7 +833,7 @@ fn curves_and_ramps() {
                 ),
             };
             if word == "smooth" {
-                // Monotone: between its neighbours, and through its points.
+                // The curve is monotone between neighbouring points, and goes through its points.
                 let (low, high) = (points[a][1].min(points[b][1]), points[a][1].max(points[b][1]));
                 assert!(
                     y[0] >= low - 1e-6 && y[0] <= high + 1e-6,
@@ -860,7 +863,7 @@ fn curves_and_ramps() {
         }
         errors.finish();
         if word == "smooth" {
-            // Within the points; outside of them it is flat.
+            // Values within the points; outside of them the curve is flat.
             let inside: Vec<_> = xs
                 .iter()
                 .zip(&ys)
@@ -875,7 +878,7 @@ fn curves_and_ramps() {
     }
 }
 
-// Noise, from its integers on
+// Noise, from integers on
 
 #[test]
 fn noises_are_their_lattices() {
@@ -920,7 +923,8 @@ fn noises_are_their_lattices() {
     }
 }
 
-/// Border, number and distance of the cell around a point, of all points up to three cells away.
+/// Border, random number and distance of the cell around a point, by a search of all points up to
+/// three cells away.
 fn cell(p: DVec3, seed: u32) -> [f64; 3] {
     let home = p.floor().to_array().map(|x| x as i64);
     let steps = || -3..4_i64;
@@ -939,7 +943,7 @@ fn cell(p: DVec3, seed: u32) -> [f64; 3] {
             .min_by(|a, b| a.0.total_cmp(&b.0))
     };
     let (distance, (own, random)) = of(p).unwrap();
-    // The plane half-way to another point is where both are equally far.
+    // Distance to the plane half-way to another point, at which both points are equally far.
     let plane = |other: &DVec3| {
         (p.distance_squared(*other) - distance * distance) / (2.0 * own.distance(*other))
     };
@@ -971,7 +975,7 @@ fn cells_are_around_their_points() {
             let mut errors = Errors::new(format!("cells {output}"), 1e-5);
             for (got, s) in eval(&look, &format!("node.{output}"), &samples).iter().zip(&samples) {
                 let expected = cell(2.0 * s.position, seed);
-                // At a border either neighbour's number is right.
+                // At a border the random number of either neighbour is right.
                 if index != 1 || expected[0] > 1e-4 {
                     errors.note(got[0], expected[index], || format!("{}", s.position));
                 }
@@ -983,7 +987,8 @@ fn cells_are_around_their_points() {
 
 // Pictures
 
-/// A PNG of 4 x 4 texels, each of its own color, and one of 64 x 64 with its place as color.
+/// A folder with a PNG of 4 x 4 texels, each in a color of its own, and one of 64 x 64 whose colors
+/// tell the place.
 fn pictures() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let write = |name: &str, side: u32| {
@@ -1041,7 +1046,7 @@ fn images_by_texel() {
                 if filter == "nearest" { 1e-6 } else { 4e-3 },
             );
             for (got, s) in eval(&look, "node.color", &samples).iter().zip(&samples) {
-                // v goes up, rows go down.
+                // Coordinates of the image: v goes up, rows go down.
                 let p = DVec2::new(s.uv.x, 1.0 - s.uv.y) * 4.0;
                 let edge = |x: f64| (x - x.round()).abs() < 1e-5;
                 if filter == "nearest" && (edge(p.x) || edge(p.y)) {
@@ -1101,7 +1106,7 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
             );
         }
     }
-    // In between texels a linear one is in between their colors.
+    // A linear filter mixes the colors of neighbouring texels.
     let mut linear = look;
     let node = linear.look.graph.nodes.get_mut("node").expect("as above");
     node.values.insert("filter".into(), Value::Text("linear".into()));
@@ -1113,12 +1118,13 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
         ..EvalSample::default()
     };
     let samples: Vec<EvalSample> = places.iter().map(at).collect();
-    // A sampler's filter has 8 bits.
+    // The filter of a sampler has 8 bits.
     let mut errors = Errors::new("tone map, linear", 4e-3);
     for (got, [tone, detail]) in eval(&linear, "node.color", &samples).iter().zip(&places) {
         let across = (4.0 * tone.clamp(0.0, 1.0) - 0.5).clamp(0.0, 3.0);
         let down = (4.0 * (1.0 - detail.clamp(0.0, 1.0)) - 0.5).clamp(0.0, 3.0);
-        // The texels' colors go up evenly to the right, downwards, and in their alpha.
+        // Colors of the texels grow evenly to the right and downwards; their alpha falls to the
+        // right.
         let wanted = [63.0 * across, 63.0 * down, 100.0, 255.0 - 3.0 * across].map(|c| c / 255.0);
         for (got, wanted) in got.iter().zip(wanted) {
             errors.note(*got, wanted, || format!("{tone} {detail}"));
@@ -1127,8 +1133,8 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
     errors.finish();
 }
 
-/// A pair of LitSpheres is one where it bulges and the other where it is hollow, each by the
-/// normal, mixed by eq. 7.
+/// A pair of LitSpheres shows one where the surface bulges and the other where it is hollow, each
+/// by the normal, mixed by eq. 7.
 #[test]
 fn a_pair_of_litspheres_is_mixed_by_curvature() {
     let folder = pictures();
@@ -1162,11 +1168,11 @@ fn a_pair_of_litspheres_is_mixed_by_curvature() {
     errors.finish();
 }
 
-/// Which texel of a ball of 64 x 64 with the radius 0.45 is looked up, from the top left.
+/// The texel that is looked up in a ball of 64 x 64 with the radius 0.45, from the top left.
 fn on_ball(s: &EvalSample, lookup: &str) -> [f64; 2] {
     let n = s.camera * s.normal.normalize();
     let v = if lookup == "camera" { DVec3::Z } else { s.camera * s.view.normalize() };
-    // Right is level: at right angles to the line of sight and to the picture's up.
+    // The picture's right is level: at right angles to the line of sight and to the picture's up.
     let right = DVec3::Y.cross(v).normalize();
     let seen = DVec2::new(n.dot(right), n.dot(v.cross(right)));
     let place = if n.dot(v) < 0.0 { seen.normalize() } else { seen } * 0.45;
@@ -1203,9 +1209,9 @@ fn litspheres_by_normal() {
     }
 }
 
-/// Kinds that tests beside [`truth`] and [`surface_truth`] hold.
+/// Kinds that are tested by other tests than [`truth`] and [`surface_truth`].
 const ELSEWHERE: &[&str] = &[
-    // truth_badf.rs
+    // badf.rs
     "base",
     "blend",
     "curvature_color",
@@ -1218,7 +1224,7 @@ const ELSEWHERE: &[&str] = &[
     "profile",
     "transition",
     "warp",
-    // hcbtf_lookup.rs
+    // tests/sweeps/hcbtf_lookup.rs
     "constant_size",
     "dominant_light",
     "hcbtf_directions",
@@ -1226,7 +1232,7 @@ const ELSEWHERE: &[&str] = &[
     "hcbtf_nearest",
     "light_by_tone",
     "scatter_uv",
-    // truth_family.rs
+    // family.rs
     "angle_between_directions",
     "axes",
     "combine_tones",
@@ -1261,7 +1267,7 @@ const ELSEWHERE: &[&str] = &[
     // shape_passes.rs
     "litsphere_pair",
     "outer_contour",
-    // truth_marks.rs
+    // marks.rs
     "brush_strokes",
     "dither",
     "halftone",
@@ -1270,7 +1276,7 @@ const ELSEWHERE: &[&str] = &[
     "paper_grain",
     "screen_place",
     "stippling",
-    // Above, in tests of their own.
+    // Tests of their own above.
     "tone_map",
     "bands",
     "bump_map",
@@ -1283,10 +1289,10 @@ const ELSEWHERE: &[&str] = &[
     "ramp",
 ];
 
-/// No kind is forgotten.
+/// Every kind has a test.
 #[test]
 fn every_kind_is_held() {
-    // truth_family.rs
+    // family.rs
     let words_elsewhere = [
         "color_space oklab_to_srgb",
         "color_space srgb_to_oklab",

@@ -1,14 +1,13 @@
-//! What the compiler leaves out changes no bit, in the reference.
+//! Parts of a look that the compiler leaves out change no bit, in the reference.
 //!
-//! Two things make a settled look of a look as it was written, and they are held against it one at
-//! a time:
+//! Two transformations make a specialized look of a look as written, and each is tested against it:
 //!
-//! - What is known before the fragment is computed there, once, in f64, and rounded once: folded
-//!   constants, `prepare`, lights. As it was written a look computes the same in each fragment, and
-//!   in f32 rounds at each step. The two differ by that; a bound holds it.
-//! - What cannot change the result is removed, merged or replaced. That changes no bit: not in f64,
-//!   where nothing is rounded, of any look; and not in f32, of looks whose values leave nothing to
-//!   round when they are folded.
+//! - Values known before the fragment are computed there, once, in f64, and rounded once: folded
+//!   constants, `prepare`, lights. As written, a look computes the same in each fragment, and in
+//!   f32 rounds at each step. The two differ by that rounding; a bound limits it.
+//! - Parts that cannot change the result are removed, merged or replaced. That changes no bit: not
+//!   in f64, where nothing is rounded, of any look; and not in f32, of looks whose values leave
+//!   nothing to round when they are folded.
 
 use crate::support::eval::content;
 use crate::support::examples::{looks, samples};
@@ -46,7 +45,7 @@ fn evaluate(
     values
 }
 
-/// Two ways of compiling a look that are held against one another, and by how much they may differ.
+/// Two ways of compiling a look that are compared, and the difference that they may have.
 struct Comparison {
     name: &'static str,
     ways: [Options; 2],
@@ -55,21 +54,21 @@ struct Comparison {
 }
 
 impl Comparison {
-    /// The largest difference.
+    /// The largest difference, as a proof for the ledger.
     fn proof(&self, look: &SetupLook, library: &Library) -> Result<f64, String> {
         let mut errors = Errors::new(self.name, self.bound);
         let [a, b] = self.ways.each_ref().map(|way| evaluate(look, library, way, self.precision));
         for (index, (a, b)) in a.iter().flatten().zip(b.iter().flatten()).enumerate() {
             let place =
                 || format!("{}, sample {}\n{}", look.look.name, index / 4, look.look.to_text());
-            // 0 and -0 are not the same bits.
+            // The bits of 0 and -0 differ.
             let sign = if a == b && a.to_bits() != b.to_bits() { f64::MIN_POSITIVE } else { 0.0 };
             errors.note(*a + sign, *b, place);
         }
         errors.verdict()
     }
 
-    /// What the verdict depends on.
+    /// The key of the verdict.
     fn key(&self, look: &SetupLook, library: &Library) -> Key {
         let mut key = Key::of_sources(JUDGES)
             .with(format!("{:?} {:e}", self.precision, self.bound).as_bytes());
@@ -85,7 +84,7 @@ impl Comparison {
     }
 }
 
-/// What judges, besides what is made of a look.
+/// Sources that judge a look, besides the shaders and numbers of the look.
 const JUDGES: &[&str] =
     &["src/language/interp", "src/scene/frame", "src/reference", "tests/truth/pruned.rs"];
 
@@ -97,14 +96,15 @@ fn specialized(live: Live) -> Options {
     Options { live, ..Options::default() }
 }
 
-/// The example looks, and 40 random stacks.
+/// Example looks, and 40 random stacks.
 fn looks_and_stacks() -> Vec<(String, SetupLook)> {
     let mut random = Random::new(70);
     let stacks = (0..40).map(|index| (format!("stack {index}"), stacks::idle_stack(&mut random)));
     looks().into_iter().chain(stacks).collect()
 }
 
-/// The look with all numbers in 64ths: sums, halves and products of a few of them are exact in f32.
+/// The look with all numbers rounded to 64ths: sums, halves and products of a few of them are exact
+/// in f32.
 fn in_64ths(mut look: SetupLook) -> SetupLook {
     let exact = |x: &mut f64| *x = (*x * 64.0).round() / 64.0;
     for value in look.look.graph.nodes.values_mut().flat_map(|node| node.values.values_mut()) {
@@ -158,8 +158,8 @@ fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
     assert!(removed > 100, "hardly anything was removed: {removed}");
 }
 
-/// A layer that ranges prove to cover is a sum of constants, and is rounded once where the shader
-/// rounds twice.
+/// Folded examples differ by at most one rounding: a layer that ranges prove to cover is a sum of
+/// constants, which is rounded once where the shader rounds twice.
 #[test]
 fn what_is_folded_in_an_example_differs_by_no_more_than_one_rounding() {
     let comparison = baked_against_live(f64::from(f32::EPSILON));
@@ -170,7 +170,7 @@ fn what_is_folded_in_an_example_differs_by_no_more_than_one_rounding() {
     ledger.close();
 }
 
-/// How many times as large as a look's narrowest ramp its angles are.
+/// Ratio of a look's angles to its narrowest ramp, at least 1.
 fn narrowness(look: &SetupLook) -> f64 {
     let angle = |node: &Node, port: &str| match node.values.get(port) {
         Some(Value::Number(angle)) => Some(*angle),
@@ -183,13 +183,13 @@ fn narrowness(look: &SetupLook) -> f64 {
     look.look.graph.nodes.values().filter_map(of).fold(1.0, f64::max)
 }
 
-/// What is computed once in f64 is closer to the truth than what is rounded at each step.
+/// Values computed once in f64 are closer to the truth than values rounded at each step.
 #[test]
 fn rounding_once_is_within_a_few_steps_of_rounding_at_each_step() {
     let mut ledger = Ledger::open("pruned-rounding");
     for (case, look) in looks_and_stacks() {
-        // As it is written, the look's angles are rounded before they are subtracted: a few steps
-        // of theirs are more steps of a ramp that is far narrower than its angles are large.
+        // As written, the look's angles are rounded before they are subtracted: a few steps of f32
+        // in the angles are more steps of a ramp that is far narrower than its angles are large.
         let step = f64::from(f32::EPSILON) * narrowness(&look);
         let comparison = Comparison {
             name: "f32: baked against as written",
@@ -202,7 +202,7 @@ fn rounding_once_is_within_a_few_steps_of_rounding_at_each_step() {
     ledger.close();
 }
 
-/// One digit of a shader is another, and a line of the ledger says what is not so.
+/// A changed digit of a shader changes its key, and a false line of the ledger is found.
 #[test]
 fn a_changed_shader_and_a_forged_line_are_found() {
     let look = halved::look();

@@ -1,4 +1,4 @@
-//! The reference's rasteriser against what triangles are, and its executor against the plan.
+//! The reference's rasterizer against the geometry of triangles, and its executor against the plan.
 
 mod coverage;
 mod plans;

@@ -1,6 +1,5 @@
-//! What passes over the normals give the nodes of the category "shape", against closed forms: the
-//! curvature tensor, ever smoother normals, contours. And that these passes run only where
-//! something reads them.
+//! Passes over the normals for nodes of the category "shape", against closed forms: the curvature
+//! tensor, ever smoother normals, contours. These passes run only where a node reads them.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{PI, TAU};
@@ -19,17 +18,17 @@ use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 
 const SIZE: [u32; 2] = [150, 100];
-/// Scene units.
+/// Height of the pictures. In scene units.
 const HEIGHT: f64 = 2.0;
 
-/// A look that shows one value, `node.port`.
+/// A look that shows one value.
 fn showing(nodes: &Json, wires: &Json) -> SetupLook {
     let mut nodes = nodes.as_array().expect("nodes").clone();
     nodes.push(json!({"id": "output", "kind": "output"}));
     look(&json!({"lights": {"key": {"direction": [0, 0, 1]}}, "nodes": nodes, "wires": wires}))
 }
 
-/// A number of a normal in world space.
+/// A look that shows one component of a normal, in world space.
 fn normal_along(axis: [f64; 3], scale: &str) -> SetupLook {
     showing(
         &json!([
@@ -40,8 +39,7 @@ fn normal_along(axis: [f64; 3], scale: &str) -> SetupLook {
     )
 }
 
-/// z = height(x, y), with the normals (-slope.x, -slope.y, 1), from far enough above, over a range
-/// of x and of y.
+/// A mesh of z = height(x, y) with given normals, over a range of x and of y.
 fn raised(
     x: [f64; 2],
     y: [f64; 2],
@@ -79,7 +77,7 @@ fn raised(
     }
 }
 
-/// A plane that fills the picture, with normals that are no plane's.
+/// A plane that fills the picture, with given normals.
 fn plane(normal: impl Fn(f64, f64) -> [f64; 3]) -> Mesh {
     raised([-1.5, 1.5], [-1.0, 1.0], [150, 100], |_, _| 0.0, normal)
 }
@@ -99,14 +97,14 @@ fn plan_of(parts: Vec<(SetupLook, Mesh)>, size: [u32; 2]) -> FramePlan {
     planned.unwrap_or_else(|problems| panic!("{}", told(&problems)))
 }
 
-/// The first number of each pixel, rows from the top; `None` where nothing is.
+/// The first channel of each pixel, rows from the top; `None` where no object is.
 fn drawn(parts: Vec<(SetupLook, Mesh)>) -> Vec<Option<f64>> {
     let plan = plan_of(parts, SIZE);
     let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
     picture.rgba.iter().map(|pixel| (pixel[3] > 0.5).then_some(f64::from(pixel[0]))).collect()
 }
 
-/// Where a pixel's middle is, scene units.
+/// The point under a pixel's middle. In scene units.
 fn place(index: usize) -> (f64, f64) {
     let (x, y) = (index % SIZE[0] as usize, index / SIZE[0] as usize);
     let pixel = HEIGHT / f64::from(SIZE[1]);
@@ -118,8 +116,8 @@ fn place(index: usize) -> (f64, f64) {
 
 #[test]
 fn the_tensor_is_how_slopes_change() {
-    // nx / nz = 0.6 x + 0.5 y, ny / nz = 0.3 x - 0.4 y: xx, xy and yy in 1/scene-unit, of which xy
-    // is the mean.
+    // nx / nz = 0.6 x + 0.5 y, ny / nz = 0.3 x - 0.4 y. Their derivatives are xx, xy and yy, of
+    // which xy is the mean of both. In 1/scene-unit.
     let (xx, xy, yy) = (0.6_f64, 0.4, -0.4);
     let bent = |x: f64, y: f64| [0.6 * x + 0.5 * y, 0.3 * x - 0.4 * y, 1.0];
     let root = (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
@@ -142,7 +140,7 @@ fn the_tensor_is_how_slopes_change() {
     }
 }
 
-/// A wave is left with what each level's 1 2 1 leaves of it.
+/// Smooth normals are waves with the amplitude that each level's 1 2 1 filter leaves.
 #[test]
 fn smooth_normals_are_the_waves_that_are_left() {
     let pixel = HEIGHT / f64::from(SIZE[1]);
@@ -151,13 +149,13 @@ fn smooth_normals_are_the_waves_that_are_left() {
     let waves = |x: f64, _: f64| [height * (omega * x).cos(), 0.0, 1.0];
     let mut left = 1.0;
     for (level, scale) in ["fine", "small", "medium", "large"].into_iter().enumerate() {
-        // The steps are a pixel in a picture this low.
+        // In a picture this low the filter's steps are whole pixels.
         left *= 0.5 + 0.5 * (omega * pixel * f64::from(2 << level)).cos();
         let got = drawn(vec![(normal_along([1.0, 0.0, 0.0], scale), plane(waves))]);
         let mut worst = 0.0_f64;
         for (index, got) in got.iter().enumerate() {
             let (x, y) = place(index);
-            // The picture's sides have no neighbours on one side.
+            // Pixels at the picture's sides lack neighbours on one side.
             if x.abs() < 1.5 - 31.0 * pixel && y.abs() < 1.0 - 31.0 * pixel {
                 worst = worst.max(
                     (got.expect("it fills the picture") - left * height * (omega * x).cos()).abs(),
@@ -168,9 +166,9 @@ fn smooth_normals_are_the_waves_that_are_left() {
     }
 }
 
-/// Neither another object nor another part of the same one that lies behind it is mixed in, and
-/// what turns evenly stays: what one side lacks, at a border, does not bend the normal toward the
-/// other.
+/// Smooth normals mix in no other object and no part of the same object behind, and keep normals
+/// that turn evenly: neighbours that are missing at a border on one side do not bend the normal
+/// toward the other.
 #[test]
 fn smooth_normals_keep_to_their_surface() {
     let tilted = |x: f64, y: f64| move |_: f64, _: f64| [x, y, 1.0];
@@ -206,7 +204,7 @@ fn smooth_normals_keep_to_their_surface() {
         let worst = got.iter().enumerate().map(off).fold(0.0, f64::max);
         assert!(worst < 1e-3, "{what}: {worst}");
     }
-    // A bowl of even slopes, whose border is within the picture.
+    // A bowl of even slopes, whose border lies within the picture.
     let bowl =
         raised([-0.8, 0.8], [-0.6, 0.6], [80, 60], |_, _| 0.0, |x, y| [0.3 * x, 0.3 * y, 1.0]);
     let got = drawn(vec![(show(), bowl)]);
@@ -221,7 +219,8 @@ fn smooth_normals_keep_to_their_surface() {
 
 #[test]
 fn contours_are_as_wide_as_asked() {
-    // A ball of half the picture's height: 300 thousandths are 30 pixels of circumference.
+    // A ball of half the picture's height: 300 thousandths of the height are 30 pixels of
+    // circumference.
     let rings = 160;
     let mut mesh =
         raised([0.0, 1.0], [0.0, 1.0], [rings, rings], |_, _| 0.0, |_, _| [0.0, 0.0, 1.0]);
@@ -253,8 +252,8 @@ fn contours_are_as_wide_as_asked() {
     }
 }
 
-/// A suggestive contour runs where a slope that leads up to the viewer goes over from hollow to
-/// bulging, and not where it goes over from bulging to hollow.
+/// Suggestive contours lie where a slope that leads up to the viewer changes from hollow to
+/// bulging, and not where it changes from bulging to hollow.
 #[test]
 fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
     let line = || {
@@ -284,12 +283,12 @@ fn suggestive_contours_lie_on_inflections_that_turn_to_the_eye() {
     assert!(near + far < 1.0, "no line: {near} and {far}");
 }
 
-/// A suggestive contour is as wide as asked, and fades where what it is about to become is no
+/// Suggestive contours are as wide as asked, and fade where the curvature they change to is no
 /// stronger than the limit.
 #[test]
 fn suggestive_contours_are_as_wide_and_as_strong_as_asked() {
     // The slope is 1 where x is 0, and changes by -6 x: the radial curvature goes evenly through 0
-    // there.
+    // at x = 0.
     let height = |x: f64, _: f64| x - x * x * x;
     let mesh =
         raised([-0.5, 0.5], [-1.0, 1.0], [200, 4], height, |x, _| [-(1.0 - 3.0 * x * x), 0.0, 1.0]);
@@ -306,7 +305,7 @@ fn suggestive_contours_are_as_wide_and_as_strong_as_asked() {
         let (got, wanted) = (ink(width, 0.2), width / 1000.0 * rows * rows);
         assert!((got / wanted - 1.0).abs() < 0.25, "{width}: {got} pixels in place of {wanted}");
     }
-    // Over a twentieth of the height it becomes curved by 6 x there, per scene unit, times the
+    // Over a twentieth of the height the curvature changes by 6 x, per scene unit, times the
     // picture's height.
     let strength = 6.0 * 0.05 * HEIGHT * HEIGHT;
     let whole = ink(40.0, 0.2);
@@ -318,11 +317,11 @@ fn suggestive_contours_are_as_wide_and_as_strong_as_asked() {
     }
 }
 
-/// A bump leans the normal away from where the height goes up, in scene units, on any surface, up
-/// to 84 degrees.
+/// Bumps lean the normal away from where the height grows, in scene units, on any surface, by up to
+/// 84 degrees.
 #[test]
 fn bumps_lean_the_normal_by_their_slope() {
-    // Lies level, and leans by one in two.
+    // A level plane, and a plane that leans by one in two.
     for lean in [0.0, 0.5] {
         let mesh =
             raised([-1.5, 1.5], [-1.0, 1.0], [10, 10], |x, _| lean * x, |_, _| [-lean, 0.0, 1.0]);
@@ -361,7 +360,7 @@ fn bumps_lean_the_normal_by_their_slope() {
     }
 }
 
-/// Objects are numbered as they stand in the scene, and the picture's size is the picture's.
+/// Objects are numbered in the order of the scene, and the picture's size is told in pixels.
 #[test]
 fn objects_have_numbers_and_pictures_a_size() {
     let half = |x: [f64; 2]| raised(x, [-1.0, 1.0], [2, 2], |_, _| 0.0, |_, _| [0.0, 0.0, 1.0]);
@@ -391,8 +390,8 @@ fn objects_have_numbers_and_pictures_a_size() {
     }
 }
 
-/// Passes run where a live node reads what they make, the reference runs the same ones, and both
-/// see the same.
+/// Passes run where a live node reads their images, and the reference and the GPU draw the same
+/// with them.
 #[test]
 fn passes_are_there_for_who_reads_them() {
     const NORMALS: PassId = PassId::named("normals");
@@ -443,7 +442,7 @@ fn passes_are_there_for_who_reads_them() {
     }
 }
 
-/// The pair of LitSpheres shows one where it bulges and the other where it is hollow.
+/// A pair of LitSpheres shows one where the surface bulges and the other where it is hollow.
 #[test]
 fn a_pair_of_litspheres_goes_by_curvature() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,8 +1,8 @@
 //! The reference in f32 mode against the GPU: the same modules, every operation rounded to f32 as
 //! WGSL asks.
 //!
-//! `cargo test --no-default-features --features gpu --test reference_single -- --nocapture` prints
-//! by how many steps of f32 each operation differs, and by how much whole looks do. Where WGSL
+//! `cargo test --no-default-features --features gpu --test truth single -- --nocapture` prints by
+//! how many steps of f32 each operation differs, and by how much whole looks do. Where WGSL
 //! promises correct rounding the two agree bit for bit; else within what WGSL allows. On software
 //! Vulkan, where the figures of docs/performance.md were taken, closer bounds hold.
 #![cfg(feature = "gpu")]
@@ -27,15 +27,15 @@ use glam::{DVec2, DVec3};
 use image::{Rgba, RgbaImage};
 use serde_json::json;
 
-/// What may lie between the GPU and the reference.
+/// The largest difference between the GPU and the reference.
 #[derive(Clone, Copy, Debug)]
 enum Bound {
-    /// Steps of f32.
+    /// A number of steps of f32.
     Steps(u64),
     Absolute(f64),
 }
 
-/// From where the operands x, y and z are taken.
+/// The range that the operands x, y and z are taken from.
 #[derive(Clone, Copy, Debug)]
 enum Domain {
     /// Both signs, of magnitudes from 2^-20 to 2^20.
@@ -61,18 +61,20 @@ impl Domain {
 use Bound::{Absolute, Steps};
 use Domain::{Between, Positive, Wide};
 
-/// Operation, WGSL over `p`, domain, what WGSL allows, what software Vulkan keeps.
+/// An operation, its WGSL over `p`, its domain, the bound by WGSL, and the bound on software
+/// Vulkan.
 type Row = (&'static str, &'static str, Domain, Bound, Bound);
 
-/// What WGSL rounds correctly, or does not round at all. Division and square roots are correct on
-/// software Vulkan; WGSL allows 2.5 steps, and what 1 / inverseSqrt(x) makes of 2.
+/// Operations that WGSL rounds correctly, or does not round. Division and square roots are correct
+/// on software Vulkan; WGSL allows 2.5 steps, and for the root the error of 1 / inverseSqrt(x) with
+/// 2.
 const CORRECT: [Row; 20] = [
     ("a + b", "p.x + p.y", Wide, Steps(0), Steps(0)),
     ("a - b", "p.x - p.y", Wide, Steps(0), Steps(0)),
     ("a * b", "p.x * p.y", Wide, Steps(0), Steps(0)),
     ("a / b", "p.x / p.y", Wide, Steps(3), Steps(0)),
     ("sqrt", "sqrt(p.x)", Positive, Steps(5), Steps(0)),
-    // WGSL lets an implementation round a product and a sum once.
+    // WGSL lets an implementation round a product and a sum together once.
     ("a * b + c, positive", "p.x * p.y + p.z", Positive, Steps(1), Steps(0)),
     ("-a", "-p.x", Wide, Steps(0), Steps(0)),
     ("abs", "abs(p.x)", Wide, Steps(0), Steps(0)),
@@ -90,7 +92,7 @@ const CORRECT: [Row; 20] = [
     ("i32, f32", "f32(i32(p.x))", Wide, Steps(0), Steps(0)),
 ];
 
-/// What is made of these, or of less.
+/// Operations composed of correctly rounded ones, or less accurate.
 const INHERITED: [Row; 10] = [
     ("mix", "mix(p.x, p.y, fract(p.z))", Positive, Absolute(0.5), Steps(0)),
     ("dot", "dot(p, p.yzx)", Positive, Steps(4), Steps(0)),
@@ -104,8 +106,8 @@ const INHERITED: [Row; 10] = [
     ("reflect", "reflect(p, vec3f(0.0, 1.0, 0.0)).y", Wide, Steps(2), Steps(0)),
 ];
 
-/// Which are accurate to a few steps at best, and which the library therefore avoids where it must
-/// be exact.
+/// Operations that are accurate to a few steps at best, and that the library therefore avoids where
+/// it must be exact.
 const APPROXIMATE: [Row; 12] = [
     ("exp2, [-10, 10]", "exp2(p.x)", Between(-10.0, 10.0), Steps(24), Steps(24)),
     ("exp, [-10, 10]", "exp(p.x)", Between(-10.0, 10.0), Steps(24), Steps(40)),
@@ -121,7 +123,7 @@ const APPROXIMATE: [Row; 12] = [
     ("tanh, [-3, 3]", "tanh(p.x)", Between(-3.0, 3.0), Absolute(1e-5), Absolute(1e-5)),
 ];
 
-/// How many f32 lie between two, 0 and -0 being the same.
+/// Number of f32 steps between two numbers; 0 and -0 are the same.
 fn steps(a: f32, b: f32) -> u64 {
     let place = |x: f32| {
         let bits = i64::from(x.to_bits() & 0x7fff_ffff);
@@ -130,7 +132,7 @@ fn steps(a: f32, b: f32) -> u64 {
     if a.is_nan() || b.is_nan() { u64::MAX } else { place(a).abs_diff(place(b)) }
 }
 
-/// What the GPU and the reference in f32 make of an output of a look.
+/// Values of an output of a look on the GPU and on the reference in f32.
 fn both(
     look: &SetupLook,
     library: &Library,
@@ -153,8 +155,8 @@ fn both(
     pairs.collect()
 }
 
-/// A look that shows an expression over `p`, what a sample has as its position, and a library that
-/// has it.
+/// A look that shows an expression over `p`, the position of a sample, and a library with a node
+/// for it.
 fn probe(expression: &str) -> (SetupLook, Library) {
     let mut library = Library::built_in().clone();
     let node = format!(
@@ -227,7 +229,7 @@ fn functions_are_as_far_apart_as_wgsl_allows() {
     operations(&APPROXIMATE);
 }
 
-/// Many operations in a row, none of which may differ; and a texture's texels.
+/// Looks of many operations in a row agree bit for bit, and so do a texture's texels.
 #[test]
 fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
     let chain = "sqrt(abs(p.x * p.y - p.z) + 0.37) / (1.0 + p.z * p.z) - (p.x + p.y) * (p.y - 0.7) \
@@ -261,8 +263,8 @@ fn looks_of_plain_arithmetic_are_equal_bit_for_bit() {
         "wires": [{"from": "image", "to": "output.color"}]
     }));
     image.folder = folder.path().to_owned();
-    // In the middle of texels, give or take. How 8 bits become a float is not promised to the last
-    // step.
+    // Coordinates around the middles of texels. WGSL does not promise to the last step how 8 bits
+    // become a float.
     let samples: Vec<EvalSample> = (0..20_000)
         .map(|_| {
             let within = |random: &mut Random, count: usize| {
@@ -290,13 +292,13 @@ fn example(name: &str) -> SetupLook {
     }
 }
 
-/// Both pictures of a setup.
+/// Pictures of a setup on the GPU and on the reference.
 fn pictures(setup: &Setup, live: &Live, images: ImageRounding) -> (Picture, ReferencePicture) {
     let size = PlanOptions { size: [160, 120], samples: 1, time: 0.0 };
     let plan =
         Planner::default().plan(setup, Library::built_in(), live, &size).expect("it is planned");
     let modules = Modules::new(&plan, Precision::F32).expect("it compiles");
-    // As GPUs do, for coverage alone: see `triangles`.
+    // Coverage alone is snapped, as on GPUs: see `triangles`.
     let options =
         reference::Options { snap: Snap::Subpixel(8), images, ..reference::Options::default() };
     let reference =
@@ -306,11 +308,11 @@ fn pictures(setup: &Setup, live: &Live, images: ImageRounding) -> (Picture, Refe
     (picture, reference)
 }
 
-/// How far from any other surface, or none, pixels must be to count: the stencil of curvature
-/// reaches 3.
+/// Smallest distance of compared pixels from another surface or the backdrop: the stencil of
+/// curvature reaches 3. In pixels.
 const RIM: u32 = 4;
 
-/// The differences of colors inside of the object, the largest last.
+/// Differences of colors inside of the object, sorted.
 fn differences(gpu: &Picture, reference: &ReferencePicture) -> Vec<f64> {
     let [width, height] = reference.size;
     let mut found = Vec::new();
@@ -330,7 +332,7 @@ fn differences(gpu: &Picture, reference: &ReferencePicture) -> Vec<f64> {
     found
 }
 
-/// The median, what one in a hundred exceeds, and the largest.
+/// The median, the 99th percentile, and the largest of sorted numbers.
 fn spread(sorted: &[f64]) -> [f64; 3] {
     let at = |share: f64| sorted[((sorted.len() - 1) as f64 * share) as usize];
     [at(0.5), at(0.99), at(1.0)]
@@ -341,8 +343,8 @@ fn ball(look: SetupLook) -> Setup {
     scene_of(vec![(look, mesh, matrix)], Scene { camera: Camera::default(), ..Scene::default() })
 }
 
-/// How this GPU rounds halves.
-/// The normals that curvature is taken from are 32-bit floats on the GPU too.
+/// Rounding of images on this GPU: none, because the normals that curvature is taken from are
+/// 32-bit floats on the GPU too.
 fn rounding() -> ImageRounding {
     ImageRounding::None
 }
@@ -373,8 +375,8 @@ fn whole_looks_agree_baked_and_live() {
                 found.len()
             );
             assert!(found.len() > 2000, "{name}: {} pixels", found.len());
-            // A step of f32 in a normal may be one of f16 in an image, and that 1e-4 in curvature:
-            // of few pixels.
+            // A step of f32 in a normal may be a step of f16 in an image, and that 1e-4 in
+            // curvature: at few pixels.
             let bounds = if is_software { [2e-7, 2e-6, 1e-3] } else { [1e-3, 1e-2, 1e-1] };
             let is_within =
                 [middle, high, most].iter().zip(bounds).all(|(got, bound)| *got <= bound);
@@ -383,8 +385,8 @@ fn whole_looks_agree_baked_and_live() {
     }
 }
 
-/// The GPU keeps the normals that curvature is taken from in 32-bit floats; half floats would stand
-/// out.
+/// The GPU keeps the normals that curvature is taken from in 32-bit floats; half floats would give
+/// far larger differences.
 #[test]
 #[allow(
     clippy::print_stdout,

@@ -1,7 +1,7 @@
-//! Cheaper tiers: each says how far it may be from the exact one, and stays within that.
+//! Cheaper tiers state how far they may be from the exact tier, and stay within that.
 //!
 //! The truth is f64 from the formulas themselves; the exact tier in the f64 interpreter is a second
-//! witness. What no formula has an answer for must still be finite.
+//! witness. Inputs that no formula has an answer for must still give finite numbers.
 #![cfg(feature = "gpu")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -24,8 +24,8 @@ fn node(kind: &str) -> &'static NodeDef {
     &Library::built_in().nodes[kind]
 }
 
-/// What a node's file says of a tier; where there is no such tier, of the next better one, which
-/// runs in its place.
+/// The error that a node's file states for a tier; where the tier does not exist, for the next
+/// better one, which runs in its place.
 fn stated(kind: &str, tier: Tier) -> f64 {
     let stated =
         node(kind).errors.iter().filter(|error| error.tier <= tier).max_by_key(|error| error.tier);
@@ -50,8 +50,7 @@ fn every_cheaper_tier_states_its_error() {
             assert!(def.error_of(tier).is_some(), "{} states no error of {tier:?}", def.kind);
             count += 1;
         }
-        // A tier exists for every choice that the exact one is there for, or a choice would make a
-        // look dearer.
+        // A tier exists for every choice of the exact tier, or a choice would make a look dearer.
         for tier in def.tiers() {
             let choices =
                 |tier| def.variants.iter().filter(move |v: &&Variant| v.tier == tier).count();
@@ -151,7 +150,8 @@ fn angles_in_every_tier() {
                         * if random.chance(0.3) { -1.0 } else { 1.0 };
                 }
                 let l = l.normalize();
-                // Where light and eye are opposite, the half-vector's direction is rounding's.
+                // Where light and eye are opposite, rounding alone decides the half-vector's
+                // direction.
                 if *kind == "half_vector" && (l + v).length() < 0.5 {
                     continue;
                 }
@@ -183,8 +183,8 @@ fn angles_in_every_tier() {
     }
 }
 
-/// Angle, warp and parameters; where alpha is neither 0 nor 1, for fall-offs that many radians from
-/// the offset.
+/// Random angles, warps and parameters, mostly where alpha is neither 0 nor 1, with fall-offs of
+/// `least` to `most` radians from the offset.
 fn profile_cases(seed: u64, least: f64, most: f64) -> Vec<(f64, f64, [f64; 3])> {
     let mut random = Random::new(seed);
     let mut cases = Vec::new();
@@ -208,7 +208,7 @@ fn profile_cases(seed: u64, least: f64, most: f64) -> Vec<(f64, f64, [f64; 3])> 
 #[test]
 fn profiles_in_every_tier() {
     for (tier, word) in CHEAPER {
-        // The profile alone is cheaper: the angle comes as exactly as it can.
+        // Only the profile runs in the cheaper tier; the angle is as exact as it can be.
         let mut of_tier = angle_look("diffuse", "exact");
         of_tier.look.graph.nodes["tone"].tier = Some(tier);
         for (least, share) in [(0.2, 0.2), (0.05, 1.0)] {
@@ -257,8 +257,7 @@ fn profiles_in_every_tier() {
     }
 }
 
-/// However narrow a profile is, a cheaper tier stays between 0 and 1, and where the tone is flat it
-/// is right.
+/// A narrow profile in a cheaper tier stays between 0 and 1, and is right where the tone is flat.
 #[test]
 fn narrow_profiles_in_every_tier() {
     for (tier, word) in [(Tier::Exact, "exact")].into_iter().chain(CHEAPER) {
@@ -353,8 +352,8 @@ fn transitions_in_every_tier() {
     }
 }
 
-/// A look whose every reader of curvature is fast needs no pass; one that has an exact one keeps it
-/// for that alone.
+/// A look whose readers of curvature are all fast needs no pass; a single exact reader keeps the
+/// pass for itself alone.
 #[test]
 fn fast_curvature_needs_no_pass() {
     let (mesh, matrix) = shape("creature");
@@ -385,7 +384,8 @@ fn fast_curvature_needs_no_pass() {
         assert_eq!(source.contains("curvature_map"), second == "exact", "{source}");
         shown.push(draw(&setup, Library::built_in(), &Live::Keyed, [200, 160], 4));
     }
-    // In perspective, on a body with creases: alike in the mean, and numbers everywhere.
+    // In perspective, on a body with creases, both pictures are alike in the mean, and finite
+    // everywhere.
     let [fast, _, exact] = &shown[..] else { panic!("three pictures") };
     let mut differences = Vec::new();
     for (fast, exact) in fast.rgba.iter().zip(&exact.rgba).filter(|pixel| pixel.1[3] == 1.0) {
@@ -398,8 +398,8 @@ fn fast_curvature_needs_no_pass() {
 
 // Thresholds
 
-/// Where nothing changes on the screen an edge is hard and inclusive in every tier, as long as it
-/// has no softness.
+/// A threshold without softness is hard and inclusive in every tier where nothing changes on the
+/// screen.
 #[test]
 fn thresholds_are_the_same_without_a_screen() {
     let values =
@@ -571,7 +571,7 @@ fn noises_in_every_tier() {
 
 // Every input
 
-/// Numbers that break things.
+/// Numbers at which arithmetic often fails.
 const WILD: [f64; 14] = [
     0.0,
     -0.0,
@@ -593,7 +593,7 @@ fn wild_number(random: &mut Random) -> f64 {
     if random.chance(0.6) { *random.pick(&WILD) } else { random.between(-4.0, 4.0) }
 }
 
-/// Something of a type; what a Parametrization or a Light gives is as those give it.
+/// A wild value of a type; angles and lights are as a Parametrization or a Light gives them.
 fn wild(ty: &Type, random: &mut Random) -> Option<Number> {
     let vector = |count: usize, random: &mut Random| {
         Number::Vector((0..count).map(|_| Scalar::Float(wild_number(random))).collect())
@@ -636,7 +636,7 @@ fn is_finite(value: &Number) -> bool {
     }
 }
 
-/// No tier of any node gives anything but numbers, whatever it is given.
+/// Cheaper tiers of every node give finite numbers for any inputs.
 #[test]
 fn every_tier_is_total() {
     let mut random = Random::new(51);
@@ -647,7 +647,7 @@ fn every_tier_is_total() {
             for _ in 0..3000 {
                 let mut inputs: Vec<Option<Number>> =
                     def.inputs.iter().map(|input| wild(&input.ty, &mut random)).collect();
-                // The surroundings' own directions are unit.
+                // Directions from the surface context are unit vectors.
                 for (input, value) in def.inputs.iter().zip(&mut inputs) {
                     if input.hidden && input.ty == Type::Vec3 {
                         *value = Some(Number::vec(&random.direction().to_array()));

@@ -1,5 +1,5 @@
-//! Keys by wires of object rate: held to weights that are solved here in f64, on the GPU and on the
-//! reference.
+//! Keys by wires of object rate, on the GPU and on the reference, against weights that are solved
+//! here in f64.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -16,8 +16,8 @@ use chiaro::library::Library;
 use glam::DVec3;
 use serde_json::{Value as Json, json};
 
-/// A number that keys move by wires: `a` is exposed, `b` the time plus 1, `c` the light's height,
-/// `d` a and b together.
+/// A look of a number that is keyed by wires: `a` is exposed, `b` is the time plus 1, `c` the
+/// light's direction, `d` the product of a and b.
 fn wired(drivers: &Json, keys: &[(Vec<f64>, f64)]) -> Json {
     let keys: Vec<Json> =
         keys.iter().map(|(at, x)| json!({"at": at, "values": {"number.value": x}})).collect();
@@ -59,7 +59,7 @@ fn sample(amount: f64, time: f64, light: DVec3) -> EvalSample {
 }
 
 /// The value between keys by their smooth weights: the kernel -|x - y| with coefficients that sum
-/// to 0, solved by elimination; a smoothstep of each; their sum made 1.
+/// to 0, solved by elimination; a smoothstep of each weight; their sum normalized to 1.
 fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
     let axes = at.len();
     let span = |axis: usize| {
@@ -78,8 +78,8 @@ fn smooth(keys: &[(Vec<f64>, f64)], at: &[f64]) -> f64 {
     let kernel =
         |a: &[f64], b: &[f64]| -a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
     let n = keys.len();
-    // Rows of the system: the kernel between keys and a 1, and the sum of the coefficients;
-    // right-hand sides all at once.
+    // Rows of the linear system: the kernel between keys and a 1, and the sum of the coefficients;
+    // with the right-hand sides of all keys.
     let mut rows: Vec<Vec<f64>> = (0..=n)
         .map(|i| {
             let left = (0..=n).map(|j| match (i < n, j < n) {
@@ -157,8 +157,8 @@ fn wires_drive_by_the_smooth_weights() {
     reference.finish();
 }
 
-/// What a wire gives may be keyed itself: by time, and by other keys, whichever of the two comes
-/// first in the file.
+/// A driving wire may depend on keyed values: by time, and by other keys, whichever of the two sets
+/// comes first in the file.
 #[test]
 fn keys_that_drive_other_keys_come_first() {
     let mut json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0), (vec![8.0], 1.0)]);
@@ -183,7 +183,7 @@ fn keys_that_drive_other_keys_come_first() {
         errors.note(got[0], step(a * (time + 1.0) / 8.0), || format!("{time}"));
     }
     errors.finish();
-    // A light that keys turn drives others, as it stands then.
+    // A light that is turned by keys drives other keys in its turned state.
     let mut json = wired(&json!([{"wire": "c.y"}]), &[(vec![-1.0], 0.0), (vec![1.0], 1.0)]);
     let turns = json!({"name": "Turn", "by": {"drivers": [{"wire": "time"}]}, "keys": [
         {"at": [0], "values": {"lights.key.direction": [0, -1, 0.001]}},
@@ -196,8 +196,8 @@ fn keys_that_drive_other_keys_come_first() {
     assert!(seen[0][0] < 1e-5 && seen[1][0] > 1.0 - 1e-5, "{seen:?}");
 }
 
-/// All that keeps an output from driving keys is told with its node and port, and where it is
-/// written.
+/// A wire that cannot drive keys is refused with its node and port, and the place of the wire in
+/// the file.
 #[test]
 fn what_cannot_drive_is_refused() {
     let with = |wire: &str, target: &str, more: &[Json]| -> Vec<Diagnostic> {
@@ -248,7 +248,7 @@ fn what_cannot_drive_is_refused() {
             assert_eq!(node.as_deref(), Some(place), "{wire}: {found}");
         }
     }
-    // What drives keys is a part of the look: where it is broken the look is.
+    // A wire that drives keys is part of the look: an error there is an error of the look.
     let mut json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
     json["nodes"][7]["values"] = json!({"a": "red"});
     json["wires"].as_array_mut().expect("wires").retain(|wire| wire["to"] != "d.a");
@@ -256,7 +256,7 @@ fn what_cannot_drive_is_refused() {
     assert!(check(&broken, Library::built_in(), None).is_err());
 }
 
-/// Numbers that are none, too large, or equal at several keys have documented results.
+/// Wires with NaN, too large numbers, or values at which several keys lie have documented results.
 #[test]
 fn hot_wires_have_results() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -277,15 +277,15 @@ fn hot_wires_have_results() {
     let samples = [0.0, 1.0, -1.0, 2.0, 1e30, f64::NAN].map(|amount| sample(amount, 0.0, DVec3::Z));
     let samples = &samples[..5];
     let seen = eval_with(&look, &library, &options(""), samples);
-    // 0 at its key; beyond the last two, which share a weight; 2^-1000 of -1 is hardly 0; what is
-    // no number is 0.
+    // 0 lies at its key; infinity lies beyond the last two keys, which share a weight; -1 gives
+    // -2^-1000, which is nearly 0; NaN counts as 0.
     let wanted = [0.5, 0.8125, 0.5, 0.5, 0.5];
     for (got, wanted) in seen.iter().zip(wanted) {
         assert!((got[0] - wanted).abs() < 1e-6, "{seen:?}");
     }
 }
 
-/// Grouping, dissolving, removing and undoing keep what drives keys true.
+/// Drivers follow their nodes through grouping, dissolving, removing and undoing.
 #[test]
 fn what_drives_follows_its_node() {
     use chiaro::document::grouping::{dissolve, group};
@@ -327,7 +327,7 @@ fn what_drives_follows_its_node() {
     assert!(history.document().direction_keys.is_empty(), "nothing drives them any more");
     while history.undo().is_some() {}
     assert_eq!(*history.document(), setup.look);
-    // An edit cannot name a node that is not there.
+    // An edit cannot name a missing node as a driver.
     let mut wrong = setup.look.direction_keys[0].clone();
     wrong.by = KeyDirection::Drivers(vec![
         serde_json::from_value(json!({"wire": "nobody"})).expect("a driver"),
@@ -343,8 +343,8 @@ fn look_of(setup: &SetupLook) -> SetupLook {
     }
 }
 
-/// What may drive: values, the time, lights from one direction, and what is made of them; not what
-/// they would move.
+/// Outputs that may drive keys are listed: values, the time, lights from one direction, and results
+/// of these; not outputs that depend on the keyed values.
 #[test]
 fn what_may_drive_is_listed() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
@@ -369,7 +369,7 @@ fn what_may_drive_is_listed() {
     );
 }
 
-/// An export says which steps compute a wire; run as a host would, they give what the wire has.
+/// An export names the steps that compute a wire; run as by a host, they give the wire's value.
 #[test]
 fn an_export_carries_the_wires() {
     let setup = look(&wired(
@@ -445,8 +445,8 @@ fn an_export_carries_the_wires() {
     assert_eq!([of(0), of(1)], [Some(2.5 * 1.25), Some(0.48)]);
 }
 
-/// A module knows its wires whatever it was compiled for, and a module that draws normals leaves
-/// them out.
+/// A module knows its wires for every kind of live values, and a module that draws normals leaves
+/// the wires out.
 #[test]
 fn every_way_of_compiling_has_the_wires() {
     let setup = look(&wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0), (vec![3.0], 1.0)]));
@@ -477,8 +477,8 @@ fn every_way_of_compiling_has_the_wires() {
     );
 }
 
-/// Of what may drive, what can ever change is told from what never does: what is set by a scene or
-/// keys, the time, lights.
+/// Wires that can change are told from wires that never do: values that a scene or keys set, the
+/// time, and lights can change.
 #[test]
 fn wires_that_never_change_are_told_apart() {
     let json = wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0)]);
@@ -489,8 +489,8 @@ fn wires_that_never_change_are_told_apart() {
             .drivable(&[], set)
             .map(|wires| wires.iter().map(ToString::to_string).collect::<Vec<String>>())
     };
-    // With nothing set: `number` and `a` hold still; the time and the light do not, nor does what
-    // is made of them.
+    // With nothing set `number` and `a` never change; the time and the light do, and so do results
+    // of these.
     let [changing, still] = told(&[]);
     assert_eq!(still, ["number.value", "a.value"]);
     for wire in ["time.time", "b.sum", "parts.intensity", "c.x", "d.product"] {

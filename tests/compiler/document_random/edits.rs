@@ -1,4 +1,4 @@
-//! Every edit can be undone and redone, and keeps a good document good.
+//! Random edits can be undone and redone, and keep a valid document valid.
 
 use chiaro_compiler::document::{Edit, Editable, GraphId, History, Look, SceneEdit};
 use chiaro_language::diag::Diagnostic;
@@ -12,7 +12,7 @@ impl Random {
         self.chance(5).then(|| self.below(count + 2))
     }
 
-    /// Some edit; most can be applied.
+    /// A random edit; most can be applied.
     pub(crate) fn edit(&mut self, look: &Look) -> Edit {
         let definitions: Vec<_> = look.definitions.keys().cloned().collect();
         let graph = match self.pick(&definitions) {
@@ -142,7 +142,7 @@ impl Random {
     }
 }
 
-/// Everything that a document says, in its order.
+/// The document of a history, and its text, which also holds the order.
 fn all_of(history: &History<Look>) -> (Look, String) {
     (history.document().clone(), history.document().to_text())
 }
@@ -159,7 +159,7 @@ proptest! {
             let before = all_of(&history);
             match history.apply(edit.clone()) {
                 Ok(()) if history.revision() > revision => states.push(all_of(&history)),
-                // Impossible edits and such as change nothing leave everything alone.
+                // Edits that are impossible or without effect leave the history as it was.
                 _ => prop_assert_eq!(&all_of(&history), &before, "{:?}", edit),
             }
             let errors: Vec<_> =
@@ -241,7 +241,7 @@ proptest! {
     }
 }
 
-/// The edits of the tests above are not for the most part impossible.
+/// Random edits of the tests above can mostly be applied.
 #[test]
 fn most_random_edits_can_be_applied() {
     let mut applied = 0;

@@ -1,4 +1,5 @@
-//! A journal gives back what was done, wherever it is cut off and whatever is put at its end.
+//! A journal gives back the work that was written to it, wherever it is cut off and whatever
+//! follows its end.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +10,8 @@ use proptest::prelude::*;
 
 use super::random::Random;
 
-/// All of a history: the document, what undo leads through, and what redo does.
+/// All states of a history with their texts: the document, the states that undo leads through, and
+/// those that redo leads through.
 fn all_of(history: &History<Look>) -> Vec<(String, Look)> {
     let mut history = history.clone();
     let mut all = vec![(history.document().to_text(), history.document().clone())];
@@ -24,23 +26,23 @@ fn all_of(history: &History<Look>) -> Vec<(String, Look)> {
     all
 }
 
-/// What was done, and the history after it.
+/// Random work, and the journal of it.
 struct Worked {
-    /// After each line of the journal, its size then and where the history stood. The first is the
-    /// beginning.
+    /// Size of the journal and state of the history after each line of the journal. The first is
+    /// the beginning.
     stages: Vec<(u64, History<Look>)>,
     bytes: Vec<u8>,
 }
 
-/// Works at random with a journal: gestures of several edits, undo, redo, now and then a new
-/// beginning.
+/// Does random work with a journal: gestures of several edits, undo, redo, and now and then a
+/// journal begun anew.
 fn work(random: &mut Random, lines: usize, folder: &Path) -> Worked {
     let slot = Slot::new(folder).unwrap();
     let about = About { name: "a look".into(), ..About::default() };
     let look = random.look();
     let source = look.to_text();
     let mut history = History::new(look);
-    // Some work was done before the journal is begun.
+    // Edits from before the journal is begun.
     for gesture in 0..random.below(4) as u64 {
         let _ = history.apply_in(gesture, random.edit(history.document()));
     }
@@ -49,7 +51,7 @@ fn work(random: &mut Random, lines: usize, folder: &Path) -> Worked {
     let mut gesture = 10;
     for _ in 0..lines {
         if random.chance(1) {
-            // As after a save.
+            // Begun anew as after a save.
             history.mark_saved();
             journal = Journal::begin(&slot, &about, Some(&source), &history).unwrap();
             stages = vec![(journal.size(), history.clone())];
@@ -88,7 +90,7 @@ fn one(random: &mut Random, history: &mut History<Look>, gesture: u64) -> Option
     }
 }
 
-/// What these bytes give back is what was there after the last line that is whole.
+/// Asserts that the first `cut` bytes give back the history after the last whole line.
 fn check(worked: &Worked, cut: usize, path: &Path) -> Result<(), TestCaseError> {
     let recovered = recover::<Look>(path);
     if cut < worked.stages[0].0 as usize {
@@ -107,7 +109,8 @@ fn check(worked: &Worked, cut: usize, path: &Path) -> Result<(), TestCaseError> 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
-    /// Cut at random places, and everywhere in the last lines; with garbage behind.
+    /// A journal cut at random places, and at both sides of every line's end; also with garbage
+    /// behind the cut.
     #[test]
     fn a_journal_cut_anywhere_gives_back_whole_gestures(
         seed: u64,
@@ -125,7 +128,8 @@ proptest! {
         for cut in cuts.iter().map(|cut| cut.index(count + 1)).chain(edges).chain([count]) {
             fs::write(&path, &worked.bytes[..cut]).unwrap();
             check(&worked, cut, &path)?;
-            // What lies behind an end that was cut off changes nothing, unless it mends the cut.
+            // Garbage behind the cut changes nothing, unless its first byte is the one that was cut
+            // off.
             let mends =
                 worked.bytes[cut..].first().is_some_and(|byte| garbage.first() == Some(byte));
             if !mends {
@@ -135,8 +139,8 @@ proptest! {
         }
     }
 
-    /// A byte that changed in the middle: all before it comes back, and it is told that there was
-    /// more.
+    /// A journal with one changed byte: all work before the byte comes back, and the loss of the
+    /// rest is told.
     #[test]
     fn a_damaged_journal_gives_back_what_it_can(
         seed: u64, at: prop::sample::Index, change in 1..=255u8
@@ -157,7 +161,7 @@ proptest! {
                 let texts = |history: &History<Look>| history.document().to_text();
                 let is_before =
                     before.is_some_and(|(_, history)| texts(history) == texts(&found.history));
-                // The case of the checksum's digits is no damage.
+                // A checksum's digit in the other case is no damage.
                 let is_all = worked
                     .stages
                     .last()
@@ -171,7 +175,7 @@ proptest! {
     }
 }
 
-/// Every byte of one journal.
+/// One journal cut at every byte.
 #[test]
 fn every_cut_of_one_journal() {
     let folder = tempfile::tempdir().unwrap();
@@ -183,8 +187,8 @@ fn every_cut_of_one_journal() {
     }
 }
 
-/// A gesture that was going on comes back as far as it went, as one step; what comes after is
-/// another.
+/// A gesture under way comes back as far as it was written, as one step; later edits of that
+/// gesture are another step.
 #[test]
 fn a_gesture_that_went_on_is_a_step_of_its_own() {
     let folder = tempfile::tempdir().unwrap();
@@ -209,7 +213,7 @@ fn a_gesture_that_went_on_is_a_step_of_its_own() {
     assert_eq!(found.history.document().name, "");
 }
 
-/// A journal of much work is bounded: begun anew it holds the document and its steps, not every
+/// A journal of much work is bounded: begun anew, it holds the document and its steps, not every
 /// edit.
 #[test]
 fn a_long_drag_does_not_grow_without_end() {
@@ -233,7 +237,8 @@ fn a_long_drag_does_not_grow_without_end() {
     assert_eq!(found.history.undo_label(), history.undo_label());
 }
 
-/// A journal of another version, another kind, or nothing at all is told, and never panics.
+/// A file that is a journal of another version or kind, or no journal at all, is refused without a
+/// panic.
 #[test]
 fn what_is_no_journal_is_told() {
     let folder = tempfile::tempdir().unwrap();
@@ -255,8 +260,8 @@ fn what_is_no_journal_is_told() {
     assert!(recover::<chiaro_compiler::document::Scene>(slot.path()).is_ok());
 }
 
-/// What the journal costs, printed: `cargo test --test document_random -- --ignored --nocapture
-/// what_a_journal_costs`.
+/// Prints the cost of a journal: `cargo test -p chiaro-compiler --test compiler
+/// what_a_journal_costs -- --ignored --nocapture`.
 #[test]
 #[ignore = "measures"]
 #[allow(clippy::print_stdout, reason = "figures for those who ask with `--nocapture`")]

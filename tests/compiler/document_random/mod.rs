@@ -1,5 +1,5 @@
 //! Random documents are written and read without loss; random edits are undone; random texts never
-//! panic.
+//! cause a panic.
 
 mod edits;
 mod journal;

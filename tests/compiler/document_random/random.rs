@@ -1,4 +1,4 @@
-//! Random documents and edits from a seed; small sizes make small ones.
+//! Random documents and edits from a seed; a small size makes small documents.
 
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
@@ -12,7 +12,7 @@ use serde_json::json;
 
 use crate::support;
 
-/// Random numbers, and how large things get.
+/// Random numbers, and a size that bounds texts, lists and depths.
 pub(crate) struct Random {
     numbers: support::random::Random,
     size: usize,
@@ -48,7 +48,8 @@ impl Random {
         self.below(size + 1)
     }
 
-    /// Any number up to a magnitude: round ones, tiny ones, both zeros, and full 53 bits.
+    /// A number of any magnitude up to `bound`: round and tiny numbers, both zeros, and numbers of
+    /// full 53 bits.
     fn number(&mut self, bound: f64) -> f64 {
         let unit = self.bits() as f64 / u64::MAX as f64;
         let number = match self.below(8) {
@@ -131,7 +132,7 @@ impl Random {
         (0..1 + self.below(2)).map(|i| (format!("x_{i} {}", self.text()), self.json(2))).collect()
     }
 
-    /// Unknown fields of the parts of a field, as documents keep them.
+    /// Adds unknown fields to the parts of a field, as documents keep them.
     fn shadows<'a>(
         &mut self,
         into: &mut Unknown,
@@ -202,7 +203,7 @@ impl Random {
             };
             field.set(&mut light, &numbers);
         }
-        // What is to lie within another field does.
+        // Numbers that must lie within another field are moved there.
         for field in LightField::ALL {
             let around = field.within().map(|around| around.numbers(&light).to_vec());
             for (number, most) in
@@ -339,7 +340,7 @@ impl Random {
         names[..count].iter().map(|name| port(self, name)).collect()
     }
 
-    /// A target that exists, as far as the document knows.
+    /// A target of a node or a light, which mostly exists in the document.
     pub(crate) fn target(&mut self, look: &Look) -> Option<Target> {
         if self.chance(3) {
             let lights: Vec<&LightId> = look.lights.keys().collect();
@@ -406,7 +407,7 @@ impl Random {
         Some(TimeKeys { target: self.target(look)?, keys, unknown: self.unknown() })
     }
 
-    /// A look that has nothing wrong with it.
+    /// A valid look.
     pub(crate) fn look(&mut self) -> Look {
         let mut look = Look { name: self.text(), unknown: self.unknown(), ..Look::default() };
         look.color_space = self.choose(&[ColorSpace::Display, ColorSpace::Linear]);
@@ -494,7 +495,7 @@ impl Random {
         TimeRange { start, end: start + self.positive(1e3), fps: 0.5 + self.positive(100.0) }
     }
 
-    /// A scene that has nothing wrong with it.
+    /// A valid scene.
     pub(crate) fn scene(&mut self) -> Scene {
         let mut scene = Scene {
             name: self.text(),

@@ -1,4 +1,4 @@
-//! Writing and reading loses nothing, and the schemas agree.
+//! Documents are written and read without loss, and the schemas agree.
 
 use chiaro_compiler::document::{Document, Look, Scene};
 use chiaro_language::diag::has_errors;
@@ -18,9 +18,9 @@ proptest! {
         prop_assert!(!has_errors(&loaded.diagnostics), "{:?}\n{}", loaded.diagnostics, text);
         let read = loaded.value.unwrap();
         prop_assert_eq!(&read, &look);
-        // The order of nodes and members too, and the sign of zeros.
+        // Equal texts also mean equal order of nodes and members, and equal signs of zeros.
         prop_assert_eq!(read.to_text(), text.clone());
-        // Not only serde_json, but any reader takes it.
+        // The text is JSON for any reader, not only for the project's own.
         prop_assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
     }
 

@@ -1,4 +1,4 @@
-//! Whatever the text, there are diagnostics and no panic.
+//! Any text gives diagnostics and no panic.
 
 use chiaro_compiler::document::{Document, Look, Scene};
 use chiaro_language::diag::has_errors;
@@ -6,15 +6,14 @@ use proptest::prelude::*;
 
 use super::random::Random;
 
-/// Reads a text every way there is, and shows what is wrong.
+/// Reads a text as every kind of document; gives the length of all diagnostics as text.
 fn read_all(text: &str) -> usize {
     let shown = |document: Document| {
         document.diagnostics().iter().map(|d| d.to_string().len()).sum::<usize>()
     };
     let look = Look::read(text, "a.json");
     let rewritten = look.value.as_ref().map(|value| Look::read(&value.to_text(), "again.json"));
-    // What could be read of a broken document is whole itself: it is written so that it can be
-    // read.
+    // The value read from a broken document is whole: it can be written and read again.
     if let Some(again) = rewritten {
         assert_eq!(again.value, look.value, "{text}");
     }
@@ -90,7 +89,7 @@ proptest! {
         read_all(&begun);
     }
 
-    /// A document with some characters changed, removed or put twice.
+    /// Documents with some characters changed, removed or doubled.
     #[test]
     fn broken_documents(
         seed: u64, size in 0..5usize,
@@ -115,7 +114,7 @@ proptest! {
         }
     }
 
-    /// A document with some values replaced by any others.
+    /// Documents with some values replaced by random ones.
     #[test]
     fn documents_of_wrong_values(seed: u64, size in 0..5usize) {
         let mut random = Random::new(seed, size);
@@ -129,7 +128,7 @@ proptest! {
     }
 }
 
-/// Puts something else in the place of one value.
+/// Replaces one value of a JSON text by a random one.
 fn replace_one(random: &mut Random, json: &mut serde_json::Value) {
     let mut at = json;
     loop {

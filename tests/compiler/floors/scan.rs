@@ -1,27 +1,27 @@
-//! Finds the paths in Rust source that start at the crate's root.
+//! Scanner for the paths in Rust source that start at the crate's root.
 //!
 //! A small lexer, not a parser: it drops comments, strings, characters and lifetimes, keeps words
 //! and punctuation with their lines, and follows `::` and braces from there. That reads `use` items
-//! and inline paths alike, also those in macro calls, which a parser would not look into.
+//! and inline paths alike, also inside of macro calls, which a parser would not look into.
 
-/// Where a path leads.
+/// The target of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Reference {
-    /// To a top-level module of this crate.
+    /// A top-level module of this crate.
     Module(String),
-    /// To the crate's root itself: a glob or a rename.
+    /// The crate's root itself: a glob or a rename.
     WholeCrate,
-    /// To another crate, or to something local of that name followed by `::`.
+    /// Another crate, or a local item of that name followed by `::`.
     Crate(String),
 }
 
-/// A path and its place.
+/// A path and its place in the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Found {
     pub(crate) reference: Reference,
-    /// As it would be written out, up to the name that matters.
+    /// The path as it would be written out, up to the name of the module or crate.
     pub(crate) path: String,
-    /// From 1.
+    /// Line of the path, from 1.
     pub(crate) line: usize,
 }
 
@@ -39,8 +39,9 @@ struct Token {
     line: usize,
 }
 
-/// Every path in `text` that names a top-level module or another crate. `depth` is how many modules
-/// deep the file is: 1 for `src/ids.rs` and `src/compile/mod.rs`, 2 for `src/compile/emit.rs`.
+/// Every path in `text` that names a top-level module or another crate. `depth` is the number of
+/// modules that the file is deep: 1 for `src/ids.rs` and `src/compile/mod.rs`, 2 for
+/// `src/compile/emit.rs`.
 pub(crate) fn references(text: &str, depth: usize) -> Vec<Found> {
     let tokens = tokens(text);
     let mut found = Vec::new();
@@ -63,7 +64,7 @@ pub(crate) fn references(text: &str, depth: usize) -> Vec<Found> {
     found
 }
 
-/// What an opening brace opens.
+/// The kind of an opening brace.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Brace {
     /// `mod name {`
@@ -97,13 +98,14 @@ pub(crate) fn crate_paths(text: &str, name: &str) -> Vec<Found> {
     found
 }
 
-/// Whether the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
+/// True if the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
 fn continues_path(tokens: &[Token], at: usize) -> bool {
     let separated = at >= 1 && tokens[at - 1].kind == Kind::Separator;
     separated && at >= 2 && matches!(&tokens[at - 2].kind, Kind::Word(before) if before != "self")
 }
 
-/// A path starts at `at` with the word `first`, in a module `depth` levels under the root.
+/// Records the path that starts at `at` with the word `first`, in a module `depth` levels under the
+/// root.
 fn start(tokens: &[Token], at: usize, first: &str, depth: usize, found: &mut Vec<Found>) {
     match first {
         "crate" => below(tokens, at, 0, "crate", found),
@@ -117,7 +119,7 @@ fn start(tokens: &[Token], at: usize, first: &str, depth: usize, found: &mut Vec
     }
 }
 
-/// Records what stands below the path that ends at `at`, `levels` modules under the root.
+/// Records the elements below the path that ends at `at`, `levels` modules under the root.
 fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
     if follows(tokens, at, &Kind::Separator) {
         element(tokens, at + 2, levels, path, found);
@@ -131,7 +133,7 @@ fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec
 }
 
 /// Records one element of a path, `levels` modules under the root: a name, a glob, or a group of
-/// them in braces.
+/// elements in braces.
 fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
     let Some(token) = tokens.get(at) else { return };
     match &token.kind {
@@ -143,7 +145,7 @@ fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut V
         Kind::Word(word) if word == "super" => {
             below(tokens, at, levels.saturating_sub(1), &format!("{path}::super"), found);
         }
-        // Whatever else it is, it stays inside the file's own top-level module.
+        // Any other element stays inside of the file's own top-level module.
         _ if levels > 0 => {}
         Kind::Word(word) if word != "self" => found.push(Found {
             reference: Reference::Module(word.clone()),
@@ -161,7 +163,7 @@ fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut V
     }
 }
 
-/// Where the elements of the group that opens at `open` start.
+/// Starts of the elements of the group that opens at `open`.
 fn group(tokens: &[Token], open: usize) -> Vec<usize> {
     let mut starts = Vec::new();
     let mut nesting = 0_usize;
@@ -250,7 +252,7 @@ impl Lexer<'_> {
         word
     }
 
-    /// Line comments, and block comments, which nest.
+    /// Skips a line comment, or a block comment, which may nest.
     fn skip_comment(&mut self) -> bool {
         if self.rest.starts_with("//") {
             self.advance(self.rest.find('\n').unwrap_or(self.rest.len()));
@@ -277,7 +279,7 @@ impl Lexer<'_> {
         true
     }
 
-    /// Strings of every kind, characters and lifetimes, with their prefixes.
+    /// Skips a string of any kind, a character or a lifetime, with its prefix.
     fn skip_literal(&mut self) -> bool {
         let prefix = ["br", "cr", "r", "b", "c", ""].into_iter().find(|prefix| {
             let after = self.rest.strip_prefix(prefix).map(|rest| rest.trim_start_matches('#'));
@@ -293,7 +295,7 @@ impl Lexer<'_> {
         }
         let mut after = self.rest[1..].chars();
         match (after.next(), after.next()) {
-            // `'\''`: the escaped character never closes it.
+            // `'\''`: an escaped character never closes the literal.
             (Some('\\'), Some(escaped)) => self.advance_past(2 + escaped.len_utf8(), "'"),
             (Some(one), Some('\'')) => self.advance(2 + one.len_utf8()),
             // A lifetime or a label.

@@ -1,4 +1,4 @@
-//! A user's folders, and files beside them.
+//! `Home`: the folders of a user of the program, with the user's files beside them.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,8 @@ use chiaro::editor::{App, Places};
 
 use super::Hand;
 
-/// A user's folders, and files beside them.
+/// Temporary folders of one user: for the program's state and configuration, and for the user's
+/// files.
 pub(crate) struct Home {
     folder: tempfile::TempDir,
 }
@@ -28,7 +29,8 @@ impl Home {
         self.folder.path().join(name)
     }
 
-    /// A window as the program opens it.
+    /// A window with this user's folders, opened as the program opens a file or, without one, its
+    /// start.
     pub(crate) fn window(&self, file: Option<&Path>) -> Hand {
         let (places, file) = (self.places(), file.map(Path::to_path_buf));
         Hand::with(move |ctx| {
@@ -42,8 +44,8 @@ impl Home {
         })
     }
 
-    /// The same user on the same machine after everything that runs was killed at this moment:
-    /// locks are gone, files are there.
+    /// The same user's folders as after a crash of all running programs at this instant: files are
+    /// there, locks are gone.
     pub(crate) fn after_a_crash(&self) -> Self {
         let other = Self::new();
         let journals = other.places().journals();
@@ -54,8 +56,8 @@ impl Home {
         other
     }
 
-    /// Waits until no journal has grown for half a second: what goes on may be written a tenth of a
-    /// second later, or more on a busy machine.
+    /// Waits until no journal has grown for half a second: changes are written a tenth of a second
+    /// later, or more on a busy machine.
     #[expect(
         clippy::disallowed_methods,
         reason = "a file that another thread grows tells nobody when it is done"

@@ -1,4 +1,4 @@
-//! A hand that drives the window.
+//! `Hand`: a simulated user of the window, with pointer and keyboard.
 #![allow(dead_code, reason = "each test file uses its part")]
 
 pub(crate) mod home;
@@ -18,30 +18,32 @@ use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use egui_kittest::{Harness, HarnessBuilder};
 
-/// A window without display and GPU, and a hand in it.
+/// A simulated user and the window that the user drives, without display; without GPU unless made
+/// by one of the `drawing` functions.
 pub(crate) struct Hand {
-    /// What the hand drives.
+    /// The window, and the queue of its input events.
     pub(crate) harness: Harness<'static, Option<App>>,
 }
 
 impl Hand {
-    /// A window with a new look.
+    /// A hand at a window with a new look.
     pub(crate) fn new() -> Self {
         Self::with(|ctx| App::new(ctx, None))
     }
 
-    /// A window made by `make`.
+    /// A hand at a window made by `make`.
     pub(crate) fn with(make: impl Fn(&egui::Context) -> App + 'static) -> Self {
         Self::with_builder(Harness::builder(), make)
     }
 
-    /// A window that draws, on software where there is any; 60 frames a second by its own clock.
+    /// A hand at a window that draws, on software Vulkan where there is no GPU; 60 frames a second
+    /// by the window's own clock.
     pub(crate) fn drawing() -> Self {
         Self::drawing_in(Harness::builder().with_step_dt(1.0 / 60.0), |app, _| app)
     }
 
-    /// A window that draws, made into `App` as `prepare` leaves it; four frames a second by its own
-    /// clock.
+    /// A hand at a window that draws, made into `App` as `prepare` leaves it; four frames a second
+    /// by the window's own clock.
     pub(crate) fn drawing_with(prepare: impl Fn(App, &egui::Context) -> App + 'static) -> Self {
         Self::drawing_in(Harness::builder(), prepare)
     }
@@ -50,7 +52,7 @@ impl Hand {
         builder: HarnessBuilder<Option<App>>,
         prepare: impl Fn(App, &egui::Context) -> App + 'static,
     ) -> Self {
-        // Asked once: a device is made for the answer.
+        // Asked once, because the answer takes making a device.
         static HAS_ADAPTER: OnceLock<bool> = OnceLock::new();
         let has_adapter = *HAS_ADAPTER.get_or_init(|| block_on(Gpu::headless()).is_ok());
         assert!(has_adapter, "an adapter is needed; software Vulkan does");
@@ -62,7 +64,7 @@ impl Hand {
         Self::with_builder(builder, move |ctx| prepare(App::new(ctx, Some(state.clone())), ctx))
     }
 
-    /// A window with a renderer of its own.
+    /// A hand at a window built by `builder`, which may bring a renderer.
     pub(crate) fn with_builder(
         builder: HarnessBuilder<Option<App>>,
         make: impl Fn(&egui::Context) -> App + 'static,
@@ -88,9 +90,10 @@ impl Hand {
         self.app().session().look()
     }
 
-    /// Runs until everything is compiled and shown.
+    /// Runs frames until everything is compiled and shown.
     pub(crate) fn settle(&mut self) {
-        // What a thread has just finished is taken in the frame after; so twice must be quiet.
+        // A thread's result is taken in the frame after the thread ends; so two rounds must be
+        // quiet.
         let mut quiet = 0;
         for _ in 0..80 {
             self.harness.run_ok();
@@ -137,7 +140,7 @@ impl Hand {
     }
 
     pub(crate) fn click(&mut self, at: Pos2) {
-        // Long enough after the last one not to be a double click.
+        // Enough frames after the last click not to make a double click of both.
         self.harness.run_steps(4);
         self.click_with(Modifiers::NONE, at);
     }
@@ -159,7 +162,8 @@ impl Hand {
         self.harness.run_steps(3);
     }
 
-    /// Presses and lets go at each point, all in one frame, as a quick hand does in a slow window.
+    /// Presses and releases the button at each point, all in one frame, as a quick user does in a
+    /// slow window.
     pub(crate) fn quick_clicks(&mut self, points: &[Pos2]) {
         if let Some(first) = points.first() {
             self.hover(*first);
@@ -178,7 +182,8 @@ impl Hand {
         self.harness.run_steps(3);
     }
 
-    /// Presses, moves in steps, lets go; the pointer stays.
+    /// Presses the button, moves the pointer in steps and releases the button; the pointer stays at
+    /// `to`.
     pub(crate) fn drag(&mut self, from: Pos2, to: Pos2) {
         self.drag_with(Modifiers::NONE, from, to);
     }
@@ -187,7 +192,7 @@ impl Hand {
         self.drag_along(modifiers, &[from, to]);
     }
 
-    /// Presses and holds.
+    /// Presses the button and holds it.
     pub(crate) fn hold(&mut self, at: Pos2) {
         self.hover(at);
         self.button(Modifiers::NONE, at, true);
@@ -198,12 +203,12 @@ impl Hand {
         self.event(Event::PointerMoved(at));
     }
 
-    /// Lets go.
+    /// Releases the button.
     pub(crate) fn release(&mut self, at: Pos2) {
         self.button(Modifiers::NONE, at, false);
     }
 
-    /// A drag through several points.
+    /// Drags through several points.
     pub(crate) fn drag_through(&mut self, points: &[Pos2]) {
         self.drag_along(Modifiers::NONE, points);
     }
@@ -258,14 +263,14 @@ impl Hand {
         self.click(at);
     }
 
-    /// The slider of an input, its number included.
+    /// The slider of an input, including its number field.
     pub(crate) fn slider(&self, label: &str) -> Rect {
         let found = self.harness.get_all_by_label(label);
         let rects = found.map(|node| node.rect()).filter(|rect| rect.min.x > 1100.0);
         rects.max_by(|a, b| a.width().total_cmp(&b.width())).expect("there is one")
     }
 
-    /// The number beside the slider of an input.
+    /// The number field beside the slider of an input.
     pub(crate) fn number_field(&self, label: &str) -> Rect {
         let slider = self.slider(label);
         let fields =
@@ -284,7 +289,7 @@ impl Hand {
         self.app().canvas().socket(node, port, false).expect("there is one")
     }
 
-    /// A place of the canvas with nothing on it.
+    /// A place of the canvas of a new look with no node on it.
     pub(crate) fn empty_place(&self) -> Pos2 {
         let output = self.app().canvas().node_rect("output").expect("a new look has one");
         output.center_bottom() + vec2(-20.0, 120.0)
@@ -304,7 +309,7 @@ impl Hand {
     }
 }
 
-/// Where a click takes a node and no socket.
+/// A place of a node's title bar, where a click takes the node and no socket.
 pub(crate) fn node_center(hand: &Hand, id: &str) -> Pos2 {
     hand.app().canvas().node_rect(id).expect("there is one").center_top() + vec2(0.0, 10.0)
 }

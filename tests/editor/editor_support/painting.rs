@@ -1,4 +1,4 @@
-//! A window in which an HCBTF is painted.
+//! Windows in which an HCBTF is painted.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use chiaro::editor::App;
 
 use super::Hand;
 
-/// A window with a file opened in it, which asks nobody for a place to save.
+/// A window with a file opened in it and without dialogs: no place to save is asked for.
 pub(crate) fn opened(path: &Path) -> Hand {
     let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.app_mut().open(path);
@@ -15,7 +15,7 @@ pub(crate) fn opened(path: &Path) -> Hand {
     hand
 }
 
-/// What is painted, without a stroke that goes on.
+/// The open HCBTF, without a stroke that has not ended.
 pub(crate) fn hcbtf(hand: &Hand) -> &Hcbtf {
     hand.app().session().painting().unwrap().hcbtf()
 }

@@ -1,4 +1,4 @@
-//! What a hand does by the names that everybody sees and that screen readers tell.
+//! Actions of a simulated user by the names that everybody sees and that screen readers tell.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, pos2};
@@ -6,11 +6,12 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::Hand;
 
-/// What lies lower than this, in points, is behind the status bar or cut off by it.
+/// Lower edge of the part of the window that can be clicked: below are the status bar and widgets
+/// that it cuts off. In points.
 const BOTTOM: f32 = 858.0;
 
 impl Hand {
-    /// Where the first thing of this name is.
+    /// Rectangle of the first widget of this name.
     #[track_caller]
     pub(crate) fn place(&self, label: &str) -> Rect {
         match self.harness.query_all_by_label(label).next() {
@@ -19,7 +20,7 @@ impl Hand {
         }
     }
 
-    /// Where the first thing of this role and name is.
+    /// Rectangle of the first widget of this role and name.
     #[track_caller]
     pub(crate) fn place_of(&self, role: Role, label: &str) -> Rect {
         let found = self.harness.query_all_by_role_and_label(role, label).next();
@@ -28,13 +29,13 @@ impl Hand {
             .rect()
     }
 
-    /// All names, for a message.
+    /// Names of all widgets, for a message.
     fn names(&self) -> Vec<String> {
         let all = self.harness.query_all(egui_kittest::kittest::by().predicate(|_| true));
         all.filter_map(|node| node.accesskit_node().label().or_else(|| node.value())).collect()
     }
 
-    /// Where the first thing is that has this in its name.
+    /// Rectangle of the first widget whose name contains this text.
     #[track_caller]
     pub(crate) fn place_like(&self, text: &str) -> Rect {
         match self.harness.query_all_by_label_contains(text).next() {
@@ -71,7 +72,7 @@ impl Hand {
         self.press_a(Role::Tab, panel);
     }
 
-    /// Scrolls until the first thing of this role and name can be seen.
+    /// Scrolls until the first widget of this role and name can be seen.
     #[track_caller]
     pub(crate) fn bring(&mut self, role: Role, label: &str) {
         let found = self.harness.query_all_by_role_and_label(role, label).next();
@@ -81,7 +82,7 @@ impl Hand {
         self.settle();
     }
 
-    /// Chooses from a list by the list's name.
+    /// Chooses an entry from a list by the list's name.
     #[track_caller]
     pub(crate) fn choose(&mut self, list: &str, what: &str) {
         self.press_a(Role::ComboBox, list);
@@ -91,7 +92,7 @@ impl Hand {
         self.settle();
     }
 
-    /// Types over what a field holds.
+    /// Replaces the text of a field by typing.
     pub(crate) fn type_over(&mut self, field: Rect, text: &str) {
         self.click(field.center());
         self.key_with(Modifiers::COMMAND, Key::A);
@@ -100,8 +101,8 @@ impl Hand {
         self.settle();
     }
 
-    /// Lists the values of this name alone in the inspector, where there are so many that they can
-    /// be searched.
+    /// Types the name into the inspector's search, where the inspector has one, so that only values
+    /// of this name are listed.
     fn find_value(&mut self, label: &str) {
         if self.has("Find a value") {
             let search = self.place("Find a value");
@@ -109,8 +110,8 @@ impl Hand {
         }
     }
 
-    /// Brings a value of the inspector into view: by its search, and by the wheel. Its row is where
-    /// its diamond is.
+    /// Brings a value of the inspector into view, by its search and by the wheel. The row is found
+    /// by the value's diamond.
     #[track_caller]
     fn row(&mut self, label: &str) -> Rect {
         self.find_value(label);
@@ -142,7 +143,7 @@ impl Hand {
         found
     }
 
-    /// The number fields of this name, from top to bottom.
+    /// Number fields of this name, from top to bottom.
     pub(crate) fn fields_called(&self, label: &str) -> Vec<Rect> {
         let all = self
             .harness
@@ -153,7 +154,7 @@ impl Hand {
         found
     }
 
-    /// The first field for text of this name.
+    /// The first text field of this name.
     #[track_caller]
     pub(crate) fn text_field(&self, label: &str) -> Rect {
         self.place_of(Role::TextInput, label)
@@ -167,8 +168,8 @@ impl Hand {
         self.type_over(field.unwrap_or_else(|| panic!("{label} has no field")), number);
     }
 
-    /// Types a color's hex code into its field in the inspector; a color that is as another gets
-    /// its own.
+    /// Types a color's hex code into its field in the inspector; a color that follows another color
+    /// is first given a value of its own.
     #[track_caller]
     pub(crate) fn set_color(&mut self, label: &str, hex: &str) {
         let mut row = self.row(label);
@@ -196,18 +197,18 @@ impl Hand {
         wells.concat().first().copied().unwrap_or_else(|| panic!("{label} has no swatch"))
     }
 
-    /// The nodes that are selected.
+    /// Ids of the selected nodes.
     pub(crate) fn selected(&self) -> Vec<String> {
         self.app().session().selected().map(ToString::to_string).collect()
     }
 
-    /// What is wrong with the look so that it cannot be shown.
+    /// Errors of the look, which keep it from being shown.
     pub(crate) fn errors(&self) -> Vec<String> {
         let problems = self.app().session().problems().iter();
         problems.filter(|problem| problem.is_error()).map(ToString::to_string).collect()
     }
 
-    /// Steps that can be taken back.
+    /// Number of steps that can be undone.
     pub(crate) fn steps(&self) -> usize {
         self.app().session().place()
     }

@@ -1,6 +1,6 @@
-//! On a real mesh, where there is one: a light is moved by its highlight, a line of the layer is
-//! dragged, a color is scrubbed, a layer goes to another place, each as one step; Esc gives a drag
-//! up. The picture that is saved is what the program without a window draws.
+//! A journey on a real mesh, where there is one: a light is moved by its highlight, a line of the
+//! layer is dragged, a color is scrubbed, a layer goes to another place, each as one step; Escape
+//! gives a drag up. The saved picture is the one that the program without a window draws.
 //!
 //! `CHIARO_MODELS` names a folder with `spot.obj` in it; else an own shape stands in.
 
@@ -19,7 +19,7 @@ fn mesh() -> Option<PathBuf> {
     Some(folder.join("spot.obj")).filter(|path| path.is_file())
 }
 
-/// A point of the line of an angle, the one nearest to the middle of the picture.
+/// The point of an angle's line that is nearest to the middle of the picture.
 fn on_line(artist: &Artist, port: &str) -> Pos2 {
     let center = artist.app().viewport().rect().unwrap().center();
     let points = artist.app().viewport().curve(port).into_iter();
@@ -28,7 +28,7 @@ fn on_line(artist: &Artist, port: &str) -> Pos2 {
         .expect("the line is seen")
 }
 
-/// One gesture is one step.
+/// Makes a gesture and asserts that it is one step.
 #[track_caller]
 fn one_step(artist: &mut Artist, gesture: impl FnOnce(&mut Artist)) {
     let before = artist.steps();
@@ -55,7 +55,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     artist.press("Add layer");
     artist.press("Add Highlight");
 
-    // The highlight goes where the pointer takes it, and its light with it.
+    // A drag of the highlight takes the highlight to the pointer, and its light with it.
     let direction = artist.look().lights["key"].direction;
     let center = artist.app().viewport().rect().unwrap().center();
     one_step(&mut artist, |artist| {
@@ -64,7 +64,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     });
     assert_ne!(artist.look().lights["key"].direction, direction);
 
-    // Given up, a drag changes nothing, and leaves nothing to be taken back.
+    // A drag given up by Escape changes nothing, and leaves no step to undo.
     let (look, steps) = (artist.look().clone(), artist.steps());
     let from = artist.app().viewport().middle().expect("the highlight is seen");
     artist.hold(from);
@@ -78,7 +78,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     artist.settle();
     assert_eq!(*artist.look(), look, "the hand holds nothing any more");
 
-    // The line of the diffuse layer's end, drawn inward over the object.
+    // A drag of the diffuse layer's cut-off line, inward over the object.
     artist.press("Layer Diffuse");
     let from = on_line(&artist, "cutoff");
     let toward = artist.app().viewport().middle().unwrap_or(center);
@@ -113,8 +113,8 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
     artist.picture().differs(&fresh);
 
-    // Saved by the menu as large as it is on the screen, it is what the program without a window
-    // draws.
+    // Saved by the menu in its size on the screen, the picture is the one that the program without
+    // a window draws.
     artist.save_under(&studio.path("hand.json"));
     artist.look_from_the_front();
     let size = artist.app().viewport().rect().unwrap().size();

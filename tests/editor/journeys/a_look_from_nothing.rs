@@ -1,5 +1,5 @@
 //! Figure 1's look from nothing: base, fill, diffuse, highlight and back-light, each warped by
-//! curvature, typed layer by layer. It comes out as the example that was written by hand.
+//! curvature, typed layer by layer. The result is the example that was written by hand.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use super::artist::{Artist, Studio};
 
 const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/looks/figure1-layers.json");
 
-/// Types the values of the layer that is selected, angles in degrees.
+/// Types the profile and the warp of the selected layer. Angles in degrees.
 fn shape(artist: &mut Artist, angles: [&str; 3], colors: [&str; 2], slope: &str, warp: &str) {
     for (label, text) in ["Offset", "Fall-off", "Cut-off"].into_iter().zip(angles) {
         artist.set(label, text);
@@ -20,14 +20,14 @@ fn shape(artist: &mut Artist, angles: [&str; 3], colors: [&str; 2], slope: &str,
     artist.set("Shape offset", warp);
 }
 
-/// Types where a light comes from: the only one, in the list of lights.
+/// Types the direction of the only light, in the list of lights.
 fn direct(artist: &mut Artist, direction: [&str; 3]) {
     artist.tab("Lights");
     direct_shown(artist, direction);
     artist.tab("Layers");
 }
 
-/// Types where the light comes from that is shown: in the inspector the one of the selected layer.
+/// Types the direction of the shown light: in the inspector, the light of the selected layer.
 fn direct_shown(artist: &mut Artist, direction: [&str; 3]) {
     for (axis, text) in direction.into_iter().enumerate() {
         let fields = artist.fields_called("Direction");
@@ -44,7 +44,7 @@ fn figure_1_is_built_layer_by_layer() {
     direct(&mut artist, ["-0.6", "0.75", "0.65"]);
     assert_eq!(artist.look().lights["key"].direction, [-0.6, 0.75, 0.65]);
 
-    // What lies lowest: a tint that is everywhere.
+    // The lowest layer: a tint everywhere.
     artist.press("Base Base");
     artist.press("Add layer");
     artist.press("Add Fill");
@@ -54,7 +54,7 @@ fn figure_1_is_built_layer_by_layer() {
     artist.press("Layer Diffuse");
     shape(&mut artist, ["2.9", "71.6", "108.9"], ["#b5662e", "#6e2a1e"], "0.2", "14.3");
 
-    // The highlight from the canvas: a node by the search, between the diffuse layer and the
+    // The highlight, added on the canvas: a node by the search, between the diffuse layer and the
     // output.
     artist.show_all();
     let at = artist.on_canvas(0.75, 0.75);
@@ -64,7 +64,7 @@ fn figure_1_is_built_layer_by_layer() {
     artist.set_word("Shading type", "Specular");
     shape(&mut artist, ["5.7", "14.9", "28.6"], ["#e8d9b8", "#8a5c40"], "0.15", "5.7");
 
-    // The back-light from the list of layers, over the selected one, with the light that it needs.
+    // The back-light, added in the list of layers over the selected one, with a light of its own.
     artist.press("Layer Specular");
     artist.press("Add layer");
     artist.press("Add Back-light");
@@ -97,7 +97,7 @@ fn figure_1_is_built_layer_by_layer() {
     assert!(apart.mean < 0.3 && apart.max <= 12, "{apart:?}");
     drop(example);
 
-    // A layer that is hidden leaves the picture, and comes back.
+    // A hidden layer leaves the picture, and comes back.
     artist.press_a(Role::CheckBox, "Show Back-light");
     artist.picture().differs(&own);
     artist.press_a(Role::CheckBox, "Show Back-light");

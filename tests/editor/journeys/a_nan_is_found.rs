@@ -1,12 +1,12 @@
 //! A node of the artist's own divides 0 by 0 where the light does not reach. The hole in the
-//! picture is probed, the first broken wire leads to the node, its file is mended, and the picture
-//! is whole.
+//! picture is probed, the first broken wire leads to the node, the node's file is mended, and the
+//! picture is whole.
 
 use eframe::egui::{Key, vec2};
 
 use super::artist::{Artist, Studio};
 
-/// Where nothing is lit this is 0/0.
+/// A node that gives 0/0 where the tone is 0, in unlit places.
 const BROKEN: &str = "/// Glow
 ///
 /// Full where there is any light, and half of that elsewhere.
@@ -19,7 +19,7 @@ fn glow(tone: f32) -> f32 {
 ";
 
 fn probe(artist: &mut Artist) {
-    // The shaded side, down to the right.
+    // A point on the shaded side, down to the right.
     let rect = artist.app().viewport().rect().unwrap();
     let at = rect.center() + vec2(0.26, 0.26) * rect.height();
     artist.hover(at);
@@ -28,7 +28,7 @@ fn probe(artist: &mut Artist) {
     artist.settle();
 }
 
-/// What the program tells of a file that has changed is looked at now and not in a moment.
+/// Makes the window notice changed files at once, without waiting for the system's report.
 fn look_at_files(artist: &mut Artist) {
     artist.app_mut().look_at_files();
     artist.settle();
@@ -68,7 +68,7 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     let holed = artist.picture();
     holed.differs(&whole);
 
-    // The probe finds where it begins.
+    // The probe finds the first broken wire.
     probe(&mut artist);
     assert!(artist.says("Go to first broken wire"), "{:?}", artist.app().probe().wires());
     artist.press("Go to first broken wire");
@@ -78,7 +78,8 @@ fn a_nan_from_a_custom_node_is_found_and_mended() {
     assert!(of("glow").single[0].is_nan() && of("diffuse/blend").is_finite(), "{wires:?}");
     assert_eq!(wires.iter().find(|wire| !wire.is_finite()).unwrap().node.to_string(), "glow");
 
-    // A slip while mending it: the error is told at the node, and the last good picture stays.
+    // A slip while mending the file: the error is told at the node, and the last good picture
+    // stays.
     studio.write("nodes/glow.wgsl", &BROKEN.replace("tone / tone", "toon / tone"));
     look_at_files(&mut artist);
     assert!(

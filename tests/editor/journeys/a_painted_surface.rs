@@ -1,5 +1,5 @@
 //! A surface painted from nothing: the start page, a new HCBTF, samples for several lights and
-//! views, rules for all others, a file, and a look on a ball that shows what was painted.
+//! views, rules for all others, a file, and a look that shows the painting on a ball.
 
 use std::sync::Arc;
 
@@ -48,8 +48,8 @@ fn a_surface_is_painted_from_nothing() {
         [0xf7, 0xdb, 0x4b, 255]
     );
 
-    // The light sinks to the right by the keys: a darker green. Then on the map, the eye at the
-    // horizon: red.
+    // The light sinks to the right by the keys: a darker green. Then the eye goes to the horizon on
+    // the map: red.
     artist.hover(from);
     artist.key_with(Modifiers::SHIFT, Key::ArrowDown);
     assert_eq!(artist.app().session().painting().unwrap().at(), Address::new([1, 0], [0, 0]));
@@ -66,12 +66,12 @@ fn a_surface_is_painted_from_nothing() {
     });
     assert!(artist.has("3 painted") && artist.has("166 filled"), "13 x 13 but for three, blended");
 
-    // One more rule: what is filled darkens as the light sinks.
+    // One more rule: filled samples darken as the light sinks.
     artist.press("+ Add a rule");
     artist.press_a(Role::MenuItem, "Darken by Lambert");
     assert!(matches!(painted(&artist).rules[..], [Rule::Blend { .. }, Rule::Lambert { .. }]));
 
-    // Saved by the key, and shown on a ball.
+    // The HCBTF is saved by the key, and shown on a ball.
     let path = studio.path("meadow.hcbtf");
     artist.app_mut().answer_dialog(&path);
     artist.key_with(Modifiers::COMMAND, Key::S);
@@ -86,7 +86,7 @@ fn a_surface_is_painted_from_nothing() {
         "the look names its neighbour by the way to it"
     );
 
-    // The next day: the painting is opened again, and painted on.
+    // The next day: the HCBTF is opened again, and painted on.
     let mut artist = studio.window();
     artist.app_mut().answer_dialog(&path);
     artist.key_with(Modifiers::COMMAND, Key::O);

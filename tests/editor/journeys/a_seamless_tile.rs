@@ -1,5 +1,5 @@
-//! A tile without a seam: copies beside it are painted on as the tile itself, strokes go across its
-//! edges and corners, and what is saved repeats.
+//! A tile without a seam: copies beside it are painted on as the tile itself, strokes go across
+//! edges and corners, and the saved tile repeats.
 
 use chiaro::document::{Address, Tile};
 use eframe::egui::{Key, Modifiers, Pos2, Role};
@@ -35,7 +35,7 @@ fn a_tile_is_painted_without_a_seam() {
     let hardness = artist.place_of(Role::SpinButton, "Hardness");
     artist.type_over(hardness, "30");
 
-    // A bow over the corner, across copies on all sides: the same bow in the middle is the same
+    // A bow over the corner, across copies on all sides. The same bow in the middle makes the same
     // tile, moved by half.
     let bow = [[-4.0, 1.0], [0.5, -3.0], [5.0, 2.0]];
     let along = |artist: &Artist, by: f64| -> Vec<Pos2> {
@@ -56,7 +56,7 @@ fn a_tile_is_painted_without_a_seam() {
     assert!(whole.iter().filter(|alpha| **alpha > 0).count() > 30);
     assert!(apart <= 2, "nothing is lost at an edge: {apart}");
 
-    // A stripe that leaves on the right and comes back on the left.
+    // A stripe that leaves the tile on the right and comes back on the left.
     let (from, to) = (texel(&artist, 10.0, 14.0), texel(&artist, 26.0, 14.0));
     artist.drag(from, to);
     artist.settle();
@@ -74,8 +74,8 @@ fn a_tile_is_painted_without_a_seam() {
     artist.key_with(Modifiers::COMMAND, Key::Z);
     artist.settle();
 
-    // What is saved repeats: the file says so, and four tiles side by side have no seam that one
-    // has not within.
+    // The saved tile repeats: the file says so, and four tiles side by side have no seam that a
+    // tile does not have within.
     let path = studio.path("bow.hcbtf");
     artist.app_mut().answer_dialog(&path);
     artist.key_with(Modifiers::COMMAND, Key::S);
@@ -84,7 +84,7 @@ fn a_tile_is_painted_without_a_seam() {
     assert!(
         saved.is_tiling && saved.painted(Address::default()).unwrap().bytes() == striped.bytes()
     );
-    // For those who tile pictures elsewhere: the contact sheet's first tile is the painted one.
+    // Export for programs that tile pictures: the contact sheet's first tile is the painted one.
     let sheet = studio.path("bow.png");
     artist.app_mut().answer_dialog(&sheet);
     artist.press("Paint");

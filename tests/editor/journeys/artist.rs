@@ -1,4 +1,4 @@
-//! An artist: a hand at a window, and a folder for what is made there.
+//! `Artist`: a simulated user at a window that draws; `Studio`: a folder for the files made there.
 
 use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
@@ -11,10 +11,10 @@ use crate::editor_support::Hand;
 use crate::support::files;
 use crate::support::validators::{Stage, glslang, tint};
 
-/// Width and height of the pictures that are held against each other.
+/// Width and height of the compared pictures, in pixels.
 const SIZE: [u32; 2] = [160, 120];
 
-/// A folder of one journey's own, with windows at it.
+/// A folder for one journey, which windows are opened in.
 pub(super) struct Studio(tempfile::TempDir);
 
 impl Studio {
@@ -48,7 +48,7 @@ impl Studio {
         artist
     }
 
-    /// The program without a window, in this folder; it must succeed.
+    /// Runs the program without a window in this folder, asserts success, and gives its output.
     #[track_caller]
     pub(super) fn chiaro(&self, arguments: &[&str]) -> String {
         let program = env!("CARGO_BIN_EXE_chiaro");
@@ -64,7 +64,7 @@ impl Studio {
         text(&output.stdout)
     }
 
-    /// What the program without a window draws of a look.
+    /// The picture that the program without a window draws of a look.
     #[track_caller]
     pub(super) fn rendered(&self, look: &str, more: &[&str]) -> Picture {
         let size = format!("{}x{}", SIZE[0], SIZE[1]);
@@ -72,7 +72,7 @@ impl Studio {
         Picture::read(&self.path("rendered.png"))
     }
 
-    /// Exports a look and has other compilers take what came out; the WGSL's text.
+    /// Exports a look, has other compilers take the exported files, and gives the WGSL's text.
     #[track_caller]
     pub(super) fn exported(&self, look: &str) -> String {
         self.chiaro(&["export", look, "--to", "wgsl,glsl-es300,glsl-450", "-o", "out"]);
@@ -95,8 +95,8 @@ impl Studio {
     }
 
     /// The end of every journey. The look is saved under `name`; another window opens it and shows
-    /// the same picture; so does the program without a window; and what is exported is taken by
-    /// others. Gives the exported WGSL.
+    /// the same picture; the program without a window draws that picture too; and other compilers
+    /// take the exported files. Gives the exported WGSL.
     #[track_caller]
     pub(super) fn finish(&self, mut artist: Artist, name: &str) -> String {
         let mesh = artist.app().session().orbit().mesh.clone();
@@ -128,7 +128,7 @@ impl Studio {
     }
 }
 
-/// A hand at a window that draws.
+/// A simulated user at a window that draws.
 pub(super) struct Artist(Hand);
 
 impl Deref for Artist {
@@ -150,7 +150,7 @@ impl Artist {
         Self(hand)
     }
 
-    /// Opens a file by the key, and by the dialog that asks for one.
+    /// Opens a file by the key and the file dialog.
     pub(super) fn open(&mut self, path: &Path) {
         self.app_mut().answer_dialog(path);
         self.key_with(Modifiers::COMMAND, Key::O);
@@ -158,7 +158,7 @@ impl Artist {
         assert_eq!(self.app().session().path(), Some(path), "{:?}", self.app().message());
     }
 
-    /// Saves by the key; a look without a file, or of another one, under `path`.
+    /// Saves by the key; a look that has another file or none is saved under `path`.
     #[track_caller]
     pub(super) fn save_under(&mut self, path: &Path) {
         if self.app().session().path() == Some(path) {
@@ -177,7 +177,7 @@ impl Artist {
         pos2(canvas.min.x + x * canvas.width(), canvas.min.y + y * canvas.height())
     }
 
-    /// Adds a node by the search that Tab opens; its id.
+    /// Adds a node by the search that Tab opens; gives the node's id.
     #[track_caller]
     pub(super) fn add_node(&mut self, at: Pos2, query: &str) -> String {
         self.hover(at);
@@ -201,7 +201,7 @@ impl Artist {
         self.settle();
     }
 
-    /// Adds a node and names it.
+    /// Adds a node and names it; gives the node's id.
     #[track_caller]
     pub(super) fn add_named(&mut self, at: Pos2, query: &str, name: &str) -> String {
         let id = self.add_node(at, query);
@@ -209,7 +209,7 @@ impl Artist {
         id
     }
 
-    /// Draws a wire between sockets by their names.
+    /// Draws a wire between two sockets that are named.
     #[track_caller]
     pub(super) fn wire(&mut self, from: &str, to: &str) {
         let count = self.app().session().graph().wires.clone();
@@ -219,7 +219,7 @@ impl Artist {
         assert_ne!(self.app().session().graph().wires, count, "{from} and {to} are not wired");
     }
 
-    /// Brings all of the graph into view.
+    /// Brings the whole graph into view.
     pub(super) fn show_all(&mut self) {
         let at = self.on_canvas(0.5, 0.97);
         self.hover(at);
@@ -227,7 +227,7 @@ impl Artist {
         self.settle();
     }
 
-    /// Camera and lights as they are in the beginning.
+    /// Puts camera and lights back to their defaults.
     pub(super) fn look_from_the_front(&mut self) {
         let at = self.app().viewport().rect().unwrap().center();
         self.hover(at);
@@ -235,7 +235,7 @@ impl Artist {
         self.settle();
     }
 
-    /// A small picture of what is shown.
+    /// A small picture of the window's look.
     pub(super) fn picture(&mut self) -> Picture {
         let file = tempfile::Builder::new().suffix(".png").tempfile().unwrap();
         self.app_mut().save_picture(SIZE, file.path());
@@ -243,7 +243,7 @@ impl Artist {
         Picture::read(file.path())
     }
 
-    /// Takes everything back by the key.
+    /// Undoes all steps by the key.
     pub(super) fn undo_all(&mut self) {
         let at = self.on_canvas(0.5, 0.97);
         self.hover(at);

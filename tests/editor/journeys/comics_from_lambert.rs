@@ -1,5 +1,5 @@
 //! Comics from Lambert: the soft layer of a new look is cut to a cartoon's two tones, its shadow is
-//! filled with dots, and what turns away is inked.
+//! filled with dots, and surfaces that turn away are inked.
 
 use super::artist::{Artist, Studio};
 
@@ -12,7 +12,7 @@ fn hex([r, g, b]: [u8; 3]) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// A blend of a color over what is wired to it, where a tone is.
+/// Adds a node that blends a color over its backdrop, by a tone.
 fn add_blend(artist: &mut Artist, at: [f32; 2], name: &str, color: [u8; 3]) {
     let at = artist.on_canvas(at[0], at[1]);
     artist.add_named(at, "blend", name);
@@ -43,7 +43,7 @@ fn a_lambert_layer_becomes_a_comic() {
         "two flat tones: {shares:?}"
     );
 
-    // Dots in the shadow: a pattern, where the tone is not.
+    // Dots in the shadow: a pattern, by the inverted tone.
     add_blend(&mut artist, [0.75, 0.7], "Half-tone", DOTS);
     let at = artist.on_canvas(0.1, 0.75);
     artist.add_named(at, "checker", "Pattern");
@@ -52,7 +52,7 @@ fn a_lambert_layer_becomes_a_comic() {
     let at = artist.on_canvas(0.4, 0.9);
     artist.add_node(at, "multiply");
     artist.show_all();
-    // A wire that is let go of on nothing asks what fits it.
+    // A wire dropped on an empty place opens a search for nodes that fit.
     let (from, nothing) =
         (artist.place("Output Tone of Diffuse").center(), artist.on_canvas(0.3, 0.97));
     artist.drag(from, nothing);
@@ -71,7 +71,7 @@ fn a_lambert_layer_becomes_a_comic() {
     assert!(shares[0] > 0.1 && shares[1] > 0.05 && shares[2] > 0.05, "{shares:?}");
     assert!((shares[0] - two.share_of(LIT)).abs() < 0.01, "the light is left alone");
 
-    // Ink where the surface turns away.
+    // Ink on surfaces that turn away.
     add_blend(&mut artist, [0.85, 0.95], "Ink", INK);
     let at = artist.on_canvas(0.1, 0.95);
     artist.add_node(at, "facing");

@@ -1,5 +1,5 @@
-//! Work on 5,000 nodes: opened, searched, edited, grouped, and all of it taken back. What it takes
-//! is told, and judged by nobody here.
+//! Work on 5,000 nodes: a look is opened, searched, edited and grouped, and all of it is undone.
+//! Times are printed, and judged by nobody.
 #![allow(clippy::print_stdout, reason = "times are told")]
 
 use chiaro::clock::Clock;
@@ -10,11 +10,11 @@ use serde_json::json;
 use super::artist::{Artist, Studio};
 
 const COUNT: usize = 5000;
-/// In the middle of the chain, with one before it and one behind it that have names too.
+/// Index of a node in the middle of the chain; the nodes before and behind it have names too.
 const NEEDLE: usize = 2487;
 
-/// A chain of small sums in a square: how much the surface faces the eye, and a little more at
-/// each.
+/// A chain of small sums, laid out in a square: the first value is how much the surface faces the
+/// eye, and each node adds a little.
 fn look() -> String {
     let columns = 71;
     let sums = COUNT - 2;
@@ -53,7 +53,7 @@ fn timed<T>(what: &str, work: impl FnOnce() -> T) -> T {
     result
 }
 
-/// The median of what frames take while the view moves, in milliseconds.
+/// Median time of a frame while the view moves, in milliseconds.
 fn frames(artist: &mut Artist) -> f64 {
     let at = artist.on_canvas(0.5, 0.5);
     artist.hover(at);
@@ -81,7 +81,7 @@ fn five_thousand_nodes_are_worked_on() {
     let opened = artist.look().clone();
     let first = artist.picture();
 
-    // Found by its name, and gone to.
+    // The node is found by its name and brought into view.
     artist.key_with(Modifiers::COMMAND, Key::F);
     artist.type_text("needle");
     artist.press("Node: Needle");
@@ -97,13 +97,13 @@ fn five_thousand_nodes_are_worked_on() {
     );
     println!("a frame close up: {:.1} ms", frames(&mut artist));
 
-    // A value of one node of 5,000 is seen.
+    // A value of one node of 5,000 changes the picture.
     timed("a value is set and seen", || artist.set("B", "0.2"));
     let brighter = artist.picture();
     let gain = brighter.brightness() - first.brightness();
     assert!(gain > 10.0 && gain < 0.21 * 255.0, "{gain}");
 
-    // Three of them become one, and the picture stays.
+    // Three nodes become one group, and the picture stays.
     let middle = artist.on_canvas(0.5, 0.5);
     artist.wheel(middle, -300.0);
     for name in ["Thread", "Eye"] {
@@ -123,7 +123,7 @@ fn five_thousand_nodes_are_worked_on() {
     assert_eq!(*artist.look(), opened);
     assert!(!artist.app().session().is_dirty());
     artist.picture().equals(&first);
-    // And done again, to be kept.
+    // The change is redone, to be saved.
     artist.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     artist.settle();
     let value = &artist.look().graph.nodes[format!("n{NEEDLE}").as_str()].values["b"];

@@ -1,6 +1,6 @@
-//! From pictures that another program painted to a shader that leaves with its texture: a folder of
-//! numbered images is imported, a rule fills the views that nobody painted, and the look is
-//! exported from the menu.
+//! From pictures painted in another program to a shader with its texture: a folder of numbered
+//! images is imported, a rule fills the views that nobody painted, and the look is exported from
+//! the menu.
 
 use chiaro::document::{Address, Directions, Grid, Rule};
 use chiaro::hcbtf::{from_layers, ktx2};
@@ -16,7 +16,7 @@ const GRID: Grid = Grid {
     view: Directions { theta: 2, phi: 2 },
 };
 
-/// What somebody painted for a light, seen from above: a ramp whose color tells the light.
+/// The picture painted for a light, seen from above: a ramp whose color tells the light.
 fn painted(light: u8) -> image::RgbaImage {
     let [width, height] = GRID.size;
     image::RgbaImage::from_fn(width, height, |x, y| {
@@ -29,7 +29,7 @@ fn painted_pictures_become_a_shader() {
     let studio = Studio::new();
     let folder = studio.path("painted");
     std::fs::create_dir_all(&folder).unwrap();
-    // The first view is the one straight above, with its four lights.
+    // The first view is straight above, with its four lights.
     for light in 0..4 {
         painted(light).save(folder.join(format!("tile-{:02}.png", light + 1))).unwrap();
     }
@@ -58,7 +58,7 @@ fn painted_pictures_become_a_shader() {
     );
     assert!(work.is_dirty() && artist.has("4 painted") && artist.has("8 empty"));
 
-    // What was painted holds from every side.
+    // The rule takes what was painted from above for all views.
     artist.tab("Fill rules");
     artist.press("+ Add a rule");
     artist.press_a(Role::MenuItem, "Lock angles");
@@ -80,7 +80,7 @@ fn painted_pictures_become_a_shader() {
     artist.settle();
     assert_eq!(chiaro::hcbtf::load(&path).unwrap().value.painted.len(), 4);
 
-    // The look that shows it is kept, and leaves as WGSL by the menu.
+    // The look is saved, and exported as WGSL from the menu.
     artist.choose("On", "Sphere");
     artist.save_under(&studio.path("ramp.json"));
     let out = studio.path("shaders");

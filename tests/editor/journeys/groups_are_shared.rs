@@ -1,5 +1,5 @@
-//! Two layers become a group with a name and an input of its own; the project gets it; another look
-//! uses it; and when it is changed there, both looks change.
+//! Two layers become a group with a name and an input of its own; the group is shared with the
+//! project; another look uses it; and a change of the shared group changes both looks.
 
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers};
@@ -8,7 +8,7 @@ use super::artist::{Artist, Studio};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 
-/// Over the canvas, where keys are the graph's.
+/// Moves the pointer over the canvas, where keys are the graph's.
 fn over_canvas(artist: &mut Artist) {
     let at = artist.on_canvas(0.5, 0.97);
     artist.hover(at);
@@ -34,7 +34,7 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     artist.save_under(&studio.path("one.json"));
     let before = artist.picture();
 
-    // Both layers, by the list, into a group.
+    // Both layers, selected in the list, become a group.
     let at = artist.place("Layer Diffuse").left_top() + eframe::egui::vec2(60.0, 26.0);
     artist.click_with(CTRL, at);
     artist.settle();
@@ -47,7 +47,8 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     assert_eq!(artist.app().session().open_groups().len(), 1);
     let name = artist.text_field("Name");
     artist.type_over(name, "Skin");
-    // The highlight's color becomes an input: a wire from its socket to the group's own end.
+    // The highlight's color becomes an input of the group: a wire from its socket to the group's
+    // inputs.
     let (socket, end) = (
         artist.place("Input Convex color of Highlight").center(),
         artist.place_like("Node Group inputs"),
@@ -63,7 +64,7 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     );
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
 
-    // To the project: the file is there, and this look has it from there.
+    // The group is shared with the project: its file is there, and the look uses that file.
     artist.press("Share with the project");
     assert!(studio.path("nodes/skin.json").is_file(), "{:?}", artist.app().message());
     assert!(artist.look().definitions.is_empty() && artist.app().session().is_read_only());
@@ -79,11 +80,11 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
         .clone();
     assert_eq!(group.kind, "skin");
     artist.save_under(&studio.path("one.json"));
-    // The new input begins with the color that the layer had.
+    // The new input begins with the layer's color.
     let white = artist.picture();
     white.equals(&before);
 
-    // Another look of the same folder, in a window of its own.
+    // A second look of the same folder, in a window of its own.
     let mut other = studio.window();
     other.save_under(&studio.path("two.json"));
     over_canvas(&mut other);
@@ -96,7 +97,7 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     other.save_under(&studio.path("two.json"));
     let green = other.picture();
 
-    // What is changed in the group there, and shared again, is changed in both.
+    // A change of the group in the second look, shared again, changes both looks.
     over_canvas(&mut other);
     other.key_with(CTRL, Key::Enter);
     other.settle();

@@ -1,4 +1,4 @@
-//! A look's cost is cut by half and nobody sees it: tiers are measured, the cheapest that stays
+//! A look's cost is halved without a visible difference: tiers are measured, the cheapest tier
 //! within 1/255 is adopted from the panel, and the truth in f64 agrees.
 #![allow(clippy::print_stdout, reason = "times are told, and judged by nobody")]
 
@@ -9,7 +9,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use super::artist::{Artist, Studio};
 
-/// What the whole look costs in each tier, and how far it is off.
+/// Cost and error of the whole look in each tier.
 fn whole(artist: &Artist) -> Vec<Row> {
     let report = artist.app().cost().report().expect("it was measured");
     report
@@ -20,7 +20,7 @@ fn whole(artist: &Artist) -> Vec<Row> {
         .collect()
 }
 
-/// What was counted of a row: bytes that a frame moves, and instructions.
+/// Counted sizes of a row: bytes that a frame moves, and instructions.
 fn counted(row: &Row) -> (u64, u64) {
     let sizes = row.sizes.as_ref().expect("sizes are counted");
     (sizes.traffic, sizes.instructions)
@@ -32,8 +32,8 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     let mut artist = studio.window();
     artist.app_mut().show_on("shape:sphere");
     artist.settle();
-    // A look of soft layers, warmed a little where the surface is convex: two passes stand behind
-    // that tint.
+    // A look of soft layers, warmed a little where the surface is convex. Two passes make that
+    // curvature.
     artist.press("Layer Diffuse");
     artist.press("Add layer");
     artist.press("Add Highlight");
@@ -61,7 +61,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     assert!(2 * bytes <= all_bytes, "{bytes} of {all_bytes} bytes");
     assert!(instructions < all_instructions, "{instructions} of {all_instructions} instructions");
 
-    // Adopted by its row, as one step of the look.
+    // The tier is adopted by its row, as one step of the look.
     let word = chiaro::accuracy::report::tier_word(best.tier);
     let (steps, label) = (artist.steps(), format!("Adopt {word} for Whole look"));
     let plot = artist.place("Error against time").center();
@@ -74,7 +74,8 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
     artist.press(&label);
     assert_eq!((Some(artist.look().tier), artist.steps()), (best.tier, steps + 1));
 
-    // The truth is asked by itself: the picture as it is now against f64.
+    // The comparison is asked of the panel: the picture in the adopted tier against the truth in
+    // f64.
     let lists = artist.harness.get_all_by_role(Role::ComboBox);
     let list = lists.into_iter().find(|node| node.value().as_deref() == Some("Compare with"));
     let at = list.expect("the list of what to compare with").rect().center();

@@ -1,5 +1,5 @@
-//! A back-light that changes as one walks around: keyed at two directions of the view, with another
-//! color and another intensity at each.
+//! A back-light that changes as the camera walks around: keyed at two directions of the view, with
+//! another color and another intensity at each.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::vec2;
@@ -8,7 +8,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use super::artist::{Artist, Studio};
 use super::picture::Picture;
 
-/// How much each of two keys weighs now, as a screen reader tells it.
+/// Weights of two keys, as a screen reader tells them.
 fn weights(artist: &Artist) -> [f64; 2] {
     [1, 2].map(|key| {
         let name = format!("Direction key {key}");
@@ -20,15 +20,15 @@ fn weights(artist: &Artist) -> [f64; 2] {
 /// Walks around the object by a drag beside it, in points.
 fn walk(artist: &mut Artist, points: f32) {
     let from = artist.app().viewport().rect().unwrap().left_top() + vec2(14.0, 40.0);
-    // In one move: of the first few points of a slow drag nobody knows yet that it is one.
+    // In one move: the first few points of a slow drag do not count as a drag yet.
     artist.hold(from);
     artist.move_to(from + vec2(points, 0.0));
     artist.release(from + vec2(points, 0.0));
     artist.settle();
 }
 
-/// What the look shows from here with this color and intensity in place of the keys: written into
-/// its file, and drawn by the program without a window.
+/// The picture from the current view with this color and intensity in place of the keys: written
+/// into the look's file, and drawn by the program without a window.
 fn without_keys(studio: &Studio, artist: &Artist, color: [f64; 3], intensity: f64) -> Picture {
     let mut look: serde_json::Value = serde_json::from_str(&studio.read("keyed.json")).unwrap();
     assert!(look.as_object_mut().unwrap().remove("direction_keys").is_some());
@@ -59,7 +59,7 @@ fn a_back_light_changes_with_the_view() {
     artist.press("Select key 1");
     artist.set_color("Convex color", "#3060ff");
 
-    // Another place to look from, and another light there.
+    // Another view, and another light there.
     walk(&mut artist, 150.0);
     let there = artist.app().session().orbit().clone();
     artist.press("Add key here");
@@ -70,7 +70,7 @@ fn a_back_light_changes_with_the_view() {
     assert_eq!(keys.len(), 2, "{keys:?}");
     artist.save_under(&studio.path("keyed.json"));
 
-    // At a key its values are what is seen.
+    // At a key the picture shows the key's values.
     let blue = [0x30, 0x60, 0xff].map(|byte| (f64::from(byte) / 255.0 * 1e4_f64).round() / 1e4);
     let red = [0xff, 0x40, 0x20].map(|byte| (f64::from(byte) / 255.0 * 1e4_f64).round() / 1e4);
     assert_eq!(
@@ -95,8 +95,8 @@ fn a_back_light_changes_with_the_view() {
         "and no other key's"
     );
 
-    // On the way weights change smoothly and add up, and the picture is that of the values they
-    // give.
+    // Between the keys the weights change smoothly and add up to 1, and the picture is that of the
+    // weighted values.
     let mut last = weights(&artist);
     let mut steepest: f64 = 0.0;
     for step in 0..10 {

@@ -1,5 +1,5 @@
-//! A look that moves: an angle and a color over time, a blend mode that switches at once;
-//! scrubbed, played, and drawn at three moments by the program without a window.
+//! A look that moves: an angle and a color over time, and a blend mode that switches at once;
+//! scrubbed, played, and drawn at three times by the program without a window.
 
 use chiaro::document::{Interpolation, Value};
 use eframe::egui::accesskit::Role;
@@ -8,11 +8,11 @@ use eframe::egui::{Rect, pos2};
 use super::artist::{Artist, Studio};
 use super::picture::Picture;
 
-/// Moves the playhead by a click on the ruler, to the frame nearest to a time.
+/// Moves the playhead to the frame nearest to a time, by a click on the ruler.
 fn scrub(artist: &mut Artist, seconds: f64) {
     let ruler = artist.place("Playhead");
     let x = |artist: &Artist, flag: &str| artist.place(flag).center().x;
-    // The flags of the range stand at its ends, which fields tell.
+    // The range's flags stand at its ends, whose times the fields show.
     let [start, end] = ["Start of the range", "End of the range"].map(|flag| x(artist, flag));
     let [from, to] = ["Range from", "Range to"].map(|field| seconds_of(artist, field));
     let at = start + ((seconds - from) / (to - from)) as f32 * (end - start);
@@ -50,13 +50,13 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     artist.settle();
     let at = artist.on_canvas(0.5, 0.95);
     artist.hover(at);
-    // Three tracks, begun with what is seen now.
+    // Three tracks, each begun with the value of now.
     for value in ["Cut-off", "Convex color", "Blending"] {
         artist.press("Key a value");
         artist.press(&format!("Diffuse: {value}"));
     }
     assert_eq!(artist.look().time_keys.len(), 3);
-    // Later they are something else: set where the playhead is, they get a second key there.
+    // Other values at a later time: setting them where the playhead is makes second keys.
     scrub(&mut artist, 2.0);
     let later = artist.app().session().time();
     artist.set("Cut-off", "150");
@@ -75,7 +75,7 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     assert_eq!(first.interpolation, Interpolation::Stepped, "a word has nothing between");
     artist.save_under(&studio.path("moving.json"));
 
-    // At three moments the window shows what is drawn without it.
+    // At three times the window's picture is the one drawn without a window.
     let mut seen = Vec::new();
     for seconds in [0.0, 1.0, 2.0] {
         scrub(&mut artist, seconds);
@@ -86,8 +86,8 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     }
     seen[0].differs(&seen[1]);
     seen[1].differs(&seen[2]);
-    // Just before the second key the blend mode is still the first: multiplied, all but the light
-    // would be dark.
+    // Just before the second key the blend mode is still the first one; with *multiply* everything
+    // but the light would be dark.
     scrub(&mut artist, 2.0 - 1.0 / 24.0);
     let before = artist.picture();
     assert!(
@@ -97,9 +97,9 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
         seen[2].brightness()
     );
 
-    // It plays: the playhead goes on by itself, and comes around.
+    // While the timeline plays the playhead goes on by itself, and comes around.
     scrub(&mut artist, 1.0);
-    // While it plays there is no rest to be waited for.
+    // A playing window never rests, so that nothing may wait for rest.
     let play = artist.place("Play").center();
     artist.click(play);
     let mut times = Vec::new();

@@ -1,18 +1,18 @@
-//! Pictures that are held against each other.
+//! Pictures that are compared.
 
 use std::path::Path;
 
 use image::RgbaImage;
 
-/// A picture in bytes.
+/// A picture of 8-bit RGBA pixels.
 pub(super) struct Picture(RgbaImage);
 
-/// How far two pictures are apart, in steps of 255.
+/// Difference of two pictures, in steps of 1/255.
 #[derive(Debug)]
 pub(super) struct Apart {
     pub(super) mean: f64,
     pub(super) max: u8,
-    /// Pixels that differ by more than 2 in a channel.
+    /// Number of pixels that differ by more than 2 in a channel.
     pub(super) far: usize,
 }
 
@@ -30,19 +30,19 @@ impl Picture {
         self.0.get_pixel((x * width as f32) as u32, (y * height as f32) as u32).0
     }
 
-    /// What shows the object: everything but the color of the corner.
+    /// Pixels of the object: all that differ from the color of the corner.
     pub(super) fn object(&self) -> impl Iterator<Item = [u8; 4]> + '_ {
         let backdrop = self.0.get_pixel(0, 0).0;
         self.0.pixels().map(|pixel| pixel.0).filter(move |pixel| *pixel != backdrop)
     }
 
-    /// The share of the object that has this color, to two steps of 255.
+    /// Share of the object's pixels that have this color, within 2/255. From 0 to 1.
     pub(super) fn share_of(&self, color: [u8; 3]) -> f64 {
         let is_it = |pixel: &[u8; 4]| color.iter().zip(pixel).all(|(a, b)| a.abs_diff(*b) <= 2);
         self.object().filter(is_it).count() as f64 / self.object().count().max(1) as f64
     }
 
-    /// The mean of all channels of the object.
+    /// Mean of the object's color channels.
     pub(super) fn brightness(&self) -> f64 {
         let sum: f64 =
             self.object().flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).map(f64::from).sum();

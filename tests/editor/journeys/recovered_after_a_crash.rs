@@ -1,5 +1,5 @@
-//! A window dies in the middle of a drag. The next one offers the work, and it is complete to the
-//! last move of the hand, with its past; it is saved as if nothing had happened.
+//! A program dies in the middle of a drag. The next window offers the work, which is complete to
+//! the last move of the drag, with its history; it is saved as if nothing had happened.
 
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers, vec2};
@@ -8,7 +8,7 @@ use super::artist::{Artist, Studio};
 use crate::editor_support::Hand;
 use crate::editor_support::home::Home;
 
-/// A window as the program opens it for this user.
+/// A window with this user's folders, as the program opens it.
 fn window(home: &Home) -> Artist {
     let places = home.places();
     Artist::at(Hand::drawing_with(move |app, ctx| {
@@ -37,7 +37,7 @@ fn work_is_complete_to_the_last_gesture() {
     artist.key_with(Modifiers::COMMAND, Key::Z);
     artist.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
     artist.settle();
-    // A drag that never ends: the hand still holds the slider when the program dies.
+    // A drag that never ends: the button is still pressed when the program dies.
     artist.press("Layer Diffuse");
     artist.press("Show all values");
     let slider = artist.slider("Offset");
@@ -45,8 +45,8 @@ fn work_is_complete_to_the_last_gesture() {
     for step in 1..=5 {
         artist.move_to(slider.left_center() + vec2(4.0 + 0.08 * slider.width() * step as f32, 0.0));
     }
-    // Moves are written together for a tenth of a second at most; then the program dies, the hand
-    // still down.
+    // Moves of a tenth of a second are written together; then the program dies, the button still
+    // pressed.
     artist.harness.run_steps(2);
     artist.app().session().wait_for_journal();
     home.wait_until_written();
@@ -64,7 +64,7 @@ fn work_is_complete_to_the_last_gesture() {
     assert_eq!(artist.steps(), steps);
     assert!(artist.app().session().is_dirty() && !artist.says("Work that was not saved"));
     let taken = artist.picture();
-    // With all of its past, and back.
+    // The history is undone completely, and redone.
     artist.undo_all();
     assert_eq!(*artist.look(), first);
     artist.picture().differs(&taken);

@@ -1,5 +1,5 @@
-//! HCBTFs in compressed blocks: what the GPU decodes is what the CPU does, with the loss that is
-//! stated, and a device that has no such textures shows the same.
+//! HCBTFs in compressed blocks: the GPU decodes what the CPU decodes, with the stated loss, and a
+//! device without such textures shows the same.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ use crate::support::wait::block_on;
 const OPTIONS: LayerOptions =
     LayerOptions { has_levels: true, is_decoded: false, storage: Storage::Blocks };
 
-/// Smooth paint with strokes across, some of it clear.
+/// An HCBTF of smooth paint with strokes across, partly transparent.
 fn strokes(size: [u32; 2]) -> Hcbtf {
     let grid = Grid {
         size,
@@ -51,7 +51,7 @@ fn blocks_of(hcbtf: &Hcbtf) -> Layers {
     stored(&hcbtf.grid, |address| filled.tile(address), OPTIONS, &Progress::new()).unwrap()
 }
 
-/// The same adapter, asked for a device without compressed textures.
+/// A device of the same adapter without compressed textures.
 fn without_blocks() -> Gpu {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter =
@@ -62,7 +62,7 @@ fn without_blocks() -> Gpu {
     Gpu::new(device, queue, adapter.get_info())
 }
 
-/// Sizes that are whole blocks, and sizes that are not.
+/// Lookups in blocks, in sizes that are whole blocks and in sizes that are not.
 #[test]
 fn blocks_are_looked_up_as_they_are_decoded_with_and_without_a_device_that_has_them() {
     assert!(renderer().gpu().has_blocks(), "software Vulkan has them");
@@ -71,7 +71,7 @@ fn blocks_are_looked_up_as_they_are_decoded_with_and_without_a_device_that_has_t
     for size in [[16, 8], [13, 6]] {
         let painted = strokes(size);
         let path = file(&format!("blocks_{}", size[0]), &painted);
-        // What the blocks hold, by another decoder than the GPU's.
+        // The blocks decoded by another decoder than the GPU's.
         let hcbtf = from_layers(&blocks_of(&painted)).unwrap();
         let samples = at_random(&hcbtf, 500);
         for lookup in LOOKUPS {
@@ -127,7 +127,7 @@ fn a_device_without_blocks_says_so_once_and_draws_the_same() {
     assert!(block_on(renderer().picture(&plan_of_blocks)).unwrap() == decoded);
 }
 
-/// What docs/performance.md states of each example.
+/// The loss that docs/performance.md states for the examples.
 #[test]
 fn the_examples_lose_little() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf");

@@ -1,5 +1,5 @@
-//! Whole pictures of a painted surface in waves, near and far, against the reference in f64: there
-//! the smaller levels of a tile are read, and blended, as the screen asks.
+//! Whole pictures of painted waves, near and far, against the reference in f64: smaller levels of
+//! the tile are read and blended there, by the tile's size on the screen.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use crate::support::eval::{renderer, scene_of, shape, told};
 use crate::support::random::Random;
 use crate::support::wait::block_on;
 
-/// Paint whose colors follow the directions smoothly, with noise from texel to texel.
+/// An HCBTF whose colors follow the directions smoothly, with noise from texel to texel.
 fn moss() -> Hcbtf {
     let directions = Directions { theta: 4, phi: 6 };
     let grid = Grid { size: [16, 12], light: directions, view: directions };
@@ -39,8 +39,7 @@ fn moss() -> Hcbtf {
     hcbtf
 }
 
-/// The waves, lying, `far` from the eye, with the tile so often on them that it is seen that many
-/// times smaller.
+/// The lying waves at a distance of `far` from the eye, with the tile repeated `repeats` times.
 fn setup(path: &Path, storage: &str, tier: &str, far: f64, repeats: f64) -> Setup {
     let mut look = stored_as(storage, path, "smooth", tier);
     let node = look.look.graph.nodes.get_mut("paint").expect("the lookup");
@@ -72,7 +71,7 @@ fn measured(
             &Progress::new(),
         ))
     };
-    // Blocks have a loss of their own, which the reference decodes as the GPU does.
+    // Blocks have a loss of their own; the reference decodes them as the GPU does.
     let (painted, blocks) = (truth("quick"), truth("blocks"));
     let tiers = [
         ("quick", "exact"),
@@ -97,8 +96,8 @@ fn measured(
         .collect()
 }
 
-/// Repeats of 16 texels in 15 pixels and in 2: at the first place levels 0 and 1 are seen, at the
-/// second 2 to 4.
+/// Smooth lookups are within each tier's bound where a tile of 16 texels takes 15 pixels, so that
+/// levels 0 and 1 are read, and where it takes 2, so that levels 2 to 4 are.
 #[test]
 fn smooth_lookups_are_true_at_any_distance() {
     let path = file("moss", &moss());
@@ -109,7 +108,7 @@ fn smooth_lookups_are_true_at_any_distance() {
                 "{what}: max {:.1e}, p999 {:.1e}, rms {:.1e} of {} pixels, {} broken",
                 figures.max, figures.p999, figures.rms, figures.pixels, figures.broken
             );
-            // What the node's file states of each tier, in any pixel.
+            // The error that the node's file states for each tier, in any pixel.
             let most = match what.split(' ').nth(1) {
                 Some("exact") => 1e-4,
                 Some("balanced") => 5e-3,

@@ -1,4 +1,4 @@
-//! The nodes that give a lookup its texture coordinates, against formulas by hand, far away and on
+//! Nodes that make texture coordinates for lookups, against formulas by hand, far away and on
 //! either side of 0.
 
 use chiaro::frame::EvalSample;
@@ -9,8 +9,8 @@ use crate::support::eval::{eval, look, truth};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 
-/// The node's own outputs for each sample, on the GPU and in f64; the first numbers of a sample's
-/// position are wired to `inputs`.
+/// Outputs of a node for each sample, on the GPU and in f64; the components of a sample's position
+/// are wired to `inputs`, in order.
 fn outputs(
     kind: &str,
     values: &Json,
@@ -45,7 +45,7 @@ fn outputs(
     outputs.iter().map(both).collect()
 }
 
-/// A texture coordinate that f32 knows exactly, up to thousands of repeats away.
+/// A texture coordinate that f32 holds exactly, up to thousands of repeats away.
 fn coordinate(random: &mut Random) -> DVec2 {
     let axis = |random: &mut Random| {
         let reach = random.between(-8.0, 12.0).exp2();
@@ -60,7 +60,8 @@ fn constant_size_follows_the_distance_in_powers_of_two() {
     let mut samples = Vec::new();
     while samples.len() < 2000 {
         let [distance, near] = [0; 2].map(|_| f64::from(random.between(-12.0, 12.0).exp2() as f32));
-        // At a power of two rounding decides which of two equal pictures is which.
+        // Near a power of two rounding decides which of two equal pictures is *even* and which
+        // *odd*, so those distances are left out.
         let octave = (distance / near).log2();
         if (octave - octave.round()).abs() > 1e-3 {
             let position = DVec3::new(distance, near, 0.0);
@@ -93,7 +94,7 @@ fn constant_size_follows_the_distance_in_powers_of_two() {
                     });
                 }
             }
-            // The logarithm's own error, at the octaves that there are.
+            // Errors of the GPU's logarithm weigh less, by 0.2.
             let slack = if place == 0 { 0.2 } else { 1e-7 };
             errors.note(found[2][place][index][0] * slack, mix * slack, || {
                 format!("mix of {sample:?}")
@@ -122,7 +123,8 @@ fn constant_size_has_an_answer_everywhere() {
     }
     for (sample, mix) in samples.iter().zip(&found[2][0]) {
         assert!((0.0..=1.0).contains(&mix[0]), "{sample:?}");
-        // Without a distance, or one to compare with, the coordinates are as they are.
+        // Without a distance, or without a distance to compare with, the coordinates are not
+        // scaled.
         if sample.position.x <= 0.0 || sample.position.y <= 0.0 {
             assert!(
                 mix[0] == 0.0 || sample.position.x * sample.position.y > 0.0,
@@ -132,8 +134,8 @@ fn constant_size_has_an_answer_everywhere() {
     }
 }
 
-/// The three corners of the triangle around a place in the lattice, with how near each is; by
-/// Cartesian coordinates.
+/// The three corners of the lattice's triangle around a place, with the place's barycentric
+/// coordinates; by Cartesian coordinates.
 fn corners(p: DVec2) -> Vec<([i64; 2], f64)> {
     let at = |[i, j]: [i64; 2]| DVec2::new(i as f64 + 0.5 * j as f64, j as f64 * 0.75_f64.sqrt());
     let j = p.y / 0.75_f64.sqrt();
@@ -174,7 +176,7 @@ fn scattered_cells_count_as_near_as_they_are() {
     }
     let values = json!({"cells": cells, "sharpness": sharpness, "seed": 5});
     let found = outputs("scatter_uv", &values, &[], &["a", "b", "c", "mix_b", "mix_c"], &samples);
-    // What a cell's tile is moved by is the same wherever in the cell, and differs from cell to
+    // The offset of a cell's tile is the same everywhere in the cell, and differs from cell to
     // cell.
     let mut moved: std::collections::HashMap<[i64; 2], DVec2> = std::collections::HashMap::new();
     for (place, bound) in [(1, 1e-9), (0, 2e-4)] {
@@ -199,7 +201,7 @@ fn scattered_cells_count_as_near_as_they_are() {
             }
             let [a, b, c] = shares;
             let mix_b = if a + b > 0.0 { b / (a + b) } else { 0.0 };
-            // Where C is all that counts, how B counts beside A does not matter.
+            // Where C alone counts, the share of B beside A does not matter.
             errors.note(found[3][place][index][0] * (a + b), mix_b * (a + b), || {
                 format!("B of {sample:?}")
             });

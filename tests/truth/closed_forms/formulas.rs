@@ -1,4 +1,4 @@
-//! A look as a stack of layers, from its document's JSON to a pixel's color, by the paper's
+//! A look as a stack of layers: from the JSON of a document to a pixel's color, by the paper's
 //! formulas.
 
 use std::collections::BTreeMap;
@@ -26,14 +26,14 @@ struct Layer {
     slope: f64,
     amount: f64,
     mode: Mode,
-    /// Mean and standard deviation of its soft edge.
+    /// Mean and standard deviation of the profile's soft edge.
     edge: [f64; 2],
 }
 
 type Values = BTreeMap<String, Json>;
 
 impl Stack {
-    /// The stack that a look is: a base, then light layers in their order. Direction keys (at most
+    /// Reads a look as a stack: a base, then light layers in their order. Direction keys (at most
     /// one set, of two keys by a light) are blended; their directions are in camera axes.
     pub(crate) fn read(look: &Json, camera_from_world: DMat3) -> Self {
         let nodes = look["nodes"].as_array().expect("nodes");
@@ -81,7 +81,7 @@ impl Layer {
         }
     }
 
-    /// Color and tone of one of a quad's pixels: BADF eq. 3 to 8.
+    /// Color and tone of a layer at one of a quad's pixels: BADF eq. 3 to 8.
     fn at(&self, quad: &[Point; 4], own: usize) -> (DVec4, f64) {
         let angles = quad.map(|point| self.warped_angle(&point));
         let tone = self.filtered(angles[own], footprint(angles, own));
@@ -97,8 +97,8 @@ impl Layer {
         (u - shift).clamp(0.0, PI)
     }
 
-    /// alpha over a footprint (docs/math.md 2.4): a ramp where the edge is narrower, three points
-    /// where it is narrow.
+    /// alpha filtered over a footprint (docs/math.md 2.4): a ramp where the edge is narrower than
+    /// the footprint, three points where it is not much wider.
     fn filtered(&self, u: f64, width: f64) -> f64 {
         let alpha = |u: f64| badf::alpha(u.clamp(0.0, PI), 0.0, self.profile);
         let [mean, deviation] = self.edge;
@@ -114,15 +114,15 @@ impl Layer {
     }
 }
 
-/// |grad u| in radians per pixel from the quad's differences, at most 0.5. A difference is measured by its chord, which
-/// is how the library does it: 4 sin(du / 4).
+/// |grad u| from the quad's differences, at most 0.5. A difference is measured by its chord, 4
+/// sin(du / 4), as in the library. In radians per pixel.
 fn footprint(angles: [f64; 4], own: usize) -> f64 {
     let chord = |a: usize, b: usize| 4.0 * (0.25 * (angles[b] - angles[a])).sin();
     chord(own & 2, own | 1).hypot(chord(own & 1, own | 2)).min(0.5)
 }
 
 /// Mean and standard deviation of -eta', by parts, and by the trapezoid rule of 64 steps: the
-/// library's definition, for the choice of a filter hangs on it.
+/// library's definition, because the choice of a filter depends on it.
 fn edge(profile: [f64; 3]) -> [f64; 2] {
     let [tau, f, c] = badf::sanitised(profile);
     if tau >= PI - 1e-5 || f <= tau || c <= tau {
@@ -139,10 +139,10 @@ fn edge(profile: [f64; 3]) -> [f64; 2] {
     [area, (2.0 * moment - area * area).max(0.0).sqrt()]
 }
 
-/// Two keys and their weights.
+/// Two keys of directions with their weights.
 struct Keyed {
     weights: [f64; 2],
-    /// By target, `node.port`.
+    /// Values of each key by target, `node.port`.
     values: [Values; 2],
 }
 
@@ -156,7 +156,8 @@ impl Keyed {
         Self { weights: weights(places, direction), values }
     }
 
-    /// The values of a layer under the keys' weights: what a key does not name is the layer's own.
+    /// Values of a layer under the keys' weights; a value that a key does not name is the layer's
+    /// own.
     fn values(&self, node: &str, own: &Values) -> Values {
         let at_key = |key: usize| {
             let named = self.values[key].iter().filter_map(|(target, value)| {
@@ -198,8 +199,8 @@ fn weights(places: [DVec3; 2], direction: DVec3) -> [f64; 2] {
     smoothed.map(|w| w / (smoothed[0] + smoothed[1]))
 }
 
-/// K(y) = -ln y ln(1 - y) - Li2(y), which by Euler's reflection is Li2(1 - y) - pi^2 / 6; the
-/// series converges for directions that are no keys.
+/// The kernel K(y) = -ln y ln(1 - y) - Li2(y), which by Euler's reflection is Li2(1 - y) - pi^2 /
+/// 6; the series converges for directions that are no keys.
 fn kernel(y: f64) -> f64 {
     let z = 1.0 - y;
     if z >= 1.0 {
@@ -213,7 +214,7 @@ fn vec3(json: &Json) -> DVec3 {
     DVec3::from_array(serde_json::from_value(json.clone()).expect("three numbers"))
 }
 
-/// Straight RGBA, opaque where alpha is not told.
+/// Straight RGBA of JSON, opaque where alpha is missing.
 fn vec4(json: &Json) -> DVec4 {
     let numbers: Vec<f64> = serde_json::from_value(json.clone()).expect("numbers");
     DVec4::new(numbers[0], numbers[1], numbers[2], numbers.get(3).copied().unwrap_or(1.0))

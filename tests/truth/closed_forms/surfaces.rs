@@ -1,4 +1,4 @@
-//! Surfaces that are known in every point, with meshes of them.
+//! Surfaces that are known at every point, with meshes of them.
 
 use std::f64::consts::TAU;
 
@@ -6,13 +6,13 @@ use chiaro::document::{Camera, Projection};
 use chiaro::geometry::{Mesh, Part};
 use glam::{DMat3, DVec3};
 
-/// What a look sees of a point. World space; vectors of any length.
+/// Inputs of a look at a point. Vectors in world space, of any length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Point {
     pub(crate) normal: DVec3,
-    /// Toward the eye.
+    /// Direction toward the eye.
     pub(crate) view: DVec3,
-    /// In 1/viewport-height, convex positive.
+    /// Curvature, convex positive. In 1/viewport-height.
     pub(crate) kappa: f64,
 }
 
@@ -29,14 +29,14 @@ impl Eye {
         Self { camera: *camera, size: size.map(f64::from) }
     }
 
-    /// World and camera axes are the same.
+    /// Rotation from world to camera axes, which are the same here.
     pub(crate) fn camera_from_world(&self) -> DMat3 {
         DMat3::IDENTITY
     }
 
-    /// Where the ray through a pixel's middle begins, and where it goes.
+    /// Origin and direction of the ray through a pixel's middle.
     fn ray(&self, pixel: [u32; 2]) -> [DVec3; 2] {
-        // From the middle of the picture, in its heights, y up.
+        // Coordinates from the middle of the picture, y up. In picture heights.
         let x = (f64::from(pixel[0]) + 0.5 - 0.5 * self.size[0]) / self.size[1];
         let y = 0.5 - (f64::from(pixel[1]) + 0.5) / self.size[1];
         let eye = DVec3::from(self.camera.eye);
@@ -52,7 +52,7 @@ impl Eye {
         }
     }
 
-    /// The height of the picture in scene units, at a distance in front of the eye.
+    /// Height of the picture at a distance in front of the eye. In scene units.
     fn height_at(&self, distance: f64) -> f64 {
         match self.camera.projection {
             Projection::Perspective => 2.0 * (0.5 * self.camera.fov).tan() * distance,
@@ -62,20 +62,20 @@ impl Eye {
 }
 
 pub(crate) trait Surface {
-    /// What a 2x2 quad of pixels shows for the fragment of one of them, which lies on the surface.
-    /// The others help it with derivatives, on the plane of its triangle. `None` where that is not
-    /// told.
+    /// Points of a 2x2 quad of pixels for the fragment `own`, which lies on the surface. The other
+    /// pixels only serve its derivatives, and lie on the plane of its triangle. `None` where the
+    /// points are not known.
     fn quad(&self, eye: &Eye, pixels: [[u32; 2]; 4], own: usize) -> Option<[Point; 4]>;
     fn mesh(&self) -> Mesh;
 }
 
 /// The plane z = 0, larger than the picture, with the normal (x TURN, y TURN, 1) at (x, y, 0): a
-/// bump without height. Normals are linear on it, as those between vertices are.
+/// bump without height. Normals are linear on the plane, as interpolated ones are.
 pub(crate) struct Plane;
 
-/// How far the plane reaches.
+/// Half of the plane's side. In scene units.
 const REACH: f32 = 2.0;
-/// How much the normals turn.
+/// Slope of the normals along x and y.
 const TURN: f64 = 1.5;
 
 impl Surface for Plane {
@@ -100,9 +100,10 @@ impl Surface for Plane {
     }
 }
 
-/// x^2 + y^2 + z^2 = 1, of which a cap is told.
+/// The unit sphere, x^2 + y^2 + z^2 = 1, of which a cap is known.
 pub(crate) struct Sphere {
-    /// The least cosine between its normal and the line of sight; in parallel projection n.z.
+    /// The smallest cosine between normal and line of sight within the cap; n.z in parallel
+    /// projection.
     pub(crate) least_facing: f64,
 }
 
@@ -117,7 +118,7 @@ impl Sphere {
 
 impl Surface for Sphere {
     fn quad(&self, eye: &Eye, pixels: [[u32; 2]; 4], own: usize) -> Option<[Point; 4]> {
-        // At the picture's sides curvature is known from one side only, and so less well.
+        // At the picture's sides curvature is measured from one side only, and so less exactly.
         let is_inside =
             |pixel: [u32; 2]| (0..2).all(|i| (4..eye.size[i] as u32 - 4).contains(&pixel[i]));
         let middle = pixels
@@ -128,14 +129,14 @@ impl Surface for Sphere {
         for (point, pixel) in points.iter_mut().zip(pixels) {
             let [from, along] = eye.ray(pixel);
             let on_sphere = self.meet([from, along])?;
-            // The triangle touches the sphere at the fragment, as nearly as it is small.
+            // The triangle touches the sphere at the fragment, up to the triangle's size.
             let on_plane = from + along * ((1.0 - middle.dot(from)) / middle.dot(along));
             let z = on_sphere.z;
             let kappa = match eye.camera.projection {
                 Projection::Orthographic => {
                     (1.0 + z * z) / (2.0 * z.powi(3)) * eye.height_at(from.z)
                 }
-                // No look is asked for curvature there.
+                // No test asks for curvature in perspective.
                 Projection::Perspective => 0.0,
             };
             *point = Some(Point { normal: on_plane, view: -along, kappa });
@@ -144,7 +145,7 @@ impl Surface for Sphere {
         Some([a?, b?, c?, d?])
     }
 
-    /// The half toward the eye, in rings around the z axis.
+    /// A mesh of the half toward the eye, in rings around the z axis.
     fn mesh(&self) -> Mesh {
         const RINGS: u32 = 384;
         const AROUND: u32 = 768;

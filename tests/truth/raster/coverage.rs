@@ -1,4 +1,4 @@
-//! Which samples are covered: areas, points in triangles, the rules of the fill.
+//! Coverage of samples: areas, points in triangles, the rules of the fill.
 
 use std::f64::consts::PI;
 
@@ -8,7 +8,7 @@ use super::shaders::{CLEAR, Plain, at_pixel, draw, draw_all, in_order, somewhere
 use crate::support::random::Random;
 
 const SNAPS: [Snap; 2] = [Snap::None, Snap::Subpixel(8)];
-/// The samples of a pixel of four, from its upper left corner.
+/// Samples of a pixel with four samples, from the pixel's upper left corner.
 const FOUR: [[f64; 2]; 4] = [[0.375, 0.125], [0.875, 0.375], [0.125, 0.625], [0.625, 0.875]];
 
 fn white(clip: Vec<[f64; 4]>) -> Plain<'static> {
@@ -23,7 +23,7 @@ fn cross(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
     (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 }
 
-/// The distance of a point from the sides of a triangle, above 0 inside.
+/// Distance of a point from the nearest side of a triangle, above 0 inside.
 fn inside(corners: [[f64; 2]; 3], point: [f64; 2]) -> f64 {
     let [a, b, c] = corners;
     let side = cross(a, b, c).signum();
@@ -42,7 +42,7 @@ fn samples_inside_are_covered_and_no_others() {
             for snap in SNAPS {
                 let shader = white(corners.map(|corner| at_pixel(size, corner, 0.5)).to_vec());
                 let raster = draw(size, samples, &CLEAR, &[0, 1, 2], &shader, &options(snap));
-                // Snapping moves a corner by less than this, and with it an edge.
+                // Largest move of a corner, and of its edges, by snapping.
                 let blur = if snap == Snap::None { 1e-9 } else { 1.0 / 256.0 };
                 for y in 0..size[1] {
                     for x in 0..size[0] {
@@ -84,15 +84,15 @@ fn counted_areas_are_the_areas_of_triangles() {
                     .hypot(corners[i][1] - corners[(i + 1) % 3][1])
             })
             .sum();
-        // A sample stands for a quarter of a pixel, and the error of each along the border is as
-        // good as random.
+        // A sample stands for a quarter of a pixel, and errors along the border are as good as
+        // random.
         assert!((counted - area).abs() < border.sqrt(), "{counted} of {area}");
         excess += counted - area;
     }
     assert!(excess.abs() / 40.0 < 0.5, "no bias: {excess}");
 }
 
-/// A mesh of jittered squares over the whole picture and beyond; some vertices lie on samples.
+/// A mesh of jittered squares over the whole picture and beyond, with some vertices on samples.
 fn carpet(size: [u32; 2], cells: usize, random: &mut Random) -> (Vec<[f64; 2]>, Vec<u32>) {
     let mut points = Vec::new();
     for row in 0..=cells {
@@ -130,8 +130,8 @@ fn meshes_without_gaps_cover_every_sample_once() {
     for round in 0..8 {
         let (points, indices) = carpet(size, 4 + 5 * round, &mut random);
         for (samples, snap) in [(1, SNAPS[0]), (1, SNAPS[1]), (4, SNAPS[0]), (4, SNAPS[1])] {
-            // Each triangle has corners of its own, nearer than those before, so that none hides
-            // another.
+            // Each triangle has corners of its own, nearer than those before, so that no triangle
+            // hides another.
             let corners = indices.iter().enumerate().map(|(number, index)| {
                 at_pixel(
                     size,
@@ -184,7 +184,7 @@ fn the_silhouette_of_a_finer_sphere_is_rounder() {
             let polar = PI * ring as f64 / segments as f64;
             for segment in 0..segments {
                 let turn = 2.0 * PI * segment as f64 / segments as f64;
-                // Seen along the axis, so that the silhouette is a regular polygon.
+                // The ball is seen along its axis, so that its silhouette is a regular polygon.
                 let at = [
                     200.0 + radius * polar.sin() * turn.cos(),
                     200.0 + radius * polar.sin() * turn.sin(),
@@ -205,13 +205,13 @@ fn the_silhouette_of_a_finer_sphere_is_rounder() {
         assert!((counted - polygon).abs() < 20.0, "{counted} of {polygon}");
         errors.push(PI * radius * radius - counted);
     }
-    // Four times the triangles, a quarter of the error.
+    // Four times the triangles make a quarter of the error.
     for pair in errors.windows(2) {
         assert!((pair[0] / pair[1] - 4.0).abs() < 0.4, "{errors:?}");
     }
 }
 
-/// Triangles of random places, depths and colors.
+/// Triangles at random places, with random depths and colors.
 fn clutter(size: [u32; 2], count: usize, alpha: f64, seed: u64) -> Plain<'static> {
     let mut random = Random::new(seed);
     let mut numbers = Vec::new();
@@ -276,7 +276,8 @@ fn counter_clockwise_is_the_front() {
         Some(vec![f64::from(batch.front() >> lane & 1 == 1), 0.0, 0.0, 1.0])
     };
     let shader = Plain::new(clip, front);
-    // Clockwise on the screen is the back of a mesh whose triangles run counter-clockwise.
+    // Triangles that are clockwise on the screen are the back of a mesh whose triangles run
+    // counter-clockwise.
     for (indices, wanted) in [([0, 1, 2], 0.0), ([0, 2, 1], 1.0)] {
         let raster = draw(size, 1, &CLEAR, &indices, &shader, &Options::default());
         assert_eq!(raster.texels.pixel(3, 3), [wanted, 0.0, 0.0, 1.0]);

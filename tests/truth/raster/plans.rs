@@ -1,4 +1,4 @@
-//! The executor: passes in the order of the plan, each with what it reads.
+//! The executor: passes in the order of the plan, each with the images that it reads.
 
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -17,7 +17,7 @@ use super::shaders::Plain;
 const NORMALS: PassId = PassId::named("normals");
 const CURVATURE: PassId = PassId::named("curvature");
 
-/// Shaders as closures, that note what they were asked for.
+/// Shaders as closures that note which draws were asked for.
 #[derive(Default)]
 struct Noted(Mutex<Vec<&'static str>>);
 
@@ -35,7 +35,7 @@ impl Shaders for Noted {
         pass: PassId,
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
-        // The object stands where its mesh does, in the test's scene.
+        // The test's scene does not move the object's mesh.
         let positions = draw.mesh.positions.iter().map(|p| DVec3::from_array(p.map(f64::from)));
         let clip = positions
             .clone()
@@ -106,8 +106,8 @@ fn passes_run_in_order_and_read_each_other() {
     assert_eq!(*shaders.0.lock().expect("nobody panics"), ["normals", "curvature", "look"]);
     let shares = std::mem::take(&mut *shares.lock().expect("nobody panics"));
     assert!(shares.is_sorted() && shares.last() == Some(&1.0), "{shares:?}");
-    // The middle shows the object's number plus 1 and the distance of the sphere; the corner what
-    // is behind it.
+    // The middle shows the object's number plus 1 and the distance of the sphere; the corner shows
+    // the backdrop.
     let middle = picture.straight(40, 30);
     let distance = (plan.view.eye.length() - 1.0) + 7.0;
     assert!((middle[0] - distance).abs() < 0.02, "{middle:?}, not {distance}");

@@ -1,4 +1,4 @@
-//! Shaders for tests of the rasteriser: vertices that are there already, fragments by a closure.
+//! Shaders for tests of the rasterizer: given vertices, and a closure for the fragments.
 
 use chiaro::diag::Diagnostic;
 use chiaro::progress::Progress;
@@ -9,20 +9,20 @@ use chiaro::reference::{
 
 use crate::support::random::Random;
 
-/// What a lane of a batch gives; `None` discards it.
+/// Output of a fragment in a lane of a batch; `None` discards the fragment.
 pub(crate) type Fragment<'a> = Box<dyn Fn(&QuadBatch, usize) -> Option<Vec<f64>> + Sync + 'a>;
 
-/// Vertices in clip space with their varyings, and a closure for the fragments.
+/// A shader of vertices in clip space with varyings, and a closure for the fragments.
 pub(crate) struct Plain<'a> {
     pub(crate) clip: Vec<[f64; 4]>,
     pub(crate) varyings: Vec<Varying>,
-    /// All numbers of the varyings of each vertex.
+    /// Numbers of all varyings, for each vertex.
     pub(crate) numbers: Vec<Vec<f64>>,
     pub(crate) fragment: Fragment<'a>,
 }
 
 impl<'a> Plain<'a> {
-    /// Without varyings.
+    /// A shader without varyings.
     pub(crate) fn new(
         clip: Vec<[f64; 4]>,
         fragment: impl Fn(&QuadBatch, usize) -> Option<Vec<f64>> + Sync + 'a,
@@ -31,7 +31,7 @@ impl<'a> Plain<'a> {
         Self { clip, varyings: Vec::new(), numbers, fragment: Box::new(fragment) }
     }
 
-    /// With `numbers` for each vertex in one varying.
+    /// The shader with `numbers` for each vertex, in one varying.
     pub(crate) fn with(mut self, interpolation: Interpolation, numbers: Vec<Vec<f64>>) -> Self {
         self.varyings = vec![Varying { components: numbers[0].len(), interpolation }];
         self.numbers = numbers;
@@ -86,12 +86,12 @@ impl FragmentStage for Fragments<'_> {
     }
 }
 
-/// Both sides of triangles.
+/// Both sides of triangles are drawn.
 pub(crate) const BOTH: Sides = Sides { both: true, is_mirrored: false };
 /// A picture that begins transparent.
 pub(crate) const CLEAR: Target = Target::Picture([0.0; 4]);
 
-/// Draws with one shader.
+/// Draws triangles with one shader.
 pub(crate) fn draw(
     size: [u32; 2],
     samples: u32,
@@ -103,7 +103,7 @@ pub(crate) fn draw(
     draw_all(size, samples, target, &[(indices, shader)], options)
 }
 
-/// Draws with several shaders.
+/// Draws triangles with several shaders, one after the other.
 pub(crate) fn draw_all(
     size: [u32; 2],
     samples: u32,
@@ -119,17 +119,17 @@ pub(crate) fn draw_all(
         .expect("it fits, and nothing fails")
 }
 
-/// Clip space (w = 1) of a point of the screen in pixels from the upper left.
+/// Clip space (w = 1) of a point of the screen. In pixels from the upper left.
 pub(crate) fn at_pixel(size: [u32; 2], [x, y]: [f64; 2], depth: f64) -> [f64; 4] {
     [2.0 * x / f64::from(size[0]) - 1.0, 1.0 - 2.0 * y / f64::from(size[1]), depth, 1.0]
 }
 
-/// 0, 1, 2, ...
+/// The indices 0, 1, 2, ...
 pub(crate) fn in_order(count: usize) -> Vec<u32> {
     (0..count as u32).collect()
 }
 
-/// Somewhere in the picture or a little beyond it, in pixels.
+/// A random point in the picture or a little beyond it, in pixels.
 pub(crate) fn somewhere(random: &mut Random, size: [u32; 2]) -> [f64; 2] {
     size.map(|side| random.between(-0.2, 1.2) * f64::from(side))
 }

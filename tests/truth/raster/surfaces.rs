@@ -1,4 +1,5 @@
-//! What fragments get: positions and varyings against rays, derivatives, depth, blending, discards.
+//! Inputs and outputs of fragments: positions and varyings against rays, derivatives, depth,
+//! blending, discards.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -17,21 +18,21 @@ const FAR: f64 = 40.0;
 /// The cotangent of half of a vertical field of view of 60 degrees.
 const ZOOM: f64 = 1.732_050_807_568_877;
 
-/// Clip space of a point before an eye at the origin that looks along -z.
+/// Clip space of a point in front of an eye at the origin that looks along -z.
 fn project(point: DVec3) -> [f64; 4] {
     let aspect = f64::from(SIZE[0]) / f64::from(SIZE[1]);
     let depth = FAR / (NEAR - FAR);
     [point.x * ZOOM / aspect, point.y * ZOOM, depth * (point.z + NEAR), -point.z]
 }
 
-/// From the eye through a point of the screen in pixels.
+/// The ray from the eye through a point of the screen, in pixels.
 fn ray(x: f64, y: f64) -> DVec3 {
     let [ndc_x, ndc_y] = [2.0 * x / f64::from(SIZE[0]) - 1.0, 1.0 - 2.0 * y / f64::from(SIZE[1])];
     DVec3::new(ndc_x * f64::from(SIZE[0]) / f64::from(SIZE[1]) / ZOOM, ndc_y / ZOOM, -1.0)
 }
 
-/// Where the ray meets the plane of the triangle, and how far inside of it: the least barycentric
-/// coordinate.
+/// The point where a ray meets the plane of a triangle, and the point's smallest barycentric
+/// coordinate, above 0 inside.
 fn meet([a, b, c]: [DVec3; 3], ray: DVec3) -> (DVec3, f64) {
     let normal = (b - a).cross(c - a);
     let hit = ray * (normal.dot(a) / normal.dot(ray));
@@ -39,7 +40,7 @@ fn meet([a, b, c]: [DVec3; 3], ray: DVec3) -> (DVec3, f64) {
     (hit, part(b, c).min(part(c, a)).min(part(a, b)))
 }
 
-/// Gives position and varyings as they come, and 1. The varyings are the place in space.
+/// A shader that gives position, varyings and 1. The varyings are the point in space.
 fn traced(triangle: [DVec3; 3]) -> Plain<'static> {
     let numbers = triangle.iter().map(|point| point.to_array().to_vec()).collect();
     let fragment = |batch: &QuadBatch, lane: usize| {
@@ -51,8 +52,8 @@ fn traced(triangle: [DVec3; 3]) -> Plain<'static> {
     Plain::new(triangle.map(project).to_vec(), fragment).with(Interpolation::Perspective, numbers)
 }
 
-/// Draws each triangle, and holds every pixel against the ray through its middle. Gives how many
-/// were covered.
+/// Draws a triangle, and compares every pixel with the ray through its middle. Gives the number of
+/// covered pixels.
 fn hold_against_rays(triangle: [DVec3; 3]) -> usize {
     hold_against_rays_on(Snap::None, triangle)
 }
@@ -73,7 +74,7 @@ fn hold_against_rays_on(snap: Snap, triangle: [DVec3; 3]) -> usize {
                 continue; // On an edge.
             }
             let (is_covered, is_inside) = (pixel[7] == 1.0, within > 0.0 && depths > 0.0);
-            // A grid moves the edges, but nothing that is within them.
+            // Snapping to a grid moves edges, but no value within them.
             assert!(
                 is_covered == is_inside || snap != Snap::None,
                 "({x}, {y}): {within}, {depths}"
@@ -115,7 +116,7 @@ fn a_grid_decides_coverage_and_moves_no_plane() {
     let mut random = Random::new(15);
     let mut covered = 0;
     for _ in 0..400 {
-        // Of a few pixels, so that a step of the grid would be a hundredth of the whole.
+        // Triangles of a few pixels, of which a step of the grid would be a hundredth.
         let middle = [(); 2].map(|()| random.between(-4.0, 4.0));
         let corner = |random: &mut Random| {
             let [x, y] = middle.map(|x| x + random.between(-1.0, 1.0));
@@ -127,14 +128,14 @@ fn a_grid_decides_coverage_and_moves_no_plane() {
     assert!(covered > 1000, "{covered}");
 }
 
-/// A sliver that the grid widens or turns around gives nothing beyond its corners, however steep
-/// its own plane is.
+/// A sliver that the grid widens or turns around gives no value beyond those of its corners,
+/// however steep its own plane is.
 #[test]
 fn slivers_on_a_grid_give_nothing_beyond_their_corners() {
     let mut random = Random::new(16);
     let mut covered = 0;
     for _ in 0..4000 {
-        // Through the middle of a pixel almost, and narrower than a step.
+        // A sliver almost through the middle of a pixel, and narrower than a step of the grid.
         let [x, y] = [20.5, 20.5].map(|x| x + random.between(-0.003, 0.003));
         let corners = [[x - 9.0, y - 9.0], [x + 9.0, y + 9.0], [x, y + random.between(0.0, 0.004)]];
         let clip = corners.map(|corner| at_pixel(SIZE, corner, 0.5)).to_vec();
@@ -155,7 +156,7 @@ fn what_is_near_or_behind_the_eye_is_cut() {
     let mut random = Random::new(12);
     let mut covered = 0;
     for round in 0..80 {
-        // One or two corners are behind the eye, some beyond the far plane.
+        // One or two corners lie behind the eye, some beyond the far plane.
         let corner = |random: &mut Random, is_behind: bool| {
             let z =
                 if is_behind { random.between(-0.4, 20.0) } else { random.between(-60.0, -2.0) };
@@ -164,7 +165,7 @@ fn what_is_near_or_behind_the_eye_is_cut() {
         let corners = [0, 1, 2].map(|i| corner(&mut random, i <= round % 2));
         covered += hold_against_rays(corners);
     }
-    // Seen almost edge-on, and with a corner at the eye itself.
+    // A triangle seen almost edge-on, and one with a corner at the eye itself.
     hold_against_rays([
         DVec3::new(-5.0, 0.01, 3.0),
         DVec3::new(5.0, 0.0, 3.0),
@@ -191,7 +192,8 @@ fn a_floor_under_the_eye_is_cut_without_gaps() {
         }
     }
     for snap in [Snap::None, Snap::Subpixel(8)] {
-        // How often each pixel is shaded: all is discarded, so that nothing hides anything.
+        // Number of times that each pixel is shaded: all fragments are discarded, so that none
+        // hides another.
         let counts: Vec<_> = (0..SIZE[0] * SIZE[1]).map(|_| AtomicUsize::new(0)).collect();
         let shader = Plain::new(points.clone(), |batch, lane| {
             if batch.live() >> lane & 1 == 1 {
@@ -204,7 +206,7 @@ fn a_floor_under_the_eye_is_cut_without_gaps() {
         for (y, row) in counts.chunks(SIZE[0] as usize).enumerate() {
             for (x, count) in row.iter().enumerate() {
                 let hit = ray(x as f64 + 0.5, y as f64 + 0.5);
-                // Where the ray that falls by 1 has got to.
+                // Distance at which the ray meets the plane one unit below the eye.
                 let distance = -1.0 / hit.y;
                 let wanted = usize::from(hit.y < 0.0 && distance < FAR && distance > NEAR);
                 if (distance - FAR).abs() > 2.0 {
@@ -283,7 +285,7 @@ fn flat_varyings_are_the_first_corners() {
     }
 }
 
-/// Two triangles over the whole picture at one depth.
+/// Two triangles over the whole picture, at one depth.
 fn sheet(depth: f64) -> Vec<[f64; 4]> {
     [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]]
         .map(|[x, y]| at_pixel(SIZE, [x * f64::from(SIZE[0]), y * f64::from(SIZE[1])], depth))
@@ -317,7 +319,7 @@ fn discarded_fragments_leave_no_depth() {
 fn straight_colors_are_laid_over_and_samples_averaged() {
     let background = [0.1, 0.2, 0.05, 0.5];
     let colors = [[0.8, 0.4, 0.2, 0.25], [0.3, 0.9, 0.6, 0.5]];
-    // The second covers the left half, and of column 30 the two samples on the left.
+    // The second shape covers the left half, and in column 30 the two samples on the left.
     let half = [[0.0, 0.0], [0.0, 100.0], [30.5, 0.0], [30.5, 0.0], [0.0, 100.0], [30.5, 100.0]];
     let half = half.map(|at| at_pixel(SIZE, at, 0.3)).to_vec();
     let shaders = [(sheet(0.6), colors[0]), (half, colors[1])]

@@ -1,4 +1,4 @@
-//! From where a GPU takes what it covers, and from where what it interpolates.
+//! Vertices that a GPU takes coverage from, and vertices that it interpolates between.
 
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Scene};
@@ -17,7 +17,8 @@ use crate::support::wait::block_on;
 
 const SIZE: [u32; 2] = [192, 144];
 
-/// Triangles of a few pixels, each in a cell of its own, tilted and of colors that are far apart.
+/// A mesh of triangles of a few pixels, each in a cell of its own, tilted and in very different
+/// colors.
 fn crumbs(random: &mut Random) -> Mesh {
     let mut mesh = Mesh::default();
     for row in 0..18 {
@@ -64,7 +65,8 @@ fn both(setup: &Setup, snap: Snap) -> (Picture, ReferencePicture) {
     (picture, reference)
 }
 
-/// How many pixels both cover and only one; the largest and the mean difference of the former.
+/// Number of pixels that both pictures cover, number that only one covers, and the largest and the
+/// mean difference of the former.
 fn differences(picture: &Picture, reference: &ReferencePicture) -> (usize, usize, f64, f64) {
     let (mut shared, mut single, mut most, mut sum) = (0, 0, 0.0_f64, 0.0);
     for y in 0..SIZE[1] {
@@ -83,8 +85,7 @@ fn differences(picture: &Picture, reference: &ReferencePicture) -> (usize, usize
     (shared, single, most, sum / shared as f64)
 }
 
-/// A GPU decides coverage where it has rounded vertices to, and interpolates between where they
-/// are.
+/// A GPU decides coverage by rounded vertices, and interpolates between the exact ones.
 #[test]
 #[allow(clippy::print_stdout, reason = "the documentation's figures are what `--nocapture` shows")]
 fn coverage_is_rounded_and_planes_are_not() {
@@ -100,8 +101,8 @@ fn coverage_is_rounded_and_planes_are_not() {
     println!("| {shared} | {single} | {most:.1e} | {mean:.1e} |");
     assert!(shared > 2000, "{shared}");
     if renderer().gpu().is_software() {
-        // Planes through rounded corners would be off by 1e-2 and 2e-4. What is left is f32's, of
-        // planes that are steep.
+        // Planes through rounded corners would be off by 1e-2 and 2e-4. The rest is the error of
+        // f32, of planes that are steep.
         assert!(single == 0 && most < 2e-4 && mean < 5e-6, "{single} pixels, {most:e}, {mean:e}");
     } else {
         assert!(single < 20 && mean < 1e-3, "{single} pixels, {most:e}, {mean:e}");
