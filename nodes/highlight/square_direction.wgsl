@@ -18,9 +18,9 @@ import chiaro::total;
 fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
     sharpness: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
-    // Around the two axes: 0 along either, 1 midway between them.
+    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
-    // Told by how far it is from midway, which a high sharpness multiplies.
+    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
     let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
     let sharp = clamp(bounded(sharpness), 1.0, 1024.0);

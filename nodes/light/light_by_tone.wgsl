@@ -19,7 +19,8 @@ import chiaro::total;
 /// @source thesis 12
 fn light_by_tone(light: Light, tone: f32, normal: vec3f) -> Light {
     let frame = world_from_tangent(light.direction, vec3f(0.0), normal);
-    // Never quite on the horizon, where rounding would put some of the surface into the dark.
+    // The light never lies quite on the horizon, where rounding would put some of the surface into
+    // the dark.
     let height = clamp(bounded(tone), 1e-3, 1.0);
     let direction = normalize_or(height * frame[2]
         + sqrt(max(1.0 - height * height, 0.0)) * frame[0], frame[2]);

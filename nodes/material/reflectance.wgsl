@@ -43,7 +43,7 @@ fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {
 }
 
 fn reflectance_oren_nayar(light: Light, normal: vec3f, view: vec3f, roughness: f32) -> f32 {
-    // At 1 slopes deviate by a radian.
+    // At a roughness of 1 slopes deviate by a radian.
     let sigma = clamp(bounded(roughness), 0.0, 1.0);
     return oren_nayar(light.direction, normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view, sigma);
 }
@@ -74,7 +74,7 @@ fn reflectance_ggx(light: Light, normal: vec3f, view: vec3f, roughness: f32,
 fn reflectance_ward(light: Light, normal: vec3f, view: vec3f, tangent: vec3f, roughness: f32,
     across: f32) -> f32 {
     let frame = world_from_tangent(tangent, vec3f(0.0), normal);
-    // Below a twentieth the lobe is narrower than a pixel.
+    // Below a roughness of a twentieth the lobe is narrower than a pixel.
     let widths = max(vec2f(width_of_roughness(roughness), width_of_roughness(across)),
         vec2f(0.0025));
     return ward(light.direction, frame[2], view, frame[0], frame[1], widths);

@@ -24,18 +24,19 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    // As wide as softness wants, and never narrower than a pixel.
+    // The edge is as wide as softness wants, but never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
+    // difference has them.
     let aside = n - view;
     let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
     let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
     let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // The light's direction across the eye's: from the far side of the object (-1) to the near one
-    // (1).
+    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
+    // the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    // Only what of the normal is across the eye's direction, too: where the light is nearly behind,
-    // rounding leaves a little of that direction in `across`.
+    // Only the normal's part across the eye's direction counts, too: where the light is nearly
+    // behind, rounding leaves a little of that direction in `across`.
     let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }

@@ -47,7 +47,8 @@ fn inner_contour_suggestive(
     // these lines.
     let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
-    // Whether a row further is up or down in the picture.
+    // `up` is 1 where the next row of pixels is farther up in the picture, -1 where it is farther
+    // down.
     let v = camera_from_world * view;
     let row = dpdy(place);
     let up = select(-1.0, 1.0, (row - dot(row, v) * v).y >= 0.0);
@@ -55,7 +56,7 @@ fn inner_contour_suggestive(
     let toward_eye = -(change.x * n.x + up * change.y * n.y) * inverseSqrt(max(square, 1e-6));
     let pixels = 0.5 * clamp(bounded(width), 0.0, 1e4) * height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
-    // Over a twentieth of the height it is to become as curved as the limit.
+    // Over a twentieth of the picture's height the surface is to become as curved as the limit.
     let strength = faded_in(toward_eye * height * 0.05, limit, softness);
     return line_covers(distance, pixels) * strength * seen_well(dot(normal, view));
 }
@@ -72,8 +73,7 @@ fn inner_contour_ridges(limit: f32, softness: f32, tensor: vec3f, normal: vec3f,
     return faded_in(greatest, limit, softness) * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
-/// pixel.
+/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));

@@ -20,8 +20,8 @@ fn constant_size(uv: vec2f, distance: f32, near: f32, fade: f32) -> ConstantSize
     let low = i32(floor(octave));
     let middle = octave - floor(octave) - 0.5;
     let part = clamp(0.5 + middle / clamp(bounded(fade), 0.01, 1.0), 0.0, 1.0);
-    // The even and the odd one of two neighbouring sizes: each changes only where the other one is
-    // all that is seen.
+    // Of two neighbouring sizes one is even and one odd: each changes only where the other alone is
+    // seen.
     let is_odd = (low & 1) == 1;
     let even = low + (low & 1);
     let odd = low + 1 - (low & 1);

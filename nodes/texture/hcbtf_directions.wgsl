@@ -62,7 +62,7 @@ fn hcbtf_sample_color(place: vec2i, directions: vec2i) -> vec4f {
     return vec4f(mix(vec3f(1.0), hue, part), 1.0);
 }
 
-/// A line three pixels wide where phi is 0: where u is crossed on the side of v.
+/// A line three pixels wide where phi is 0: where the u axis is crossed on the side of v.
 fn hcbtf_phi_line(local: vec3f, w: f32) -> f32 {
     let edge = max(1.5 * w, 0.01);
     return (1.0 - step_filtered(abs(local.x), edge, w)) * select(0.0, 1.0, local.y > 0.0);

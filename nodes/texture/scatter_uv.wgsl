@@ -24,21 +24,21 @@ fn scatter_uv(uv: vec2f, cells: f32, sharpness: f32, seed: i32) -> ScatteredUv {
     let f = sheared - low;
     let cell = vec2i(low);
     let is_upper = f.x + f.y > 1.0;
-    // How near each corner of the triangle is: 1 at it, 0 on the edge across.
+    // Nearness of each corner of the triangle: 1 at the corner, 0 on the edge across.
     let near = select(
         vec3f(1.0 - f.x - f.y, f.x, f.y),
         vec3f(f.x + f.y - 1.0, 1.0 - f.y, 1.0 - f.x),
         is_upper,
     );
-    // What is not near at all counts nothing: a corner changes its place there.
+    // A corner that is not near at all counts nothing: on the edge across, another takes its place.
     let width = clamp(0.5 * (1.0 - bounded(sharpness)), clamp(1.5 * max(w.x, w.y), 1e-4, 0.5), 0.5);
     let counts = clamp(1.0 + (near - max(near.x, max(near.y, near.z))) / width, vec3f(0.0),
         vec3f(1.0));
     let first = scatter_place(cell + select(vec2i(0), vec2i(1), is_upper), seed);
     let right = scatter_place(cell + vec2i(1, 0), seed);
     let above = scatter_place(cell + vec2i(0, 1), seed);
-    // Corners have three colors, so that no two of a triangle have the same; A, B and C each keep
-    // to one.
+    // The lattice's corners have three colors, so that no two of a triangle have the same; A, B and
+    // C each keep to one color.
     let color = ((cell.x - cell.y) % 3 + 3) % 3;
     var a = first;
     var b = right;
@@ -61,7 +61,7 @@ fn scatter_uv(uv: vec2f, cells: f32, sharpness: f32, seed: i32) -> ScatteredUv {
     return ScatteredUv(place + a, place + b, place + c, mix_b, mix_c);
 }
 
-/// Where a cell begins in the tile, by chance.
+/// Random origin of a cell in the tile.
 fn scatter_place(cell: vec2i, seed: i32) -> vec2f {
     return unit_of_hash(lattice_hash(vec3i(cell, 0), u32(seed))).xy;
 }

@@ -11,7 +11,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -49,9 +49,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -61,8 +60,8 @@ fn angle_footprint(u: Angle) -> f32 {
     return min(finite_or(w, 0.5), 0.5);
 }
 
-/// [`angle_between`] vectors that are unit but for rounding: half of each chord, which is not put
-/// to scale again.
+/// [`angle_between`] for vectors that are unit but for rounding: half of each chord, without
+/// normalizing the two halves again.
 fn angle_of_units(d: vec3f, l: vec3f) -> Angle {
     return Angle(0.5 * length(d - l), 0.5 * length(d + l));
 }
@@ -72,7 +71,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }

@@ -4,34 +4,33 @@
 import chiaro::numeric;
 import chiaro::total;
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// How far each of a point's coordinates changes over one pixel, finite. Call it in uniform control
-/// flow.
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
 fn footprint_of_vec2(v: vec2f) -> vec2f {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded_vec2(sqrt(dx * dx + dy * dy));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
-/// uniform control flow.
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
 fn edge_width(w: f32, softness: f32) -> f32 {
     return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -54,8 +53,8 @@ fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
     return (stairs_integral(x + half, count) - stairs_integral(x - half, count)) / (2.0 * half);
 }
 
-/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen
-/// through a footprint of `w`; `softness` is how much of a step its edge takes.
+/// A value from 0 to 1 in `count` flat steps (at least 2), the first 0 and the last 1, seen through
+/// a footprint of `w`; `softness` is the share of a step that its edge takes.
 fn stepped_tone(value: f32, w: f32, count: i32, softness: f32) -> f32 {
     let n = f32(clamp(count, 2, 1024));
     let width = edge_width(n * w, min(softness, 1.0));
@@ -97,8 +96,8 @@ fn triangle_wave(x: f32) -> f32 {
     return 1.0 - abs(turn - 1.0);
 }
 
-/// How far a finite x changes over one pixel, by the sum of both derivatives: too wide on diagonals
-/// by as much as the square root of 2. Call it in uniform control flow.
+/// Change of a finite x over one pixel, by the sum of both derivatives: too wide on diagonals by up
+/// to the square root of 2. Call it in uniform control flow.
 fn footprint_by_sum(x: f32) -> f32 {
     return min(abs(dpdx(x)) + abs(dpdy(x)), 1e30);
 }
@@ -109,7 +108,7 @@ fn step_quick(x: f32, edge: f32, w: f32) -> f32 {
     return select(clamp(0.5 + d / max(w, 1e-30), 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
 }
 
-/// [`stairs_filtered`] for footprints of at most one stair; wider ones count as that.
+/// [`stairs_filtered`] for footprints of at most one stair; wider footprints count as one stair.
 fn stairs_quick(x: f32, count: f32, w: f32) -> f32 {
     let edge = clamp(round(x), 1.0, count - 1.0);
     return edge - 1.0 + step_quick(x, edge, min(w, 1.0));

@@ -1,5 +1,5 @@
-// Strokes from a picture, laid on one another in an order that is the same everywhere, so that no
-// cell has a seam.
+// Brush strokes, from a picture or of bristles, laid over one another in an order that is the same
+// everywhere, so that no cell has a seam.
 import chiaro::numeric;
 import chiaro::total;
 import chiaro::noise;
@@ -7,18 +7,18 @@ import chiaro::marks;
 import chiaro::blue_noise;
 import chiaro::convert;
 
-/// How a picture of a stroke is laid.
+/// Style of brush strokes.
 struct Brush {
-    /// Length over width.
+    /// Length of a stroke over its width.
     aspect: f32,
-    /// In cells.
+    /// Size of a stroke over that of its cell.
     size: f32,
-    /// From 0 to 1.
+    /// Scatter of strokes around the middles of their cells, 0 to 1.
     scatter: f32,
-    /// In radians.
+    /// Range of the strokes' angles, both sides together, in radians.
     turn: f32,
     seed: u32,
-    /// Whether what is dark is paint, and not what is opaque.
+    /// True if the picture's dark texels are paint; false if its opaque ones are.
     is_dark: bool,
 }
 
@@ -33,7 +33,8 @@ fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark:
     );
 }
 
-/// Premultiplied paint of a picture laid on a place, of which so much of all strokes are there.
+/// Premultiplied paint at a place, of strokes from a picture; `ink` is the share of all strokes
+/// that are there.
 fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
     style: Brush) -> vec4f {
     let dx = dpdx(at.place);
@@ -41,7 +42,7 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
     let level = octave_of(sqrt(area_square(at.stretch)));
     let zoom = floor(level);
     let f = level - zoom;
-    // As with dots, the coarser octave goes as the finer one comes.
+    // The coarser octave goes as the finer one comes, as with the dots of stippling.
     let coarse_cells = exp2_stable(-2.0 * f);
     let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
     var tile = BLUE_TILE;
@@ -54,8 +55,8 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
         let corner = vec2i(floor(p));
         let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
         for (var i = 0; i < 9; i++) {
-            // One of nine cells around is of each kind; kinds lie on one another in the same order
-            // everywhere.
+            // The nine cells around are of nine kinds, one of each; kinds lie over one another in
+            // the same order everywhere.
             let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
             let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
             let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
@@ -77,7 +78,7 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
     return paint;
 }
 
-/// The same without a picture, by bristles: premultiplied lightness, and how much covers.
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
@@ -117,7 +118,8 @@ fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     return paint;
 }
 
-/// Three chances of a bristle, going over smoothly to the next across a stroke.
+/// Three random numbers of a bristle, 0 to 1; across a stroke they go over smoothly into those of
+/// the next bristle.
 fn bristle(row: f32, seed: u32) -> vec3f {
     let first = floor(row);
     let t = row - first;
@@ -126,12 +128,12 @@ fn bristle(row: f32, seed: u32) -> vec3f {
     return mix(a, b, t * t * (3.0 - 2.0 * t));
 }
 
-/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers.
+/// A stroke of a stiff brush at the place `uv` in it: lightness of its paint in x, coverage in y.
 /// `width` is a pixel's share of the stroke's width.
 fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     let across = 2.0 * uv.y - 1.0;
     let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
-    // Bristles that are finer than a pixel are what they are on average.
+    // Bristles finer than a pixel become their average.
     let seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
     let chance = mix(vec3f(0.5), bristle(11.0 * uv.y, seed), seen);
     // The tip is round, and every bristle begins and leaves off at its own place.
@@ -144,19 +146,19 @@ fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     return vec2f(clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
 }
 
-/// A stroke as it is seen at a place.
+/// A stroke as seen at a place.
 struct Brushstroke {
-    /// Where in its picture, v down.
+    /// Place in the stroke's picture, v down.
     uv: vec2f,
-    /// How far it is turned: sine and cosine.
+    /// Sine and cosine of the stroke's angle.
     turn: vec2f,
-    /// 1 or -1: whether it runs backward.
+    /// Direction of the stroke: 1 forward, -1 backward.
     way: f32,
-    /// How much of it is there, from 0 to 1.
+    /// Share of the stroke that is there, 0 to 1.
     share: f32,
 }
 
-/// The stroke of a cell at a place in cells; `drawn` of it is there.
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
     let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
@@ -168,13 +170,13 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
     // The picture's outermost 64th fades, so that no stroke is cut off.
     let from_edge = min(uv, vec2f(1.0) - uv);
     let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
-    // A stroke must not reach beyond the cells around its own.
+    // A stroke must not reach beyond the cells around its own: a pixel looks at no others.
     let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
     let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
     return Brushstroke(uv, turn, way, share);
 }
 
-/// A step on the canvas as one in a stroke's picture.
+/// A step on the canvas as a step in a stroke's picture.
 fn brush_turned(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
     let turned = vec2f(
         stroke.turn.y * step.x + stroke.turn.x * step.y,

@@ -51,13 +51,13 @@ fn hsv_adjusted(rgb: vec3f, hue: f32, saturation: f32, value: f32) -> vec3f {
     return bounded_vec3(clamp(value, 0.0, 1e15) * (largest - scaled * (1.0 - turned)));
 }
 
-/// 2 a b below the middle of `b`, and the same from white above it.
+/// Hard light: 2 a b where b is at most 1/2, and the same from white above.
 fn hard_light(a: f32, b: f32) -> f32 {
     return select(1.0 - 2.0 * (1.0 - a) * (1.0 - b), 2.0 * a * b, b <= 0.5);
 }
 
-/// Darkens or lightens a by b without ever reaching black or white (W3C Compositing and Blending
-/// 1).
+/// Soft light: a darkened or lightened by b without ever reaching black or white (W3C Compositing
+/// and Blending 1).
 fn soft_light(a: f32, b: f32) -> f32 {
     if b <= 0.5 {
         return a - (1.0 - 2.0 * b) * a * (1.0 - a);
@@ -66,13 +66,13 @@ fn soft_light(a: f32, b: f32) -> f32 {
     return a + (2.0 * b - 1.0) * (curved - a);
 }
 
-/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
         bounded(a.w));
 }
 
-/// Each component from 0 to 1.
+/// `rgb` with each component clamped to [0, 1].
 fn within_unit(rgb: vec3f) -> vec3f {
     return clamp(bounded_vec3(rgb), vec3f(0.0), vec3f(1.0));
 }
@@ -89,7 +89,7 @@ fn burned(a: f32, b: f32) -> f32 {
         a >= 1.0);
 }
 
-/// How light a color counts in the non-separable modes (W3C Compositing and Blending 1).
+/// Lightness of a color in the non-separable modes (W3C Compositing and Blending 1, Lum).
 fn lightness_of(rgb: vec3f) -> f32 {
     return dot(rgb, vec3f(0.3, 0.59, 0.11));
 }
@@ -103,14 +103,14 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     let largest = max(max(moved.x, moved.y), moved.z);
     let raised = select(1.0, light / max(light - least, 1e-6), least < 0.0);
     let clipped = light + (moved - light) * raised;
-    // Where both ends are passed the second is measured after the first was drawn in.
+    // If both ends lie outside, the upper one is measured after the lower one was drawn in.
     let top = light + (largest - light) * raised;
     let lowered = select(1.0, (1.0 - light) / max(top - light, 1e-6), top > 1.0);
     return light + (clipped - light) * lowered;
 }
 
-/// `rgb` with the spread between its largest and smallest component that `other` has (SetSat); grey
-/// is black then.
+/// `rgb` with the spread between largest and smallest component that `other` has (SetSat); black
+/// where `rgb` is grey.
 fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
     let least = min(min(rgb.x, rgb.y), rgb.z);
     let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
@@ -125,8 +125,8 @@ fn cube_root(x: f32) -> f32 {
     return select(root, -root, x < 0.0);
 }
 
-/// Lightness, green to red and blue to yellow of a linear sRGB color (Ottosson 2020): what eyes
-/// judge as even steps.
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
     let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
@@ -139,7 +139,7 @@ fn oklab_of_linear(rgb: vec3f) -> vec3f {
     );
 }
 
-/// Back from [`oklab_of_linear`].
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 fn linear_of_oklab(lab: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(lab), vec3f(-1e6), vec3f(1e6));
     let l = c.x + 0.3963377774 * c.y + 0.2158037573 * c.z;
@@ -159,19 +159,19 @@ fn oklab_of_srgb(coded: vec3f) -> vec3f {
         linear_of_srgb(coded.z)));
 }
 
-/// Back from [`oklab_of_srgb`].
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 fn srgb_of_oklab(lab: vec3f) -> vec3f {
     let light = linear_of_oklab(lab);
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-/// Between two colors as on screen, evenly to the eye; t from 0 to 1.
+/// Mix of two sRGB-coded colors in Oklab, even to the eye; t from 0 to 1.
 fn mixed_in_oklab(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let lab = mixed_vec3(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), t);
     return ends_kept(a, b, t, srgb_of_oklab(lab));
 }
 
-/// Between two colors as on screen, as lights mix; t from 0 to 1.
+/// Mix of two sRGB-coded colors in linear light, as lights mix; t from 0 to 1.
 fn mixed_in_light(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let light = vec3f(
         mixed(linear_of_srgb(a.x), linear_of_srgb(b.x), t),
@@ -182,13 +182,13 @@ fn mixed_in_light(a: vec4f, b: vec4f, t: f32) -> vec4f {
         srgb_of_linear(light.z)));
 }
 
-/// Between two colors as on screen by lightness, chroma and hue of Oklab, the shorter way around;
-/// t from 0 to 1.
+/// Mix of two sRGB-coded colors by lightness, chroma and hue of Oklab, the shorter way around; t
+/// from 0 to 1.
 fn mixed_by_hue(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let start = oklab_of_srgb(a.xyz);
     let goal = oklab_of_srgb(b.xyz);
     let chroma = vec2f(length_of(vec3f(start.yz, 0.0)), length_of(vec3f(goal.yz, 0.0)));
-    // Grey has no hue; it takes the other's.
+    // Grey has no hue and takes that of the other color.
     let one = angle_of_point(select(start.z, goal.z, chroma.x < 1e-3),
         select(start.y, goal.y, chroma.x < 1e-3));
     let other = angle_of_point(select(goal.z, start.z, chroma.y < 1e-3),
@@ -201,11 +201,11 @@ fn mixed_by_hue(a: vec4f, b: vec4f, t: f32) -> vec4f {
         size * turned.x)));
 }
 
-/// Between two colors by hue, saturation and value, the shorter way around; t from 0 to 1.
+/// Mix of two colors by hue, saturation and value, the shorter way around; t from 0 to 1.
 fn mixed_in_hsv(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let start = hsv_of_rgb(bounded_vec3(a.xyz));
     let goal = hsv_of_rgb(bounded_vec3(b.xyz));
-    // Grey has no hue; it takes the other's.
+    // Grey has no hue and takes that of the other color.
     let one = select(start.x, goal.x, start.y < 1e-3);
     let other = select(goal.x, start.x, goal.y < 1e-3);
     let apart = other - one;
@@ -215,7 +215,7 @@ fn mixed_in_hsv(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return ends_kept(a, b, t, value * rgb);
 }
 
-/// Hue in turns, saturation and value; grey has the hue 0.
+/// Hue in turns, saturation and value of a color; grey has the hue 0.
 fn hsv_of_rgb(rgb: vec3f) -> vec3f {
     let most = max(max(rgb.x, rgb.y), rgb.z);
     let chroma = most - min(min(rgb.x, rgb.y), rgb.z);

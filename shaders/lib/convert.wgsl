@@ -1,25 +1,26 @@
-// What the compiler calls between nodes: where a wire changes type, and where a number is a share.
+// Conversions that the compiler calls between nodes: where a wire changes type, and where a number
+// is a share.
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::angle;
 
-/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
 fn unit_share(share: f32) -> f32 {
     return clamp(share, 0.0, 1.0);
 }
 
-/// A color whose alpha is a share.
+/// `color` with its alpha clamped to [0, 1].
 fn with_unit_alpha(color: Color) -> Color {
     return vec4f(color.xyz, unit_share(color.w));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;

@@ -49,7 +49,7 @@ fn curvature_signed_fast(kappa: f32, slope: f32) -> f32 {
 /// axes. `perspective` is 1 or 0; `scale` is half of the viewport's height over what it spans at
 /// depth 1 (at every depth without perspective). Call it in uniform control flow.
 fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> f32 {
-    // As in the curvature pass, rims do not all become convex.
+    // n.z has a least value, as in the curvature pass, so that rims do not all become convex.
     let slope = normal.xy / max(normal.z, 0.2);
     let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);
     // The place's own derivatives tell the pixel's size, and which way the rows run.
@@ -71,7 +71,7 @@ fn tensor_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32
     return tensor_safe(vec3f(along_x.x, 0.5 * (along_x.y + along_y.x), along_y.y));
 }
 
-/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+/// Tensor fit for use: [`kappa_safe`] of each number.
 fn tensor_safe(tensor: vec3f) -> vec3f {
     return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }
@@ -80,7 +80,8 @@ fn tensor_safe(tensor: vec3f) -> vec3f {
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
     let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
-    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    // The curvature nearer 0 would have no digits left as a difference; the product of both, the
+    // determinant, gives it.
     let far = mean + select(-spread, spread, mean >= 0.0);
     let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
     return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);

@@ -81,7 +81,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     if ramp.interpolation != INTERPOLATION_SMOOTH {
         return mixed_vec4(colors[at], colors[after], t);
     }
-    // Level at the first and the last stop, because the ramp is flat outside of them.
+    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
     var to_b = vec4f(0.0);
     if at > 0u {
@@ -112,7 +112,7 @@ fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_afte
     );
 }
 
-/// One component of [`ramp_slope`].
+/// [`ramp_slope`] of one component.
 fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
     if before * after <= 0.0 {
         return 0.0;
@@ -122,11 +122,11 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Where on a ramp x lies: between which two colors, and how far along.
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     before: vec4f,
     after: vec4f,
-    /// From 0 to 1; smooth ramps are level at each stop.
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     t: f32,
 }
 
@@ -149,9 +149,8 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
         select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
 }
 
-/// The colors of a palette, the stops' of a ramp, that are nearest to a color in Oklab: the
-/// nearest alone, or blended there with those that are up to `softness` farther. Black for one
-/// without colors.
+/// The color of a palette (the stops of a ramp) that is nearest to `rgb` in Oklab, alone or blended
+/// there with the colors that are up to `softness` farther. Black for a palette without colors.
 fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
     let count = min(palette.count, 16u);
     var colors = palette.colors;
@@ -172,7 +171,7 @@ fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
     for (var i = 0u; i < count; i++) {
         let lab = oklab_of_srgb(colors[i].xyz);
         let near = clamp(1.0 - (length_of(lab - wanted) - nearest) / softness, 0.0, 1.0);
-        // Squared, so that colors come and go without a kink.
+        // Weights are squared, so that colors come and go without a kink.
         sum += near * near * lab;
         total += near * near;
     }

@@ -6,7 +6,7 @@ import chiaro::numeric;
 import chiaro::total;
 import chiaro::angle;
 
-/// A direction within its two axes.
+/// A direction with the two axes along which it is bent.
 struct Bent {
     /// Unit.
     direction: vec3f,
@@ -16,7 +16,8 @@ struct Bent {
     place: vec2f,
 }
 
-/// All of it unit; an axis without a direction does nothing, a direction without one is +z.
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
     let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
     let x = normalize_or(x_axis, vec3f(0.0));
@@ -24,31 +25,33 @@ fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
     return Bent(d, x, y, vec2f(dot(d, x), dot(d, y)));
 }
 
-/// The direction moved along its axes, and unit again; as it was where nothing is left of it.
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(bent: Bent, by: vec2f) -> vec3f {
-    // Farther than a million it lies along the axis.
+    // Farther than a million the direction lies along the axis.
     let step = clamp(by, vec2f(-1e6), vec2f(1e6));
     let moved = bent.direction + step.x * bent.x_axis + step.y * bent.y_axis;
-    // Where it is moved to nearly nothing, rounding has no say.
+    // The direction of a sum of nearly 0 would be rounding's.
     return select(bent.direction, normalize_or(moved, bent.direction), dot(moved, moved) > 1e-6);
 }
 
-/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
     let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
+    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // Short as it may be, what rounding left of z in it would tilt it.
+    // The part along z that rounding left in `across`, short as that may be, would tilt x.
     let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
-/// How far a star reaches at `turn`, in turns from its first ray: 1 at its rays, `inner` between
-/// them, along straight lines; `round` goes from there to a circle.
+/// Radius of a star at `turn`, in turns from its first ray: 1 at its rays, `inner` between them,
+/// along straight lines; `round` from 0 to 1 goes from there to a circle.
 fn star_reach(turn: f32, rays: f32, inner: f32, round: f32) -> f32 {
     let half_sector = PI / rays;
     let sector = abs(turn * rays - floor(turn * rays + 0.5));

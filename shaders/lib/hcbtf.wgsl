@@ -1,19 +1,19 @@
-// Looking up hand-painted 6D textures (thesis 10.3; layout as docs/math.md 6, thesis A.3, one layer
+// Lookup of hand-painted 6D textures (thesis 10.3; layout as docs/math.md 6, thesis A.3, one layer
 // of the texture a view).
 //
 // A layer holds one view. Every texel of the tile is a small block of its lights, thetas along x
 // and phis along y, with the last phi again above the first and the first again below the last, so
 // that one bilinear tap blends four lights. Smaller levels of the tile, where there are any, stand
-// to the right of it, each below the one before. The last layer's first two texels tell the grid.
-// Where views share layers, the texels after those tell which layer each view has.
+// to the right of it, each below the one before. The last layer's first two texels hold the grid.
+// Where views share layers, the texels after those hold the layer of each view.
 //
-// The compact storage is a row of words instead, a texel each: after those two, where the record of
-// each sample's tile begins; in a record, for each level, where its texels begin and where its
-// palette does, or 0; then palettes, a color a word, and texels, a color or four indices a word.
-// It is the same to every function below that is given the grid.
+// The compact storage is a row of words instead, a texel each: after the two of the grid, where the
+// record of each sample's tile begins; in a record, for each level, where its texels begin and
+// where its palette does, or 0; then palettes, a color a word, and texels, a color or four indices
+// a word. Every function below that is given the grid reads this storage as well.
 //
 // The block storage is a row of compressed blocks of four by four texels: two whose first texels
-// tell the grid, one for each sample whose first texel tells where the blocks of its tile begin,
+// hold the grid, one for each sample whose first texel holds where the blocks of its tile begin,
 // and the tiles, their levels one after the other.
 import chiaro::types;
 import chiaro::numeric;
@@ -22,23 +22,23 @@ import chiaro::surface;
 import chiaro::convert;
 import chiaro::antialias;
 
-/// How an HCBTF is divided, as its texture tells.
+/// Division of an HCBTF, as its texture tells.
 struct HcbtfGrid {
-    /// Texels of the tile.
+    /// Size of the tile, in texels.
     size: vec2i,
-    /// Rings and steps of the lights.
+    /// Numbers of rings and steps of the lights.
     light: vec2i,
-    /// Rings and steps of the views.
+    /// Numbers of rings and steps of the views.
     view: vec2i,
-    /// Whether smaller levels are there.
+    /// True if smaller levels of the tile are stored.
     has_levels: bool,
-    /// Whether colors are to be decoded to linear light after the blend.
+    /// True if colors are decoded to linear light after the blend.
     is_decoded: bool,
-    /// Whether views share layers.
+    /// True if views share layers.
     is_shared: bool,
-    /// Whether it is compact, or of blocks.
+    /// True if the storage is the compact one or that of blocks.
     is_compact: bool,
-    /// Whether it is of blocks.
+    /// True if the storage is that of blocks.
     has_blocks: bool,
 }
 
@@ -50,7 +50,7 @@ struct HcbtfPlace {
     weight: vec2f,
 }
 
-/// The four views around one, with their weights.
+/// The four views around a direction, with their weights.
 struct HcbtfViews {
     layer: vec4i,
     weight: vec4f,
@@ -67,14 +67,15 @@ fn hcbtf_grid(sheet: texture_2d_array<f32>) -> HcbtfGrid {
     return HcbtfGrid(size, second.xy, second.zw, flags.x, flags.y, flags.z, flags.w, has_blocks);
 }
 
-/// A world-space direction beside a surface: x along u, y along v, z along the normal; unit.
+/// A world-space direction in the axes of a surface: x along u, y along v, z along the normal;
+/// unit.
 fn hcbtf_local(direction: vec3f, frame: mat3x3f) -> vec3f {
     return normalize_or(normalize_or(direction, frame[2]) * frame, vec3f(0.0, 0.0, 1.0));
 }
 
-/// Rings and steps as numbers between them: theta in [0, rings - 1], phi in [0, steps). Below the
-/// horizon counts as on it, straight down too. Straight up and down there is no phi, and 0 is
-/// taken; all samples of the first ring are the same.
+/// Place of a direction between rings and steps: theta in [0, rings - 1], phi in [0, steps). A
+/// direction below the horizon counts as on it, straight down too. Straight up and down there is no
+/// phi, and 0 is taken; all samples of the first ring are the same.
 fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
     let across = length_of(vec3f(local.xy, 0.0));
     // The GPU's own atan2 may be off by a thousandth.
@@ -84,12 +85,12 @@ fn hcbtf_place(local: vec3f, directions: vec2i) -> vec2f {
     let phi = around * (0.159154943091895336 * steps);
     let turned = select(phi, phi + steps, phi < 0.0);
     let rings = f32(directions.x - 1);
-    // Rounding may reach the last step from below; that is the first.
+    // Rounding may reach the number of steps from below; that is the first step.
     return vec2f(clamp(theta * 0.636619772367581343 * rings, 0.0, rings),
         select(turned, 0.0, turned >= steps));
 }
 
-/// The samples around a place and how much the second of each pair counts.
+/// The samples around a place, with the weight of the second of each pair.
 fn hcbtf_around(place: vec2f, directions: vec2i) -> HcbtfPlace {
     let low = vec2i(floor(place));
     let theta = vec2i(low.x, min(low.x + 1, directions.x - 1));
@@ -97,7 +98,7 @@ fn hcbtf_around(place: vec2f, directions: vec2i) -> HcbtfPlace {
     return HcbtfPlace(theta, phi, place - floor(place));
 }
 
-/// The nearest sample: ring and step.
+/// Ring and step of the nearest sample.
 fn hcbtf_near(place: vec2f, directions: vec2i) -> vec2i {
     let near = vec2i(floor(place + 0.5));
     return vec2i(min(near.x, directions.x - 1), near.y % directions.y);
@@ -118,7 +119,7 @@ fn hcbtf_number(word: vec4f) -> i32 {
     return bytes.x + 256 * bytes.y + 65536 * bytes.z + 16777216 * bytes.w;
 }
 
-/// The layers that views have, which some may share.
+/// The views with the layers that store them; some views may share a layer.
 fn hcbtf_stored(sheet: texture_2d_array<f32>, grid: HcbtfGrid, views: HcbtfViews) -> HcbtfViews {
     if !grid.is_shared {
         return views;
@@ -130,7 +131,7 @@ fn hcbtf_stored(sheet: texture_2d_array<f32>, grid: HcbtfGrid, views: HcbtfViews
     return HcbtfViews(layer, views.weight);
 }
 
-/// The layer that a view has.
+/// The layer that stores a view.
 fn hcbtf_layer(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32) -> i32 {
     if !grid.is_shared {
         return view;
@@ -141,25 +142,26 @@ fn hcbtf_layer(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32) -> i32 
     return hcbtf_number(textureLoad(sheet, vec2i(at % width, at / width), last, 0));
 }
 
-/// The texel of the tile at a texture coordinate, wherever that is; v points up, rows go down.
+/// The texel of the tile at a texture coordinate, on which the tile repeats; v points up, rows go
+/// down.
 fn hcbtf_texel(uv: vec2f, size: vec2i) -> vec2i {
     let p = bounded_vec2(vec2f(uv.x, -uv.y));
     let inside = p - floor(p);
     return min(vec2i(inside * vec2f(size)), size - 1);
 }
 
-/// Where the block of a texel's lights begins, in texels of the layer, for a level that begins at
+/// Origin of the block of a texel's lights, in texels of the layer, for a level that begins at
 /// `origin`.
 fn hcbtf_block(texel: vec2i, light: vec2i, origin: vec2i) -> vec2i {
     return origin + texel * vec2i(light.x, light.y + 2);
 }
 
-/// Adds a straight color with a weight, so that what is transparent does not tint.
+/// `sum` and a straight color with a weight, premultiplied so that transparent colors do not tint.
 fn hcbtf_add(sum: vec4f, color: vec4f, weight: f32) -> vec4f {
     return sum + vec4f(color.xyz * color.w, color.w) * weight;
 }
 
-/// A straight color from such a sum; transparent black where nothing was painted.
+/// The straight color of a sum by [`hcbtf_add`]; transparent black where nothing was painted.
 fn hcbtf_straight(sum: vec4f) -> vec4f {
     return select(vec4f(0.0), vec4f(clamp(sum.xyz / max(sum.w, 1e-20), vec3f(0.0), vec3f(1.0)),
         min(sum.w, 1.0)), sum.w > 0.0);
@@ -197,7 +199,7 @@ fn hcbtf_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i,
         0.0);
 }
 
-/// The same for the four views around one.
+/// [`hcbtf_tap`] for the four views around a direction, blended.
 fn hcbtf_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, block: vec2i, light: vec2f,
     views: HcbtfViews) -> vec4f {
     return views.weight.x * hcbtf_tap(sheet, sheet_sampler, block, views.layer.x, light)
@@ -211,17 +213,17 @@ struct HcbtfTexels {
     /// Left, top, right, bottom.
     at: vec4i,
     weight: vec2f,
-    /// Where the level begins, in texels of the layer.
+    /// Origin of the level, in texels of the layer.
     origin: vec2i,
-    /// Texels of a row of the level.
+    /// Number of texels in a row of the level.
     width: i32,
-    /// How many times it was halved.
+    /// Number of times that the tile was halved.
     level: i32,
-    /// Blocks of the levels before it.
+    /// Number of blocks in the levels before.
     before: i32,
 }
 
-/// The blocks of four texels.
+/// The blocks of lights of four texels.
 struct HcbtfBlocks {
     left_top: vec2i,
     right_top: vec2i,
@@ -258,7 +260,7 @@ fn hcbtf_texels(uv: vec2f, grid: HcbtfGrid, level: i32) -> HcbtfTexels {
         level, before);
 }
 
-/// The one texel at a texture coordinate, as if it were between texels.
+/// The texel at a texture coordinate alone, in the form of four texels that are the same.
 fn hcbtf_crisp_texel(uv: vec2f, grid: HcbtfGrid) -> HcbtfTexels {
     let texel = hcbtf_texel(uv, grid.size);
     return HcbtfTexels(vec4i(texel, texel), vec2f(0.0), vec2i(0), grid.size.x, 0, 0);
@@ -278,18 +280,19 @@ fn hcbtf_block_texel(sheet: texture_2d_array<f32>, index: i32, texel: vec2i) -> 
         - (index >> 18u), 0);
 }
 
-/// Blocks along a row of texels.
+/// Number of blocks along a row of texels.
 fn hcbtf_blocks_along(texels: i32) -> i32 {
     return (texels + 3) >> 2u;
 }
 
-/// Blocks of a level.
+/// Number of blocks of a level.
 fn hcbtf_blocks_of(size: vec2i) -> i32 {
     return hcbtf_blocks_along(size.x) * hcbtf_blocks_along(size.y);
 }
 
-/// Where the texels of a sample's tile begin and where its palette does, 0 for none; compact
-/// storage. In blocks there are no palettes, and `before` of them are those of the levels before.
+/// Beginning of the texels of a sample's tile in x and of its palette in y, 0 for none; compact
+/// storage. In the block storage there are no palettes, and `before` is the number of blocks in the
+/// levels before.
 fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: i32, level: i32,
     before: i32) -> vec2i {
     let sample = 2 + view * grid.light.x * grid.light.y + light;
@@ -301,7 +304,7 @@ fn hcbtf_piece(sheet: texture_2d_array<f32>, grid: HcbtfGrid, view: i32, light: 
         hcbtf_number(hcbtf_word(sheet, record + 1)));
 }
 
-/// A texel of such a tile, whose rows have `width`; straight.
+/// A texel of a tile found by [`hcbtf_piece`], whose rows have `width` texels; straight.
 fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i, at: vec2i,
     width: i32) -> vec4f {
     if grid.has_blocks {
@@ -317,7 +320,8 @@ fn hcbtf_piece_texel(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i
     return hcbtf_word(sheet, piece.y + i32(round(255.0 * four[index & 3])));
 }
 
-/// Four texels of such a tile, blended; premultiplied. Those that do not count are not read.
+/// Four texels of a tile found by [`hcbtf_piece`], blended; premultiplied. Texels of weight 0 are
+/// not read.
 fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i,
     texels: HcbtfTexels) -> vec4f {
     let w = texels.weight;
@@ -339,8 +343,8 @@ fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i
     return sum;
 }
 
-/// All samples that count around a light and a view, of the compact storage or of blocks;
-/// premultiplied.
+/// Blend of all samples that count around a light and a view, from the compact storage or that of
+/// blocks; premultiplied.
 fn hcbtf_compact(sheet: texture_2d_array<f32>, grid: HcbtfGrid, texels: HcbtfTexels,
     light: HcbtfPlace, views: HcbtfViews) -> vec4f {
     let steps = grid.light.y;
@@ -381,7 +385,7 @@ fn hcbtf_sixteen_at(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, le
         + w.x * w.y * hcbtf_sixteen(sheet, blocks.right_bottom, light, views);
 }
 
-/// The same by a bilinear tap for each view and texel; straight.
+/// [`hcbtf_sixteen_at`] by a bilinear tap for each view and texel; straight.
 fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
     level: i32, light: vec2f, view: HcbtfViews) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
@@ -399,7 +403,7 @@ fn hcbtf_taps_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f
         + w.x * w.y * hcbtf_taps(sheet, sheet_sampler, blocks.right_bottom, light, views);
 }
 
-/// The same for the nearest view alone; straight.
+/// [`hcbtf_taps_at`] for the nearest view alone; straight.
 fn hcbtf_tap_at(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
     level: i32, light: vec2f, near: vec2i) -> vec4f {
     let texels = hcbtf_texels(uv, grid, level);
@@ -429,7 +433,7 @@ fn hcbtf_crisp(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light: 
         hcbtf_stored(sheet, grid, views));
 }
 
-/// The same by a bilinear tap for each view; straight.
+/// [`hcbtf_crisp`] by a bilinear tap for each view; straight.
 fn hcbtf_crisp_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f,
     grid: HcbtfGrid, light: vec2f, views: HcbtfViews) -> vec4f {
     let texel = hcbtf_crisp_texel(uv, grid);
@@ -441,7 +445,7 @@ fn hcbtf_crisp_taps(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: ve
     return hcbtf_taps(sheet, sheet_sampler, block, light, hcbtf_stored(sheet, grid, views));
 }
 
-/// The same by one bilinear tap of the nearest view; straight.
+/// [`hcbtf_crisp`] by one bilinear tap of the nearest view; straight.
 fn hcbtf_crisp_tap(sheet: texture_2d_array<f32>, sheet_sampler: sampler, uv: vec2f, grid: HcbtfGrid,
     light: vec2f, near: vec2i) -> vec4f {
     let texel = hcbtf_crisp_texel(uv, grid);
@@ -468,8 +472,8 @@ fn hcbtf_painted(sheet: texture_2d_array<f32>, uv: vec2f, grid: HcbtfGrid, light
     return textureLoad(sheet, at, hcbtf_layer(sheet, grid, view), 0);
 }
 
-/// How many times smaller, as a power of two, the tile is seen than it is painted. Call it in
-/// uniform control flow.
+/// Level of the tile to read: log2 of how many times smaller the tile is seen than it is painted.
+/// Call it in uniform control flow.
 fn hcbtf_level(uv: vec2f, grid: HcbtfGrid) -> f32 {
     let dx = bounded_vec2(dpdx(uv) * vec2f(grid.size));
     let dy = bounded_vec2(dpdy(uv) * vec2f(grid.size));
@@ -479,15 +483,15 @@ fn hcbtf_level(uv: vec2f, grid: HcbtfGrid) -> f32 {
     return select(0.0, min(0.5 * log2(widest), last), grid.has_levels);
 }
 
-/// How much of a light just above the horizon arrives: all of it, and nothing below, with an edge
-/// as wide as a pixel. Call it in uniform control flow.
+/// Share of a light that arrives at a horizon: 1 above it, 0 below, with an edge as wide as a
+/// pixel. Call it in uniform control flow.
 fn hcbtf_horizon(light: vec3f, frame: mat3x3f) -> f32 {
     let height = dot(normalize_or(light, frame[2]), frame[2]);
     return step_filtered(height, 0.0, footprint_of(height));
 }
 
-/// The color of a straight blend: below the horizon replaced, decoded where the look is in linear
-/// light.
+/// The color to show for a straight blend: decoded where the look is in linear light, and replaced
+/// below the horizon.
 fn hcbtf_finished(lit: vec4f, above: f32, unlit: vec4f, grid: HcbtfGrid) -> vec4f {
     let painted = select(lit, linear_from_display(lit), grid.is_decoded);
     return mix(bounded_vec4(unlit), painted, above);

@@ -18,7 +18,7 @@ fn light_at(
     return Light(direction, own_from_world * direction, color, faded);
 }
 
-/// What is left at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
+/// Attenuation at `distance`: 1 / (1 + (d / half)^2), ended smoothly at the range by (1 - (d /
 /// range)^4)^2. A half distance or range of 0 leaves its factor out.
 fn light_fading(distance: f32, fading: vec2f) -> f32 {
     var left = 1.0;
@@ -34,8 +34,8 @@ fn light_fading(distance: f32, fading: vec2f) -> f32 {
     return left;
 }
 
-/// What is left at an angle from a spot light's aim: smoothstep between the cosines `cone.y`
-/// (outer) and `cone.x` (inner); a hard, inclusive edge where they are equal.
+/// Attenuation at an angle from a spot light's aim: smoothstep between the cosines `cone.y` (outer)
+/// and `cone.x` (inner); a hard, inclusive edge where they are equal.
 fn light_cone(cos_angle: f32, cone: vec2f) -> f32 {
     if cone.x <= cone.y {
         return select(0.0, 1.0, cos_angle >= cone.y);
@@ -44,8 +44,8 @@ fn light_cone(cos_angle: f32, cone: vec2f) -> f32 {
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
-/// color (at least 1).
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }

@@ -2,8 +2,8 @@
 import chiaro::numeric;
 import chiaro::total;
 
-/// 1 within the share `hardness` of the radius around the centre, 0 from the radius on, smooth
-/// between.
+/// Weight of a place: 1 within the share `hardness` of the radius around the centre, 0 from the
+/// radius on, smooth between.
 fn near_place(position: vec3f, center: vec3f, radius: f32, hardness: f32) -> f32 {
     let far = length_of(bounded_vec3(position) - bounded_vec3(center));
     let reach = max(bounded(radius), 0.0);

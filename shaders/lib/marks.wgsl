@@ -17,13 +17,15 @@ import chiaro::blue_noise;
 
 /// A place for marks.
 struct Marked {
-    /// Along the strokes, and across them.
+    /// Coordinates along the strokes and across them.
     place: vec2f,
-    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     stretch: vec3f,
 }
 
-/// A place whose coordinates change along the picture by these two gradients, turned by an angle.
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
     let turn = sin_cos_of(angle);
     let x = bounded_vec3(turn.y * along + turn.x * across);
@@ -34,16 +36,16 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen
-/// from `view`: the way along the picture is drawn out on the surface. Vectors are unit but for g.
-/// At rims it is drawn out up to eight times.
+/// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
+/// from `view`: a way along the picture is drawn out on the surface, at rims up to eight times.
+/// Vectors are unit but for g.
 fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = dot(normal, view);
     return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125),
         facing >= 0.0));
 }
 
-/// A place across an axis of the object.
+/// A place on a surface for strokes across an axis of the object.
 fn place_across(
     axis: vec3f,
     position: vec3f,
@@ -61,7 +63,8 @@ fn place_across(
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
-/// A place along texture coordinates, of which one unit is so large.
+/// A place on a surface for strokes along u; `unit` is the size of one unit of the texture
+/// coordinates.
 fn place_along_uv(
     uv: vec2f,
     unit: f32,
@@ -73,14 +76,14 @@ fn place_along_uv(
     magnification: f32,
     angle: f32,
 ) -> Marked {
-    // An object that is enlarged stretches its texture coordinates.
+    // Enlarging an object stretches its texture coordinates.
     let along = tangent * length_of(tangent * world_from_normal);
     let across = bitangent * length_of(bitangent * world_from_normal);
     let size = clamp(bounded(unit), 1e-3, 1e3);
     return place_on_surface(uv * size, along, across, normal, view, magnification, angle);
 }
 
-/// A place whose coordinates have these gradients in world space.
+/// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 fn place_on_surface(
     place: vec2f,
     along: vec3f,
@@ -98,64 +101,64 @@ fn place_on_surface(
     return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not
-/// stretched.
+/// A place in spacings of marks, with its stretch.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
 }
 
-/// A place without a stretch is one in pixels.
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
     let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 there is nothing left between whole numbers.
+    // Beyond 2^22 a float has nothing left between whole numbers.
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
-/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
-/// to it, and marks along that line would be infinitely fine.
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
-/// within +-16.
+/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
+/// must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
-/// How strokes are drawn.
+/// Style of strokes.
 struct Strokes {
-    /// In spacings.
+    /// Width of a stroke, in spacings.
     width: f32,
-    /// In spacings; 0 for endless ones.
+    /// Length of a stroke, in spacings; 0 for endless strokes.
     length: f32,
-    /// How much of a stroke its ends take, from 0 to 1.
+    /// Share of a stroke that its ends take, 0 to 1.
     taper: f32,
-    /// How far strokes stray, in spacings.
+    /// Distance that strokes stray, in spacings.
     wobble: f32,
-    /// From 0 (darker means more strokes) to 1 (darker means wider ones).
+    /// Effect of a darker tone: from more strokes at 0 to wider ones at 1.
     pressure: f32,
-    /// From 0 (all strokes between others grow together) to 1 (one after the other).
+    /// Growth of the strokes between others: from all together at 0 to one after the other at 1.
     variation: f32,
     seed: u32,
 }
 
-/// What one stroke is like at a place.
+/// A stroke as seen at a place.
 struct Stroke {
-    /// When among its neighbours it is drawn, from 0 to 1.
+    /// Turn of the stroke among its neighbours, 0 to 1.
     turn: f32,
-    /// How wide it is here, of its width.
+    /// Width of the stroke at the place, as a share of its full width.
     profile: f32,
 }
 
-/// The stroke of a line at x, in one octave. The line is named by an odd number and the octave it
+/// The stroke of a line at x, in one octave. A line's name is an odd number and the octave that it
 /// first lies in.
 fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
     let own = unit_of_hash(lattice_hash(vec3i(line, 1 << 20u), style.seed));
@@ -180,16 +183,16 @@ fn stroke_between(line: vec2i, x: f32, level: f32, style: Strokes) -> Stroke {
     return Stroke(mix(a.turn, b.turn, f), mix(a.profile, b.profile, f));
 }
 
-/// How far strokes stray at a place of an octave, in spacings of the place.
+/// Distance that strokes stray at a place of an octave, in spacings of the place.
 fn stray_at(place: vec2f, zoom: i32, seed: u32) -> f32 {
-    // Slowly along a stroke, and neighbours not alike.
+    // The noise changes slowly along a stroke and differs between neighbours.
     let p = place * power_of_two(zoom);
     return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0
         * power_of_two(-zoom);
 }
 
-/// How much of a footprint of `w` a band covers that reaches `half` to both sides of a place t
-/// away.
+/// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
+/// to both sides.
 fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, abs(t) <= half && half > 0.0);
@@ -198,7 +201,8 @@ fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
 }
 
 /// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
-/// is the footprint of the second. On average it is `ink` times the width, but for tapers.
+/// is the footprint of the coordinate across. The average ink is `ink` times the width, but for
+/// tapers.
 fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     if !(ink > 0.0) {
         return 0.0;
@@ -230,8 +234,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     return mix(max(a, b), mean, eased(footprint, 0.75, 1.5));
 }
 
-/// The name of a whole place's line in an octave: an odd number and the octave that it first lies
-/// in. 0 lies in all.
+/// The name of a whole place's line in an octave: an odd number and the octave that the line first
+/// lies in. The line at 0 lies in all.
 fn line_of(whole: i32, octave: i32) -> vec2i {
     let power = select(whole & -whole, 1, whole == 0);
     // log2 of a power of two, by its bits.
@@ -239,8 +243,8 @@ fn line_of(whole: i32, octave: i32) -> vec2i {
     return select(vec2i(whole / power, octave - octaves), vec2i(0), whole == 0);
 }
 
-/// The ink of strokes in up to four directions, each `cross` further: the first take the light
-/// tones, and the others come in one after the other.
+/// The ink of strokes in up to four directions, each turned by `cross` radians from the one before:
+/// the first take the light tones, and the others come in one after the other.
 fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -254,8 +258,8 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
             let across = vec2f(-turn.x, turn.y);
             let w = bounded(length(vec2f(dot(across, x), dot(across, y))));
             let s = at.stretch;
-            // As with areas, a place that hardly changes across the strokes counts as one that is
-            // drawn out eight times.
+            // A place that hardly changes across the strokes counts as one that is drawn out eight
+            // times, as in `area_square`.
             let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y,
                 across.y * across.y), s);
             let level = octave_of(max(square, (s.x + s.z) / 65.0));
@@ -268,16 +272,17 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
     return 1.0 - free;
 }
 
-/// How dots are drawn.
+/// Style of dots.
 struct Dots {
-    /// Their diameter in spacings.
+    /// Diameter of a dot, in spacings.
     size: f32,
-    /// How far they lie from the middles of their cells, from 0 to 1.
+    /// Scatter of dots around the middles of their cells, 0 to 1.
     scatter: f32,
     seed: u32,
 }
 
-/// The square of an offset's length along the picture, for one in the units of a stretched place.
+/// The square of an offset's length along the picture, for an offset in the units of a stretched
+/// place.
 fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
     let area = max(area_square(stretch), 1e-30);
     let square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
@@ -285,12 +290,12 @@ fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
     return max(square, 0.0) / area;
 }
 
-/// The ink of one octave's dots, of which so many of all are drawn; `stretch` is that of a unit of
+/// The ink of one octave's dots, of which the share `ink` is drawn; `stretch` is that of a unit of
 /// the octave.
 fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, style: Dots) -> f32 {
     let p = clamp(place * power_of_two(zoom), vec2f(-4194304.0), vec2f(4194304.0));
     let corner = floor(p);
-    // So far every dot that could be seen here is among the nine around.
+    // Within this distance every dot is in one of the nine cells around.
     let reach = 1.0 - 0.5 * style.scatter;
     var tile = BLUE_TILE;
     var sum = 0.0;
@@ -299,7 +304,7 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
         let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
-        // The blue tile says when a dot's turn is; it then grows within a short time.
+        // The blue noise tells when a dot's turn is; the dot then grows within 1/32 of all ink.
         let turning = cell + vec2i(i32(style.seed & 31u), zoom * 7);
         let turn = 0.96875 * blue_part(tile[blue_index(turning)], turning);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);

@@ -5,7 +5,8 @@ import chiaro::numeric;
 import chiaro::total;
 import chiaro::surface;
 
-/// What all models are made of; every cosine is at least a little above 0 where it divides.
+/// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
+/// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
     n_l: f32,
     n_v: f32,
@@ -39,7 +40,7 @@ fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
-/// Unit, midway between the light and the eye; the normal where they are opposite.
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let half = light + view;
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
@@ -90,8 +91,9 @@ fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
     let s2 = sigma * sigma;
     let a = 1.0 - 0.5 * s2 / (s2 + 0.33);
     let b = 0.45 * s2 / (s2 + 0.09);
-    // The cosine of the turn between both, times both sines; then sin of the larger angle over cos
-    // of the smaller one is what is left, without any angle.
+    // `across` is the cosine of the angle between light and eye around the normal, times the sines
+    // of both. The model's sin of the larger angle times tan of the smaller one is both sines over
+    // the larger cosine, so that no angle is needed.
     let across = dot(light, view) - n_l * n_v;
     let larger = max(max(n_l, n_v), 1e-3);
     return n_l * (a + b * max(across, 0.0) / larger);
@@ -113,10 +115,10 @@ fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f,
     return min(n_l * lobe / (4.0 * widths.x * widths.y * sqrt(max(n_l * n_v, 1e-6))), 1e6);
 }
 
-/// What a thin film reflects of one wavelength: 0 where both its faces cancel, 1 where they add up.
-/// `path` is the difference of both ways, in the wavelength's unit.
+/// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
+/// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
 fn interference(path: f32, wavelength: f32) -> f32 {
     let half = sin_cos_of(PI * path / wavelength);
-    // One face turns the wave over, so a film of no thickness is black.
+    // The wave is turned over at one face only, so a film of no thickness is black.
     return half.x * half.x;
 }

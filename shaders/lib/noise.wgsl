@@ -51,7 +51,7 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Random numbers at lattice points, smooth between them.
+/// Value noise: random numbers at lattice points, smooth between them.
 fn value_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let f = fade_quintic(p - corner);
@@ -101,7 +101,7 @@ fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
 }
 
-/// What one corner of a tetrahedron adds at the offset d from it.
+/// Contribution of one corner of a tetrahedron at the offset d from it.
 fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
     let t = max(0.5 - dot(d, d), 0.0);
     return t * t * t * t * gradient_dot(hash, d);
@@ -125,14 +125,14 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
 struct Cell {
     /// The distance to the nearest border, in cells.
     border: f32,
-    /// In [0, 1), of the cell.
+    /// A random number of the cell, in [0, 1).
     random: f32,
     /// The distance to the cell's point.
     distance: f32,
 }
 
-/// No point of a cell that is no neighbour is nearer than this: points keep a quarter of a cell
-/// from their cell's sides.
+/// Least distance of the point of a cell that is no neighbour, in cells: points keep a quarter of a
+/// cell from their cell's sides.
 const CELL_REACH: f32 = 1.25;
 /// Averages of border and distance, measured in f64.
 const CELL_BORDER_MEAN: f32 = 0.1301;
@@ -140,9 +140,9 @@ const CELL_DISTANCE_MEAN: f32 = 0.491;
 
 /// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
 ///
-/// The border is that between the two nearest points as far as it is certain: a point that was not
-/// looked at is at least 1.25 away, so no border of its is nearer than (1.25 - distance) / 2, and
-/// what is farther counts as that far.
+/// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
+/// distance) / 2: a point that was not looked at is at least 1.25 away, so no border of its is
+/// nearer, and a farther border counts as that far.
 fn nearest_cell(p: vec3f, seed: u32) -> Cell {
     let corner = floor(p);
     let d = p - corner;
@@ -165,17 +165,17 @@ fn nearest_cell(p: vec3f, seed: u32) -> Cell {
         let apart = vec3f(at) + 0.25 + 0.5 * unit_of_hash(lattice_hash(cell + at, seed)) - d
             - nearest;
         let between = length(apart);
-        // Points are half a cell apart at least; what is nearer is the cell's own.
+        // Points are half a cell apart at least; a nearer one is the cell's own.
         if between > 0.25 {
             border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
     }
-    // Another hash than the point's place, or the number would tell where in its cell the point
-    // lies.
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
     return Cell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance);
 }
 
-/// One octave of a kind.
+/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
 fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     switch kind {
         case NOISE_PERLIN: {
@@ -193,9 +193,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
-/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
-/// so that distance does not make it flicker.
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -207,8 +207,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
-            // 2^22 a float has no digits left for what lies between lattice points.
+            // Octaves are taken from different places, so that their lattices do not meet at the
+            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
@@ -221,7 +221,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     return clamp(sum / total, 0.0, 1.0);
 }
 
-/// How weak an octave must be beside those before it to be left out by [`fractal_noise_short`].
+/// Strength below which [`fractal_noise_short`] leaves an octave out, over that of all octaves
+/// before it.
 const LEAST_OCTAVE: f32 = 0.075;
 
 /// [`fractal_noise`] without the octaves from the first one on that has less than 0.075 of the
@@ -231,8 +232,8 @@ fn fractal_noise_short(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: 
     w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
-    // How many octaves to run is known before the first, because not every GPU skips what a branch
-    // leaves out.
+    // The number of octaves is known before the first runs, because not every GPU skips what a
+    // branch leaves out.
     var kept = 0;
     var kept_total = 0.0;
     var total = 0.0;

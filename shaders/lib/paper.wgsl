@@ -4,9 +4,9 @@ import chiaro::total;
 import chiaro::noise;
 import chiaro::marks;
 
-/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows,
-/// most at middle tones, and nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0
-/// to 1, `tooth` from 0 (smooth paper) to 1.
+/// Ink that the tooth of paper takes: more on its heights and less in its hollows, most so at
+/// middle tones, and none of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0
+/// (smooth paper) to 1.
 fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
     let amount = clamp(bounded(ink), 0.0, 1.0);
     let rough = clamp(bounded(tooth), 0.0, 1.0);
@@ -14,7 +14,7 @@ fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
 }
 
 /// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
-/// are seen.
+/// octaves are seen.
 fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -25,20 +25,20 @@ fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let fine = clamp(bounded(fiber), 0.0, 1.0);
     var height = paper_octave(at.place, i32(zoom), w, fine, seed);
     if f > 0.0 {
-        // Two sheets on one another are flatter than each: what they lose is given back.
+        // Two octaves in one are flatter than each: the contrast that they lose is given back.
         let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fine, seed), f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
 
-/// The height of paper in one octave; finer than a pixel it is flat.
+/// The height of paper in one octave; paper finer than a pixel is flat.
 fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let scale = power_of_two(zoom);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     let own = seed + 7u * bitcast<u32>(zoom);
     let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
-    // Long in no direction, and finer: the felt that the sheet was pressed on.
+    // The felt that the sheet was pressed on: finer, turned, and long in no direction.
     let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
         vec2f(4194304.0));
     let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;

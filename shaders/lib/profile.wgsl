@@ -4,8 +4,8 @@ import chiaro::types;
 import chiaro::numeric;
 import chiaro::angle;
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -19,7 +19,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -49,7 +49,7 @@ fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     }
     shape.kind = PROFILE_SOFT;
     shape.scale = 1.0 / sin_c;
-    // What is left to pi is taken from the angles as they came: c and f have lost its digits.
+    // The differences to pi are taken from the angles as they came: c and f have lost those digits.
     shape.exponent = profile_exponent(f, c, left_to_pi(steep_at) + tau, left_to_pi(zero_at) + tau);
     return profile_edge(shape, c);
 }
@@ -72,8 +72,8 @@ fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
     return (sum * sum + difference * difference) / (sin_f * sin_f);
 }
 
-/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the
-/// soft edge looks.
+/// `shape` with its edge: mean and standard deviation of -eta' over [0, c], by the trapezoid rule
+/// on eta, which tell how wide the soft edge looks.
 fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
     let steps = 64;
     let h = c / f32(steps);
@@ -87,8 +87,8 @@ fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
         moment += x * eta;
     }
     var result = shape;
-    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x
-    // eta.
+    // By integration by parts the mean of -eta' is the area under eta, and the mean square twice
+    // the area under x eta.
     result.edge_mean = area * h;
     result.edge_deviation = sqrt(max(2.0 * moment * h - area * area * h * h, 0.0));
     return result;
@@ -130,8 +130,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -153,7 +153,7 @@ fn profile_power_quick(q: f32, exponent: f32) -> f32 {
     return select(clamp(power, 0.0, 1.0), 0.0, q >= 1.0);
 }
 
-/// The half-angle from tau to u: its sine and cosine.
+/// Sine and cosine of half the angle from tau to u.
 fn profile_place(u: Angle, shape: ProfileShape) -> vec2f {
     return vec2f(
         u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset,
@@ -161,7 +161,7 @@ fn profile_place(u: Angle, shape: ProfileShape) -> vec2f {
     );
 }
 
-/// alpha where the half-sine from tau is s, of a soft profile.
+/// alpha of a soft profile where the half-sine from tau is s.
 fn profile_soft_quick(s: f32, shape: ProfileShape) -> f32 {
     return select(profile_power_quick(s * shape.scale, shape.exponent), 1.0, s <= 0.0);
 }

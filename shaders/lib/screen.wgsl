@@ -1,11 +1,11 @@
-// Where things are seen in the picture, and what is laid over the picture itself: half-tones and
-// dither. A picture's height is the unit, so that a picture of any resolution has the same dots.
+// Places and sizes in the picture, and patterns laid over the picture itself: half-tones and
+// dither. The unit is the picture's height, so that a picture of any resolution has the same dots.
 import chiaro::numeric;
 import chiaro::total;
 import chiaro::antialias;
 import chiaro::noise;
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
 /// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
 /// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
@@ -13,8 +13,8 @@ fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
-/// how large a unit of the scene is seen there; in picture heights.
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -26,13 +26,14 @@ fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
-/// p turned by an angle, from x to y.
+/// p turned by an angle in radians, from x to y.
 fn turned_by(p: vec2f, angle: f32) -> vec2f {
     let turn = sin_cos_of(angle);
     return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
-/// A place in pixels in the cells of a screen with so many lines to the picture's height.
+/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
+/// and is turned by an angle in radians.
 fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
     // Beyond 2^22 a float has no halves.
     let most = vec2f(4194304.0);
@@ -41,8 +42,8 @@ fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f 
     return clamp(turned_by(clamp(upright, -most, most), angle), -most, most);
 }
 
-/// 1 within half a `share` of every whole number, 0 elsewhere, averaged over a footprint of `w`:
-/// lines that cover `share` of all, from 0 to 1. Without a footprint their edges are inclusive.
+/// Lines that cover `share` of all, from 0 to 1: 1 within half a `share` of every whole number, 0
+/// elsewhere, averaged over a footprint of `w`. Without a footprint the edges are inclusive.
 fn lines_filtered(x: f32, share: f32, w: f32) -> f32 {
     let t = x - round(x);
     if w < 1e-30 {
@@ -85,14 +86,15 @@ fn dot_radius(share: f32) -> f32 {
     return 0.5 / sin_cos_quarter(a).y;
 }
 
-/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is
-/// the disk's own area, however small the disk; without a footprint its edge is inclusive.
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, d <= r && r > 0.0);
     }
-    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back
-    // is a fainter one.
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
+    // is drawn fainter.
     let square = r * r;
     let least = w * w / 3.0;
     let inner = sqrt(max(square, least) - 0.25 * least);
@@ -103,8 +105,8 @@ fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
 fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
     let width = min(w, 1.0);
     var ink = disk_filtered(length(cell - round(cell)), dot_radius(share), width);
-    // What dark dots leave free is a star; where it is not much larger than a pixel, a disk as
-    // large stands for it.
+    // The hole between dark dots is a star; where the hole is not much larger than a pixel, a disk
+    // of its size stands for it.
     let hole = sqrt(max(1.0 - share, 0.0) * 0.318309886183790672);
     let is_star = eased(width, 0.3 * hole, 0.9 * hole) * eased(share, 0.5, 0.7);
     if is_star > 0.0 {
@@ -124,7 +126,7 @@ fn ink_of_crosses(cell: vec2f, share: f32, w: vec2f) -> f32 {
     return 1.0 - free;
 }
 
-/// Which square of `size` a place is in.
+/// Index of the square of `size` that a place is in.
 fn dither_cell(place: vec2f, size: f32) -> vec2i {
     let least = max(bounded(size), 1e-3);
     return vec2i(floor(clamp(bounded_vec2(place) / least, vec2f(-4194304.0), vec2f(4194304.0))));
@@ -141,13 +143,13 @@ fn bayer_threshold(cell: vec2i, order: u32) -> f32 {
     return (f32(rank) + 0.5) * power_of_two(-2 * i32(order));
 }
 
-/// A threshold by chance, the same for the same square.
+/// A random threshold in [0, 1), the same for the same square.
 fn random_threshold(cell: vec2i) -> f32 {
     return unit_of_hash(lattice_hash(vec3i(cell, 0), 77u)).x;
 }
 
-/// A tone as one of `levels` flat ones from 0 to 1. Within `spread` of the way from one to the next
-/// the threshold decides which; where it is spread over all of the way, the average is the tone.
+/// A tone as one of `levels` flat tones from 0 to 1. Within `spread` of the way from one level to
+/// the next the threshold decides between them; at a spread of 1 the average is the tone.
 fn dithered(tone: f32, levels: i32, spread: f32, threshold: f32) -> f32 {
     let steps = f32(clamp(levels, 2, 256) - 1);
     let x = clamp(bounded(tone), 0.0, 1.0) * steps;

@@ -15,7 +15,8 @@ fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     var center = texel(at);
     let object = center.object;
     if center.object == 0.0 {
-        // As for curvature: with several samples, pixels at an outline have what a neighbour has.
+        // With several samples per pixel, pixels at an outline take the values of a neighbour, as
+        // for curvature.
         if curvature.samples < 2.0 {
             return vec4f(0.0);
         }
@@ -35,8 +36,8 @@ fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     return vec4f(select(center.normal, sum / max(size, 1e-6), size > 1e-6), object);
 }
 
-/// The normals at both sides of a pixel, with their weight; the pixel's own where one does not
-/// count. `offset` in pixels, y up.
+/// Weighted sum of the normals at both sides of a pixel; the pixel's own stands in as far as one of
+/// them does not count. `offset` is in pixels, y up.
 fn pair_of(center: Texel, at: vec2i, offset: vec2i, weight: f32) -> vec3f {
     let up = select(-1, 1, curvature.rows_up > 0.5);
     let by = vec2i(offset.x, up * offset.y);

@@ -9,11 +9,11 @@ fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let t = normalize_or(tangent, vec3f(0.0));
     let leaning = t - dot(t, n) * n;
-    // Leaning by less than this the tangent has no direction beside the normal but rounding's.
+    // Below this length the tangent's part across the normal has no direction but rounding's.
     let is_usable = dot(leaning, leaning) > 1e-8;
     let rough = normalize_or(select(any_orthogonal(n), leaning, is_usable), vec3f(1.0, 0.0, 0.0));
-    // Once more: where tangent and normal are close, what is left of the one still leans along the
-    // other.
+    // Orthogonal once more: where tangent and normal are close, the part that is left of the
+    // tangent still leans along the normal.
     let upright = normalize_or(rough - dot(rough, n) * n, vec3f(1.0, 0.0, 0.0));
     let b = cross(n, upright);
     return mat3x3f(upright, select(b, -b, dot(b, bitangent) < 0.0), n);
@@ -52,7 +52,8 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     if largest < 1e-18 || largest > 1e18 {
         return n;
     }
-    // Measured in the larger derivative, so that neither tiny nor huge scenes under- or overflow.
+    // Derivatives are measured in the larger one, so that neither tiny nor huge scenes under- or
+    // overflow.
     let s = x.xyz / largest;
     let t = y.xyz / largest;
     let rise = clamp(vec2f(x.w, y.w) / largest, vec2f(-1e6), vec2f(1e6));
@@ -68,9 +69,9 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     return normalize_or(n - limited, n);
 }
 
-/// Where a LitSphere picture, whose painted ball has this radius in texture coordinates, shows the
-/// normal `n` as seen along `v` (both unit, in camera axes; v toward the eye). Normals that point
-/// away fall on the rim. The result's second number goes down.
+/// Texture coordinates at which a LitSphere picture shows the normal `n` as seen along `v` (both
+/// unit, in camera axes; v toward the eye); `radius` is that of the painted ball, in texture
+/// coordinates. Normals that point away fall on the rim. The second coordinate goes down.
 fn litsphere_place(n: vec3f, v: vec3f, radius: f32) -> vec2f {
     let right = normalize_or(vec3f(v.z, 0.0, -v.x), vec3f(1.0, 0.0, 0.0));
     let up = cross(v, right);

@@ -1,9 +1,9 @@
-// The whole of what the curvature pass finds the trace of: how the slope n.xy / n.z changes along
-// both axes of the picture, which is the view-centred curvature tensor (Vergne et al. 2008).
-// Neighbours count as they do there.
+// View-centred curvature tensor (Vergne et al. 2008): how the slope n.xy / n.z changes along both
+// axes of the picture. The curvature pass finds half of its trace; neighbours count as in that
+// pass.
 import chiaro::curvature_map;
 
-/// The difference of slopes to a neighbour for each step, weighted, and the weight.
+/// Weighted difference of slopes to a neighbour for each step in xy, and the weight in z.
 fn slope_change(center: Texel, here: vec2f, at: vec2i, offset: vec2f, weight: f32) -> vec3f {
     let other = neighbour(center, at, offset);
     let sign = select(-1.0, 1.0, offset.x + offset.y > 0.0);
@@ -23,7 +23,8 @@ fn tensor_at(pixel: vec2i) -> vec3f {
     var at = pixel;
     var center = texel(at);
     if center.object == 0.0 {
-        // As for curvature: with several samples, pixels at an outline have what a neighbour has.
+        // With several samples per pixel, pixels at an outline take the values of a neighbour, as
+        // for curvature.
         if curvature.samples < 2.0 {
             return vec3f(0.0);
         }
@@ -53,7 +54,7 @@ fn tensor_at(pixel: vec2i) -> vec3f {
     }
     let along_x = slope_derivative(right, left);
     let along_y = slope_derivative(above, below);
-    // A surface's own is symmetric; interpolated normals are not quite.
+    // A surface's own tensor is symmetric; that of interpolated normals is not quite.
     let tensor = vec3f(along_x.x, 0.5 * (along_x.y + along_y.x), along_y.y)
         * curvature.viewport_height;
     return clamp(tensor, vec3f(-MOST), vec3f(MOST));

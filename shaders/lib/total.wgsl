@@ -1,6 +1,6 @@
-// The arithmetic of the maths nodes: a finite result for every input. What would be NaN is 0, what
-// would be infinite or too large is the largest number of its sign, and a number below the smallest
-// normal one divides as 0.
+// Arithmetic of the maths nodes, with a finite result for every input. NaN becomes 0, an infinite
+// or too large result the largest number of its sign, and a number below the smallest normal one
+// divides as 0.
 import chiaro::numeric;
 import chiaro::angle;
 
@@ -45,7 +45,7 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
         return 0.0;
     }
     let turned = select(-x, x, y > 0.0);
-    // Rounding may put what is left just outside of its range, and far outside where x / y has no
+    // Rounding may put the remainder just outside of its range, and far outside where x / y has no
     // digits left.
     let left = bounded(turned - size * floor(bounded(turned / size)));
     let wrapped = select(left, left + size, left < 0.0);
@@ -59,7 +59,7 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
-    // Exact, because an exponent of 1 lets the compiler leave the node out.
+    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
     if e == 1.0 {
         return b;
     }
@@ -94,7 +94,7 @@ fn logarithm_of(x: f32) -> f32 {
     return log_stable(max(bounded(x), SMALLEST_NORMAL));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -115,8 +115,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -133,8 +133,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -163,7 +163,7 @@ fn sin_cos_of(x: f32) -> vec2f {
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
-    // Halved where they are large, so that the sum of both stays finite.
+    // Coordinates are halved where they are large, so that the sum of both stays finite.
     let p = abs(bounded_vec2(vec2f(x, y)));
     let scaled = select(p, 0.5 * p, max(p.x, p.y) > 1.0);
     let a = atan2_positive(scaled.y, scaled.x);

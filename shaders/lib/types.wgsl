@@ -28,26 +28,26 @@ struct Light {
     intensity: f32,
 }
 
-/// A free function of one number, drawn through points; flat outside of them. It lies in uniform
-/// buffers as it is.
+/// A free function of one number, drawn through points; flat outside of them. The layout is one for
+/// uniform buffers.
 struct Curve {
     /// x, y and slope (dy/dx, used by the smooth interpolation) of each point, in increasing x.
     points: array<vec4f, 16>,
-    /// How many of the points count.
+    /// Number of points that count.
     count: u32,
     /// 0 straight, 1 smooth (cubic, with the slopes), 2 stepped: each point's y holds until the
     /// next point.
     interpolation: u32,
 }
 
-/// A color along one number, the same outside of its stops as at the nearest one. It lies in
-/// uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
-    /// Where the stops are, in increasing order, four to a vector.
+    /// Places of the stops, in increasing order, four to a vector.
     places: array<vec4f, 4>,
-    /// How many of the stops count.
+    /// Number of stops that count.
     count: u32,
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.

@@ -17,7 +17,7 @@ struct Light {
     intensity: f32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -40,16 +40,18 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
     let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
+    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // Short as it may be, what rounding left of z in it would tilt it.
+    // The part along z that rounding left in `across`, short as that may be, would tilt x.
     let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }

@@ -71,7 +71,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -82,12 +82,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -118,7 +118,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -154,9 +154,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -177,7 +177,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -208,9 +208,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -225,7 +224,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -245,14 +245,14 @@ fn bounded_vec3(v: vec3f) -> vec3f {
     return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -269,29 +269,29 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
-/// uniform control flow.
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -311,7 +311,7 @@ fn view_2(view_2: vec3f) -> vec3f {
     return view_2;
 }
 
-/// A direction within its two axes.
+/// A direction with the two axes along which it is bent.
 struct Bent {
     /// Unit.
     direction: vec3f,
@@ -321,7 +321,8 @@ struct Bent {
     place: vec2f,
 }
 
-/// All of it unit; an axis without a direction does nothing, a direction without one is +z.
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
     let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
     let x = normalize_or(x_axis, vec3f(0.0));
@@ -329,25 +330,27 @@ fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
     return Bent(d, x, y, vec2f(dot(d, x), dot(d, y)));
 }
 
-/// The direction moved along its axes, and unit again; as it was where nothing is left of it.
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(bent: Bent, by: vec2f) -> vec3f {
-    // Farther than a million it lies along the axis.
+    // Farther than a million the direction lies along the axis.
     let step = clamp(by, vec2f(-1e6), vec2f(1e6));
     let moved = bent.direction + step.x * bent.x_axis + step.y * bent.y_axis;
-    // Where it is moved to nearly nothing, rounding has no say.
+    // The direction of a sum of nearly 0 would be rounding's.
     return select(bent.direction, normalize_or(moved, bent.direction), dot(moved, moved) > 1e-6);
 }
 
-/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
     let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
+    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // Short as it may be, what rounding left of z in it would tilt it.
+    // The part along z that rounding left in `across`, short as that may be, would tilt x.
     let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
@@ -386,8 +389,8 @@ fn shift_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f3
     return direction_moved(direction_within(direction, x_axis, y_axis), vec2f(x, y));
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -431,8 +434,8 @@ fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -446,7 +449,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -488,8 +491,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -558,7 +561,7 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Random numbers at lattice points, smooth between them.
+/// Value noise: random numbers at lattice points, smooth between them.
 fn value_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let f = fade_quintic(p - corner);
@@ -608,7 +611,7 @@ fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
 }
 
-/// What one corner of a tetrahedron adds at the offset d from it.
+/// Contribution of one corner of a tetrahedron at the offset d from it.
 fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
     let t = max(0.5 - dot(d, d), 0.0);
     return t * t * t * t * gradient_dot(hash, d);
@@ -629,7 +632,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     return sqrt(nearest);
 }
 
-/// One octave of a kind.
+/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
 fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     switch kind {
         case NOISE_PERLIN: {
@@ -647,9 +650,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
-/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
-/// so that distance does not make it flicker.
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -661,8 +664,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
-            // 2^22 a float has no digits left for what lies between lattice points.
+            // Octaves are taken from different places, so that their lattices do not meet at the
+            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
@@ -685,7 +688,7 @@ fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f3
     return remapped(value, from_low, from_high, to_low, to_high, clamped);
 }
 
-/// How much of a pixel a line covers that is `width` pixels wide and this far away.
+/// Share of a pixel that a line covers which is `width` pixels wide and `distance` pixels away.
 fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }

@@ -57,14 +57,14 @@ struct Light {
     intensity: f32,
 }
 
-/// A color along one number, the same outside of its stops as at the nearest one. It lies in
-/// uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
-    /// Where the stops are, in increasing order, four to a vector.
+    /// Places of the stops, in increasing order, four to a vector.
     places: array<vec4f, 4>,
-    /// How many of the stops count.
+    /// Number of stops that count.
     count: u32,
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
@@ -75,7 +75,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -86,12 +86,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -122,7 +122,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -207,7 +207,7 @@ fn divided(a: f32, b: f32) -> f32 {
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
-    // Exact, because an exponent of 1 lets the compiler leave the node out.
+    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
     if e == 1.0 {
         return b;
     }
@@ -231,7 +231,7 @@ fn exponential_of(x: f32) -> f32 {
     return exp2_stable(bounded(x * LOG2_E));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -247,8 +247,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -257,8 +257,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -271,7 +271,7 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
-    // Halved where they are large, so that the sum of both stays finite.
+    // Coordinates are halved where they are large, so that the sum of both stays finite.
     let p = abs(bounded_vec2(vec2f(x, y)));
     let scaled = select(p, 0.5 * p, max(p.x, p.y) > 1.0);
     let a = atan2_positive(scaled.y, scaled.x);
@@ -279,13 +279,13 @@ fn angle_of_point(y: f32, x: f32) -> f32 {
     return select(turned, -turned, y < 0.0);
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -310,8 +310,8 @@ fn srgb_of_linear(light: f32) -> f32 {
     return bounded(select(value, -value, light < 0.0));
 }
 
-/// Darkens or lightens a by b without ever reaching black or white (W3C Compositing and Blending
-/// 1).
+/// Soft light: a darkened or lightened by b without ever reaching black or white (W3C Compositing
+/// and Blending 1).
 fn soft_light(a: f32, b: f32) -> f32 {
     if b <= 0.5 {
         return a - (1.0 - 2.0 * b) * a * (1.0 - a);
@@ -320,7 +320,7 @@ fn soft_light(a: f32, b: f32) -> f32 {
     return a + (2.0 * b - 1.0) * (curved - a);
 }
 
-/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
         bounded(a.w));
@@ -332,8 +332,8 @@ fn cube_root(x: f32) -> f32 {
     return select(root, -root, x < 0.0);
 }
 
-/// Lightness, green to red and blue to yellow of a linear sRGB color (Ottosson 2020): what eyes
-/// judge as even steps.
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
     let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
@@ -346,7 +346,7 @@ fn oklab_of_linear(rgb: vec3f) -> vec3f {
     );
 }
 
-/// Back from [`oklab_of_linear`].
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 fn linear_of_oklab(lab: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(lab), vec3f(-1e6), vec3f(1e6));
     let l = c.x + 0.3963377774 * c.y + 0.2158037573 * c.z;
@@ -366,13 +366,13 @@ fn oklab_of_srgb(coded: vec3f) -> vec3f {
         linear_of_srgb(coded.z)));
 }
 
-/// Back from [`oklab_of_srgb`].
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 fn srgb_of_oklab(lab: vec3f) -> vec3f {
     let light = linear_of_oklab(lab);
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-/// Between two colors as on screen, evenly to the eye; t from 0 to 1.
+/// Mix of two sRGB-coded colors in Oklab, even to the eye; t from 0 to 1.
 fn mixed_in_oklab(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let lab = mixed_vec3(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), t);
     return ends_kept(a, b, t, srgb_of_oklab(lab));
@@ -424,7 +424,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     if ramp.interpolation != INTERPOLATION_SMOOTH {
         return mixed_vec4(colors[at], colors[after], t);
     }
-    // Level at the first and the last stop, because the ramp is flat outside of them.
+    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
     var to_b = vec4f(0.0);
     if at > 0u {
@@ -455,7 +455,7 @@ fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_afte
     );
 }
 
-/// One component of [`ramp_slope`].
+/// [`ramp_slope`] of one component.
 fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
     if before * after <= 0.0 {
         return 0.0;
@@ -465,11 +465,11 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Where on a ramp x lies: between which two colors, and how far along.
+/// Place on a ramp: the colors before and after it, and the way between them.
 struct RampPlace {
     before: vec4f,
     after: vec4f,
-    /// From 0 to 1; smooth ramps are level at each stop.
+    /// Way from `before` to `after`, 0 to 1; smooth ramps are level at each stop.
     t: f32,
 }
 
@@ -492,13 +492,13 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
         select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -537,7 +537,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     return select(-t, t, a >= 0.0);
 }
 
-/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+/// Tensor fit for use: [`kappa_safe`] of each number.
 fn tensor_safe(tensor: vec3f) -> vec3f {
     return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }
@@ -546,7 +546,8 @@ fn tensor_safe(tensor: vec3f) -> vec3f {
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
     let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
-    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    // The curvature nearer 0 would have no digits left as a difference; the product of both, the
+    // determinant, gives it.
     let far = mean + select(-spread, spread, mean >= 0.0);
     let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
     return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
@@ -582,24 +583,25 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    // As wide as softness wants, and never narrower than a pixel.
+    // The edge is as wide as softness wants, but never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
+    // difference has them.
     let aside = n - view;
     let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
     let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
     let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // The light's direction across the eye's: from the far side of the object (-1) to the near one
-    // (1).
+    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
+    // the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    // Only what of the normal is across the eye's direction, too: where the light is nearly behind,
-    // rounding leaves a little of that direction in `across`.
+    // Only the normal's part across the eye's direction counts, too: where the light is nearly
+    // behind, rounding leaves a little of that direction in `across`.
     let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }
 
-/// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; at
-/// `turning` it stays.
+/// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; the
+/// tone `turning` stays.
 fn radiance_scaled(tone: f32, curved: f32, turning: f32) -> f32 {
     let e = exponential_of(curved);
     let dark = turning * (1.0 - tone);

@@ -59,21 +59,21 @@ struct Light {
     intensity: f32,
 }
 
-/// A color along one number, the same outside of its stops as at the nearest one. It lies in
-/// uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
-    /// Where the stops are, in increasing order, four to a vector.
+    /// Places of the stops, in increasing order, four to a vector.
     places: array<vec4f, 4>,
-    /// How many of the stops count.
+    /// Number of stops that count.
     count: u32,
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
     interpolation: u32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -84,12 +84,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -134,7 +134,7 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -150,8 +150,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -160,8 +160,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -172,18 +172,18 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
 fn edge_width(w: f32, softness: f32) -> f32 {
     return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -231,7 +231,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     if ramp.interpolation != INTERPOLATION_SMOOTH {
         return mixed_vec4(colors[at], colors[after], t);
     }
-    // Level at the first and the last stop, because the ramp is flat outside of them.
+    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
     var to_b = vec4f(0.0);
     if at > 0u {
@@ -262,7 +262,7 @@ fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_afte
     );
 }
 
-/// One component of [`ramp_slope`].
+/// [`ramp_slope`] of one component.
 fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
     if before * after <= 0.0 {
         return 0.0;
@@ -272,13 +272,13 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -301,7 +301,7 @@ fn kappa_safe(kappa: f32) -> f32 {
     return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
 }
 
-/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+/// Tensor fit for use: [`kappa_safe`] of each number.
 fn tensor_safe(tensor: vec3f) -> vec3f {
     return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }
@@ -310,7 +310,8 @@ fn tensor_safe(tensor: vec3f) -> vec3f {
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
     let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
-    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    // The curvature nearer 0 would have no digits left as a difference; the product of both, the
+    // determinant, gives it.
     let far = mean + select(-spread, spread, mean >= 0.0);
     let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
     return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
@@ -345,13 +346,13 @@ fn maximum(a: f32, b: f32) -> f32 {
     return max(bounded(a), bounded(b));
 }
 
-/// How much of a pixel a line covers that is `width` pixels wide and this far away.
+/// Share of a pixel that a line covers which is `width` pixels wide and `distance` pixels away.
 fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }
 
-/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface
-/// is seen well.
+/// Trust in curvature on the screen: 0 at the outline, where curvature has no bound and no digits,
+/// 1 where the surface is seen well.
 fn seen_well(facing: f32) -> f32 {
     return eased(facing, 0.05, 0.3);
 }
@@ -378,7 +379,8 @@ fn inner_contour_suggestive(
     // these lines.
     let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
-    // Whether a row further is up or down in the picture.
+    // `up` is 1 where the next row of pixels is farther up in the picture, -1 where it is farther
+    // down.
     let v = camera_from_world * view;
     let row = dpdy(place);
     let up = select(-1.0, 1.0, (row - dot(row, v) * v).y >= 0.0);
@@ -386,7 +388,7 @@ fn inner_contour_suggestive(
     let toward_eye = -(change.x * n.x + up * change.y * n.y) * inverseSqrt(max(square, 1e-6));
     let pixels = 0.5 * clamp(bounded(width), 0.0, 1e4) * height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
-    // Over a twentieth of the height it is to become as curved as the limit.
+    // Over a twentieth of the picture's height the surface is to become as curved as the limit.
     let strength = faded_in(toward_eye * height * 0.05, limit, softness);
     return line_covers(distance, pixels) * strength * seen_well(dot(normal, view));
 }
@@ -397,8 +399,7 @@ fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f
     return faded_in(-least, limit, softness) * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
-/// pixel.
+/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));

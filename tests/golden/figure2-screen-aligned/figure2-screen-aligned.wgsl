@@ -61,14 +61,14 @@ struct Light {
     intensity: f32,
 }
 
-/// A color along one number, the same outside of its stops as at the nearest one. It lies in
-/// uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
-    /// Where the stops are, in increasing order, four to a vector.
+    /// Places of the stops, in increasing order, four to a vector.
     places: array<vec4f, 4>,
-    /// How many of the stops count.
+    /// Number of stops that count.
     count: u32,
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
@@ -76,7 +76,7 @@ struct Ramp {
 }
 
 const HALF_PI: f32 = 1.57079632679489661923;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -87,12 +87,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -122,7 +122,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -171,7 +171,7 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -187,13 +187,13 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -241,7 +241,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     if ramp.interpolation != INTERPOLATION_SMOOTH {
         return mixed_vec4(colors[at], colors[after], t);
     }
-    // Level at the first and the last stop, because the ramp is flat outside of them.
+    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
     var to_b = vec4f(0.0);
     if at > 0u {
@@ -272,7 +272,7 @@ fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_afte
     );
 }
 
-/// One component of [`ramp_slope`].
+/// [`ramp_slope`] of one component.
 fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
     if before * after <= 0.0 {
         return 0.0;
@@ -282,23 +282,23 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
 fn unit_share(share: f32) -> f32 {
     return clamp(share, 0.0, 1.0);
 }
 
-/// A color whose alpha is a share.
+/// `color` with its alpha clamped to [0, 1].
 fn with_unit_alpha(color: Color) -> Color {
     return vec4f(color.xyz, unit_share(color.w));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;

@@ -46,7 +46,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -57,12 +57,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -93,7 +93,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -129,9 +129,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -144,7 +144,7 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -182,9 +182,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -199,7 +198,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -214,14 +214,14 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -238,18 +238,18 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
 fn edge_width(w: f32, softness: f32) -> f32 {
     return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -258,13 +258,13 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
 fn unit_share(share: f32) -> f32 {
     return clamp(share, 0.0, 1.0);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -279,8 +279,8 @@ fn uv(uv: vec2f) -> vec2f {
     return uv;
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -305,8 +305,8 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -320,7 +320,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -362,8 +362,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);

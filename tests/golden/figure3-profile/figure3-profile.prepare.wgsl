@@ -27,7 +27,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -63,9 +63,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -103,8 +103,8 @@ fn light_directional(direction: vec3f, own_direction: vec3f, color: vec3f,
     return Light(direction, own_direction, color, intensity);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -118,7 +118,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -147,7 +147,7 @@ fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     }
     shape.kind = PROFILE_SOFT;
     shape.scale = 1.0 / sin_c;
-    // What is left to pi is taken from the angles as they came: c and f have lost its digits.
+    // The differences to pi are taken from the angles as they came: c and f have lost those digits.
     shape.exponent = profile_exponent(f, c, left_to_pi(steep_at) + tau, left_to_pi(zero_at) + tau);
     return profile_edge(shape, c);
 }
@@ -170,8 +170,8 @@ fn profile_exponent(f: f32, c: f32, f_left: f32, c_left: f32) -> f32 {
     return (sum * sum + difference * difference) / (sin_f * sin_f);
 }
 
-/// Mean and standard deviation of -eta' over [0, c], by the trapezoid rule on eta: how wide the
-/// soft edge looks.
+/// `shape` with its edge: mean and standard deviation of -eta' over [0, c], by the trapezoid rule
+/// on eta, which tell how wide the soft edge looks.
 fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
     let steps = 64;
     let h = c / f32(steps);
@@ -185,8 +185,8 @@ fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
         moment += x * eta;
     }
     var result = shape;
-    // By parts: the mean of -eta' is the area under eta, the mean square twice the area under x
-    // eta.
+    // By integration by parts the mean of -eta' is the area under eta, and the mean square twice
+    // the area under x eta.
     result.edge_mean = area * h;
     result.edge_deviation = sqrt(max(2.0 * moment * h - area * area * h * h, 0.0));
     return result;

@@ -20,8 +20,8 @@ struct Light {
     intensity: f32,
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -38,8 +38,8 @@ fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
     return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
-/// color (at least 1).
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }

@@ -27,7 +27,7 @@ struct Surface {
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> object: Object;
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -38,12 +38,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }

@@ -70,7 +70,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -81,12 +81,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -117,7 +117,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -153,9 +153,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -176,7 +176,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -207,9 +207,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -224,7 +223,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -249,8 +249,8 @@ fn bounded_vec4(v: vec4f) -> vec4f {
     return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -259,8 +259,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -276,16 +276,16 @@ fn length_of(v: vec3f) -> f32 {
     return bounded(largest * length(w / largest));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
-/// uniform control flow.
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -350,7 +350,8 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     if largest < 1e-18 || largest > 1e18 {
         return n;
     }
-    // Measured in the larger derivative, so that neither tiny nor huge scenes under- or overflow.
+    // Derivatives are measured in the larger one, so that neither tiny nor huge scenes under- or
+    // overflow.
     let s = x.xyz / largest;
     let t = y.xyz / largest;
     let rise = clamp(vec2f(x.w, y.w) / largest, vec2f(-1e6), vec2f(1e6));
@@ -381,8 +382,8 @@ fn position_object(position_object: vec3f) -> vec3f {
     return position_object;
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -420,8 +421,8 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
-/// color (at least 1).
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }
@@ -458,8 +459,8 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
     return angle_between(normalize_or(mirrored, n), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -473,7 +474,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -515,8 +516,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -585,7 +586,7 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Random numbers at lattice points, smooth between them.
+/// Value noise: random numbers at lattice points, smooth between them.
 fn value_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let f = fade_quintic(p - corner);
@@ -635,7 +636,7 @@ fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
 }
 
-/// What one corner of a tetrahedron adds at the offset d from it.
+/// Contribution of one corner of a tetrahedron at the offset d from it.
 fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
     let t = max(0.5 - dot(d, d), 0.0);
     return t * t * t * t * gradient_dot(hash, d);
@@ -656,7 +657,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     return sqrt(nearest);
 }
 
-/// One octave of a kind.
+/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
 fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     switch kind {
         case NOISE_PERLIN: {
@@ -674,9 +675,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
-/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
-/// so that distance does not make it flicker.
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -688,8 +689,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
-            // 2^22 a float has no digits left for what lies between lattice points.
+            // Octaves are taken from different places, so that their lattices do not meet at the
+            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);

@@ -69,7 +69,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -80,12 +80,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -116,7 +116,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -152,9 +152,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -175,7 +175,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -206,9 +206,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -223,7 +222,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -248,7 +248,7 @@ fn bounded_vec4(v: vec4f) -> vec4f {
     return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -264,8 +264,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -282,8 +282,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -294,14 +294,14 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// Darkens or lightens a by b without ever reaching black or white (W3C Compositing and Blending
-/// 1).
+/// Soft light: a darkened or lightened by b without ever reaching black or white (W3C Compositing
+/// and Blending 1).
 fn soft_light(a: f32, b: f32) -> f32 {
     if b <= 0.5 {
         return a - (1.0 - 2.0 * b) * a * (1.0 - a);
@@ -310,18 +310,18 @@ fn soft_light(a: f32, b: f32) -> f32 {
     return a + (2.0 * b - 1.0) * (curved - a);
 }
 
-/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
         bounded(a.w));
 }
 
-/// Each component from 0 to 1.
+/// `rgb` with each component clamped to [0, 1].
 fn within_unit(rgb: vec3f) -> vec3f {
     return clamp(bounded_vec3(rgb), vec3f(0.0), vec3f(1.0));
 }
 
-/// How light a color counts in the non-separable modes (W3C Compositing and Blending 1).
+/// Lightness of a color in the non-separable modes (W3C Compositing and Blending 1, Lum).
 fn lightness_of(rgb: vec3f) -> f32 {
     return dot(rgb, vec3f(0.3, 0.59, 0.11));
 }
@@ -335,14 +335,14 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     let largest = max(max(moved.x, moved.y), moved.z);
     let raised = select(1.0, light / max(light - least, 1e-6), least < 0.0);
     let clipped = light + (moved - light) * raised;
-    // Where both ends are passed the second is measured after the first was drawn in.
+    // If both ends lie outside, the upper one is measured after the lower one was drawn in.
     let top = light + (largest - light) * raised;
     let lowered = select(1.0, (1.0 - light) / max(top - light, 1e-6), top > 1.0);
     return light + (clipped - light) * lowered;
 }
 
-/// `rgb` with the spread between its largest and smallest component that `other` has (SetSat); grey
-/// is black then.
+/// `rgb` with the spread between largest and smallest component that `other` has (SetSat); black
+/// where `rgb` is grey.
 fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
     let least = min(min(rgb.x, rgb.y), rgb.z);
     let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
@@ -351,13 +351,13 @@ fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
         spread > 0.0);
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -440,8 +440,8 @@ fn position_object(position_object: vec3f) -> vec3f {
     return position_object;
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -473,8 +473,8 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
-/// color (at least 1).
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }
@@ -511,8 +511,8 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
     return angle_between(normalize_or(mirrored, n), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -526,7 +526,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -568,8 +568,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -603,18 +603,19 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    // As wide as softness wants, and never narrower than a pixel.
+    // The edge is as wide as softness wants, but never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
+    // difference has them.
     let aside = n - view;
     let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
     let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
     let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // The light's direction across the eye's: from the far side of the object (-1) to the near one
-    // (1).
+    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
+    // the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    // Only what of the normal is across the eye's direction, too: where the light is nearly behind,
-    // rounding leaves a little of that direction in `across`.
+    // Only the normal's part across the eye's direction counts, too: where the light is nearly
+    // behind, rounding leaves a little of that direction in `across`.
     let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }

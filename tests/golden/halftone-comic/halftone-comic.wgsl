@@ -69,7 +69,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -80,12 +80,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -116,7 +116,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -152,9 +152,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -186,7 +186,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -217,9 +217,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -234,7 +233,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -264,7 +264,7 @@ fn bounded_vec4(v: vec4f) -> vec4f {
     return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -280,8 +280,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -298,8 +298,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -316,27 +316,26 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// How far each of a point's coordinates changes over one pixel, finite. Call it in uniform control
-/// flow.
+/// Change of each of a point's coordinates over one pixel, finite. Call it in uniform control flow.
 fn footprint_of_vec2(v: vec2f) -> vec2f {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded_vec2(sqrt(dx * dx + dy * dy));
 }
 
-/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
         bounded(a.w));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -388,8 +387,8 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
     return angle_between(normalize_or(mirrored, n), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -403,7 +402,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -445,8 +444,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -472,13 +471,14 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-/// p turned by an angle, from x to y.
+/// p turned by an angle in radians, from x to y.
 fn turned_by(p: vec2f, angle: f32) -> vec2f {
     let turn = sin_cos_of(angle);
     return vec2f(turn.y * p.x - turn.x * p.y, turn.x * p.x + turn.y * p.y);
 }
 
-/// A place in pixels in the cells of a screen with so many lines to the picture's height.
+/// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
+/// and is turned by an angle in radians.
 fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
     // Beyond 2^22 a float has no halves.
     let most = vec2f(4194304.0);
@@ -512,14 +512,15 @@ fn dot_radius(share: f32) -> f32 {
     return 0.5 / sin_cos_quarter(a).y;
 }
 
-/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is
-/// the disk's own area, however small the disk; without a footprint its edge is inclusive.
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, d <= r && r > 0.0);
     }
-    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back
-    // is a fainter one.
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
+    // is drawn fainter.
     let square = r * r;
     let least = w * w / 3.0;
     let inner = sqrt(max(square, least) - 0.25 * least);
@@ -530,8 +531,8 @@ fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
 fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
     let width = min(w, 1.0);
     var ink = disk_filtered(length(cell - round(cell)), dot_radius(share), width);
-    // What dark dots leave free is a star; where it is not much larger than a pixel, a disk as
-    // large stands for it.
+    // The hole between dark dots is a star; where the hole is not much larger than a pixel, a disk
+    // of its size stands for it.
     let hole = sqrt(max(1.0 - share, 0.0) * 0.318309886183790672);
     let is_star = eased(width, 0.3 * hole, 0.9 * hole) * eased(share, 0.5, 0.7);
     if is_star > 0.0 {

@@ -61,7 +61,7 @@ struct Light {
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -72,12 +72,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -108,7 +108,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -136,9 +136,9 @@ fn log_stable(x: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -201,7 +201,7 @@ fn divided(a: f32, b: f32) -> f32 {
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
-    // Exact, because an exponent of 1 lets the compiler leave the node out.
+    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
     if e == 1.0 {
         return b;
     }
@@ -220,7 +220,7 @@ fn powered(base: f32, exponent: f32) -> f32 {
     return select(raised, -raised, b < 0.0 && !is_even);
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -236,8 +236,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -254,8 +254,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -272,18 +272,18 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
 fn edge_width(w: f32, softness: f32) -> f32 {
     return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -292,13 +292,13 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -321,7 +321,7 @@ fn kappa_safe(kappa: f32) -> f32 {
     return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
 }
 
-/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+/// Tensor fit for use: [`kappa_safe`] of each number.
 fn tensor_safe(tensor: vec3f) -> vec3f {
     return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }
@@ -330,7 +330,8 @@ fn tensor_safe(tensor: vec3f) -> vec3f {
 fn principal_curvatures(tensor: vec3f) -> vec2f {
     let mean = 0.5 * (tensor.x + tensor.z);
     let spread = length(vec2f(0.5 * (tensor.x - tensor.z), tensor.y));
-    // Of the one nearer 0 the difference of both would leave no digits; their product is known.
+    // The curvature nearer 0 would have no digits left as a difference; the product of both, the
+    // determinant, gives it.
     let far = mean + select(-spread, spread, mean >= 0.0);
     let near = divided(tensor.x * tensor.z - tensor.y * tensor.y, far);
     return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
@@ -344,16 +345,18 @@ fn facing(normal: vec3f, view: vec3f) -> f32 {
     return clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
 }
 
-/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
     let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
+    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // Short as it may be, what rounding left of z in it would tilt it.
+    // The part along z that rounding left in `across`, short as that may be, would tilt x.
     let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
@@ -402,7 +405,7 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Random numbers at lattice points, smooth between them.
+/// Value noise: random numbers at lattice points, smooth between them.
 fn value_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let f = fade_quintic(p - corner);
@@ -416,7 +419,7 @@ fn value_noise(p: vec3f, seed: u32) -> f32 {
     return sum;
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
 /// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
 /// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
@@ -426,13 +429,15 @@ fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
 
 /// A place for marks.
 struct Marked {
-    /// Along the strokes, and across them.
+    /// Coordinates along the strokes and across them.
     place: vec2f,
-    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     stretch: vec3f,
 }
 
-/// A place whose coordinates change along the picture by these two gradients, turned by an angle.
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
     let turn = sin_cos_of(angle);
     let x = bounded_vec3(turn.y * along + turn.x * across);
@@ -443,16 +448,16 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen
-/// from `view`: the way along the picture is drawn out on the surface. Vectors are unit but for g.
-/// At rims it is drawn out up to eight times.
+/// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
+/// from `view`: a way along the picture is drawn out on the surface, at rims up to eight times.
+/// Vectors are unit but for g.
 fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = dot(normal, view);
     return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125),
         facing >= 0.0));
 }
 
-/// A place across an axis of the object.
+/// A place on a surface for strokes across an axis of the object.
 fn place_across(
     axis: vec3f,
     position: vec3f,
@@ -470,7 +475,7 @@ fn place_across(
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
-/// A place whose coordinates have these gradients in world space.
+/// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 fn place_on_surface(
     place: vec2f,
     along: vec3f,
@@ -488,56 +493,56 @@ fn place_on_surface(
     return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not
-/// stretched.
+/// A place in spacings of marks, with its stretch.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
 }
 
-/// A place without a stretch is one in pixels.
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
     let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 there is nothing left between whole numbers.
+    // Beyond 2^22 a float has nothing left between whole numbers.
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
-/// within +-16.
+/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
+/// must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
-/// How strokes are drawn.
+/// Style of strokes.
 struct Strokes {
-    /// In spacings.
+    /// Width of a stroke, in spacings.
     width: f32,
-    /// In spacings; 0 for endless ones.
+    /// Length of a stroke, in spacings; 0 for endless strokes.
     length: f32,
-    /// How much of a stroke its ends take, from 0 to 1.
+    /// Share of a stroke that its ends take, 0 to 1.
     taper: f32,
-    /// How far strokes stray, in spacings.
+    /// Distance that strokes stray, in spacings.
     wobble: f32,
-    /// From 0 (darker means more strokes) to 1 (darker means wider ones).
+    /// Effect of a darker tone: from more strokes at 0 to wider ones at 1.
     pressure: f32,
-    /// From 0 (all strokes between others grow together) to 1 (one after the other).
+    /// Growth of the strokes between others: from all together at 0 to one after the other at 1.
     variation: f32,
     seed: u32,
 }
 
-/// What one stroke is like at a place.
+/// A stroke as seen at a place.
 struct Stroke {
-    /// When among its neighbours it is drawn, from 0 to 1.
+    /// Turn of the stroke among its neighbours, 0 to 1.
     turn: f32,
-    /// How wide it is here, of its width.
+    /// Width of the stroke at the place, as a share of its full width.
     profile: f32,
 }
 
-/// The stroke of a line at x, in one octave. The line is named by an odd number and the octave it
+/// The stroke of a line at x, in one octave. A line's name is an odd number and the octave that it
 /// first lies in.
 fn stroke_at(line: vec2i, x: f32, zoom: i32, style: Strokes) -> Stroke {
     let own = unit_of_hash(lattice_hash(vec3i(line, 1 << 20u), style.seed));
@@ -562,16 +567,16 @@ fn stroke_between(line: vec2i, x: f32, level: f32, style: Strokes) -> Stroke {
     return Stroke(mix(a.turn, b.turn, f), mix(a.profile, b.profile, f));
 }
 
-/// How far strokes stray at a place of an octave, in spacings of the place.
+/// Distance that strokes stray at a place of an octave, in spacings of the place.
 fn stray_at(place: vec2f, zoom: i32, seed: u32) -> f32 {
-    // Slowly along a stroke, and neighbours not alike.
+    // The noise changes slowly along a stroke and differs between neighbours.
     let p = place * power_of_two(zoom);
     return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0
         * power_of_two(-zoom);
 }
 
-/// How much of a footprint of `w` a band covers that reaches `half` to both sides of a place t
-/// away.
+/// Share of a footprint of `w` that a band covers whose middle is t away and which reaches `half`
+/// to both sides.
 fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, abs(t) <= half && half > 0.0);
@@ -580,7 +585,8 @@ fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
 }
 
 /// The ink of one direction of strokes. `place` is along and across, in spacings at `level` 0; `w`
-/// is the footprint of the second. On average it is `ink` times the width, but for tapers.
+/// is the footprint of the coordinate across. The average ink is `ink` times the width, but for
+/// tapers.
 fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     if !(ink > 0.0) {
         return 0.0;
@@ -612,8 +618,8 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
     return mix(max(a, b), mean, eased(footprint, 0.75, 1.5));
 }
 
-/// The name of a whole place's line in an octave: an odd number and the octave that it first lies
-/// in. 0 lies in all.
+/// The name of a whole place's line in an octave: an odd number and the octave that the line first
+/// lies in. The line at 0 lies in all.
 fn line_of(whole: i32, octave: i32) -> vec2i {
     let power = select(whole & -whole, 1, whole == 0);
     // log2 of a power of two, by its bits.
@@ -621,8 +627,8 @@ fn line_of(whole: i32, octave: i32) -> vec2i {
     return select(vec2i(whole / power, octave - octaves), vec2i(0), whole == 0);
 }
 
-/// The ink of strokes in up to four directions, each `cross` further: the first take the light
-/// tones, and the others come in one after the other.
+/// The ink of strokes in up to four directions, each turned by `cross` radians from the one before:
+/// the first take the light tones, and the others come in one after the other.
 fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -636,8 +642,8 @@ fn cross_hatched(at: Spaced, ink: f32, layers: i32, cross: f32, style: Strokes) 
             let across = vec2f(-turn.x, turn.y);
             let w = bounded(length(vec2f(dot(across, x), dot(across, y))));
             let s = at.stretch;
-            // As with areas, a place that hardly changes across the strokes counts as one that is
-            // drawn out eight times.
+            // A place that hardly changes across the strokes counts as one that is drawn out eight
+            // times, as in `area_square`.
             let square = dot(vec3f(across.x * across.x, 2.0 * across.x * across.y,
                 across.y * across.y), s);
             let level = octave_of(max(square, (s.x + s.z) / 65.0));
@@ -737,8 +743,8 @@ fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
     return eased(value, low, high);
 }
 
-/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface
-/// is seen well.
+/// Trust in curvature on the screen: 0 at the outline, where curvature has no bound and no digits,
+/// 1 where the surface is seen well.
 fn seen_well(facing: f32) -> f32 {
     return eased(facing, 0.05, 0.3);
 }
@@ -749,8 +755,7 @@ fn inner_contour_valleys(limit: f32, softness: f32, tensor: vec3f, normal: vec3f
     return faded_in(-least, limit, softness) * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
-/// pixel.
+/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));

@@ -75,7 +75,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -86,12 +86,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -122,7 +122,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -166,9 +166,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -200,7 +200,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -231,9 +231,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -248,7 +247,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -268,14 +268,14 @@ fn bounded_vec3(v: vec3f) -> vec3f {
     return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -284,8 +284,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -302,14 +302,14 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -340,7 +340,7 @@ fn angle_between_directions(a: vec3f, b: vec3f) -> Angle {
     return angle_between(normalize_or(a, z), normalize_or(b, z));
 }
 
-/// A direction within its two axes.
+/// A direction with the two axes along which it is bent.
 struct Bent {
     /// Unit.
     direction: vec3f,
@@ -350,7 +350,8 @@ struct Bent {
     place: vec2f,
 }
 
-/// All of it unit; an axis without a direction does nothing, a direction without one is +z.
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
     let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
     let x = normalize_or(x_axis, vec3f(0.0));
@@ -358,25 +359,27 @@ fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
     return Bent(d, x, y, vec2f(dot(d, x), dot(d, y)));
 }
 
-/// The direction moved along its axes, and unit again; as it was where nothing is left of it.
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(bent: Bent, by: vec2f) -> vec3f {
-    // Farther than a million it lies along the axis.
+    // Farther than a million the direction lies along the axis.
     let step = clamp(by, vec2f(-1e6), vec2f(1e6));
     let moved = bent.direction + step.x * bent.x_axis + step.y * bent.y_axis;
-    // Where it is moved to nearly nothing, rounding has no say.
+    // The direction of a sum of nearly 0 would be rounding's.
     return select(bent.direction, normalize_or(moved, bent.direction), dot(moved, moved) > 1e-6);
 }
 
-/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
     let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
+    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // Short as it may be, what rounding left of z in it would tilt it.
+    // The part along z that rounding left in `across`, short as that may be, would tilt x.
     let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
@@ -432,9 +435,9 @@ fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f3
 fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
     sharpness: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
-    // Around the two axes: 0 along either, 1 midway between them.
+    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
-    // Told by how far it is from midway, which a high sharpness multiplies.
+    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
     let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
     let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
@@ -452,8 +455,8 @@ fn stretch_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: 
     return direction_moved(bent, -min(vec2f(x, y), vec2f(1.0)) * bent.place);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -501,8 +504,8 @@ fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -516,7 +519,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -558,8 +561,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -593,18 +596,19 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    // As wide as softness wants, and never narrower than a pixel.
+    // The edge is as wide as softness wants, but never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
+    // difference has them.
     let aside = n - view;
     let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
     let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
     let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // The light's direction across the eye's: from the far side of the object (-1) to the near one
-    // (1).
+    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
+    // the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    // Only what of the normal is across the eye's direction, too: where the light is nearly behind,
-    // rounding leaves a little of that direction in `across`.
+    // Only the normal's part across the eye's direction counts, too: where the light is nearly
+    // behind, rounding leaves a little of that direction in `across`.
     let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }

@@ -57,7 +57,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -68,12 +68,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -104,7 +104,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -148,9 +148,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -195,7 +195,7 @@ fn bounded_vec3(v: vec3f) -> vec3f {
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
-    // Exact, because an exponent of 1 lets the compiler leave the node out.
+    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
     if e == 1.0 {
         return b;
     }
@@ -214,14 +214,14 @@ fn powered(base: f32, exponent: f32) -> f32 {
     return select(raised, -raised, b < 0.0 && !is_even);
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -238,8 +238,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -256,16 +256,16 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
-/// uniform control flow.
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -277,8 +277,8 @@ fn position_object(position_object: vec3f) -> vec3f {
     return position_object;
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -303,7 +303,8 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// What all models are made of; every cosine is at least a little above 0 where it divides.
+/// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
+/// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
     n_l: f32,
     n_v: f32,
@@ -337,7 +338,7 @@ fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
-/// Unit, midway between the light and the eye; the normal where they are opposite.
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let half = light + view;
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
@@ -362,11 +363,11 @@ fn exponent_of_width(width: f32) -> f32 {
     return max(2.0 / (width * width) - 2.0, 0.0);
 }
 
-/// What a thin film reflects of one wavelength: 0 where both its faces cancel, 1 where they add up.
-/// `path` is the difference of both ways, in the wavelength's unit.
+/// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
+/// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
 fn interference(path: f32, wavelength: f32) -> f32 {
     let half = sin_cos_of(PI * path / wavelength);
-    // One face turns the wave over, so a film of no thickness is black.
+    // The wave is turned over at one face only, so a film of no thickness is black.
     return half.x * half.x;
 }
 
@@ -413,7 +414,7 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Random numbers at lattice points, smooth between them.
+/// Value noise: random numbers at lattice points, smooth between them.
 fn value_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let f = fade_quintic(p - corner);
@@ -463,7 +464,7 @@ fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
 }
 
-/// What one corner of a tetrahedron adds at the offset d from it.
+/// Contribution of one corner of a tetrahedron at the offset d from it.
 fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
     let t = max(0.5 - dot(d, d), 0.0);
     return t * t * t * t * gradient_dot(hash, d);
@@ -484,7 +485,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     return sqrt(nearest);
 }
 
-/// One octave of a kind.
+/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
 fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     switch kind {
         case NOISE_PERLIN: {
@@ -502,9 +503,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
-/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
-/// so that distance does not make it flicker.
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -516,8 +517,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
-            // 2^22 a float has no digits left for what lies between lattice points.
+            // Octaves are taken from different places, so that their lattices do not meet at the
+            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);

@@ -52,7 +52,7 @@ struct Light {
     intensity: f32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -63,12 +63,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -99,8 +99,8 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -108,8 +108,8 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -134,7 +134,8 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// What all models are made of; every cosine is at least a little above 0 where it divides.
+/// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
+/// made; every cosine is at least a little above 0 where it divides.
 struct Reflection {
     n_l: f32,
     n_v: f32,
@@ -159,7 +160,7 @@ fn sine_squared(a: vec3f, b: vec3f) -> f32 {
     return min(dot(across, across), 1.0);
 }
 
-/// Unit, midway between the light and the eye; the normal where they are opposite.
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let half = light + view;
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);

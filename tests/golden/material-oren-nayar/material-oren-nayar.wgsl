@@ -52,7 +52,7 @@ struct Light {
     intensity: f32,
 }
 
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -63,12 +63,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -99,8 +99,8 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -108,8 +108,8 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -145,15 +145,16 @@ fn oren_nayar(light: vec3f, normal: vec3f, view: vec3f, sigma: f32) -> f32 {
     let s2 = sigma * sigma;
     let a = 1.0 - 0.5 * s2 / (s2 + 0.33);
     let b = 0.45 * s2 / (s2 + 0.09);
-    // The cosine of the turn between both, times both sines; then sin of the larger angle over cos
-    // of the smaller one is what is left, without any angle.
+    // `across` is the cosine of the angle between light and eye around the normal, times the sines
+    // of both. The model's sin of the larger angle times tan of the smaller one is both sines over
+    // the larger cosine, so that no angle is needed.
     let across = dot(light, view) - n_l * n_v;
     let larger = max(max(n_l, n_v), 1e-3);
     return n_l * (a + b * max(across, 0.0) / larger);
 }
 
 fn reflectance_oren_nayar(light: Light, normal: vec3f, view: vec3f, roughness: f32) -> f32 {
-    // At 1 slopes deviate by a radian.
+    // At a roughness of 1 slopes deviate by a radian.
     let sigma = clamp(bounded(roughness), 0.0, 1.0);
     return oren_nayar(light.direction, normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view, sigma);
 }

@@ -55,7 +55,7 @@ struct Light {
 
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -66,12 +66,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -102,7 +102,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -121,8 +121,8 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -137,11 +137,11 @@ fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let t = normalize_or(tangent, vec3f(0.0));
     let leaning = t - dot(t, n) * n;
-    // Leaning by less than this the tangent has no direction beside the normal but rounding's.
+    // Below this length the tangent's part across the normal has no direction but rounding's.
     let is_usable = dot(leaning, leaning) > 1e-8;
     let rough = normalize_or(select(any_orthogonal(n), leaning, is_usable), vec3f(1.0, 0.0, 0.0));
-    // Once more: where tangent and normal are close, what is left of the one still leans along the
-    // other.
+    // Orthogonal once more: where tangent and normal are close, the part that is left of the
+    // tangent still leans along the normal.
     let upright = normalize_or(rough - dot(rough, n) * n, vec3f(1.0, 0.0, 0.0));
     let b = cross(n, upright);
     return mat3x3f(upright, select(b, -b, dot(b, bitangent) < 0.0), n);
@@ -154,8 +154,8 @@ fn any_orthogonal(n: vec3f) -> vec3f {
     return vec3f(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -180,7 +180,7 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// Unit, midway between the light and the eye; the normal where they are opposite.
+/// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let half = light + view;
     return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
@@ -220,7 +220,7 @@ fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
 fn reflectance_ward(light: Light, normal: vec3f, view: vec3f, tangent: vec3f, roughness: f32,
     across: f32) -> f32 {
     let frame = world_from_tangent(tangent, vec3f(0.0), normal);
-    // Below a twentieth the lobe is narrower than a pixel.
+    // Below a roughness of a twentieth the lobe is narrower than a pixel.
     let widths = max(vec2f(width_of_roughness(roughness), width_of_roughness(across)),
         vec2f(0.0025));
     return ward(light.direction, frame[2], view, frame[0], frame[1], widths);

@@ -77,7 +77,7 @@ struct Light {
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -88,12 +88,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -124,7 +124,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -152,9 +152,9 @@ fn log_stable(x: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -203,7 +203,7 @@ fn bounded_vec4(v: vec4f) -> vec4f {
     return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -219,8 +219,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -237,8 +237,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -255,29 +255,29 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
         bounded(a.w));
 }
 
-/// A share within 0 and 1: an opacity, a mask. Beyond them a mix would go on past what is mixed.
+/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
 fn unit_share(share: f32) -> f32 {
     return clamp(share, 0.0, 1.0);
 }
 
-/// A color whose alpha is a share.
+/// `color` with its alpha clamped to [0, 1].
 fn with_unit_alpha(color: Color) -> Color {
     return vec4f(color.xyz, unit_share(color.w));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -312,16 +312,18 @@ fn kappa_surface(kappa: f32) -> f32 {
     return kappa_safe(kappa);
 }
 
-/// Unit axes at right angles to `toward`: to the right, and upright along `up` as far as that goes.
+/// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
+/// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
     let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Nearly along `up` there is no upright; a fixed direction is better than rounding's.
+    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
+    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // Short as it may be, what rounding left of z in it would tilt it.
+    // The part along z that rounding left in `across`, short as that may be, would tilt x.
     let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
@@ -358,7 +360,7 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
 /// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
 /// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
@@ -366,8 +368,8 @@ fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
-/// how large a unit of the scene is seen there; in picture heights.
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -426,13 +428,15 @@ fn blue_part(four: u32, cell: vec2i) -> f32 {
 
 /// A place for marks.
 struct Marked {
-    /// Along the strokes, and across them.
+    /// Coordinates along the strokes and across them.
     place: vec2f,
-    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     stretch: vec3f,
 }
 
-/// A place whose coordinates change along the picture by these two gradients, turned by an angle.
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
     let turn = sin_cos_of(angle);
     let x = bounded_vec3(turn.y * along + turn.x * across);
@@ -443,16 +447,16 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// How fast a coordinate with the gradient `g` changes along the picture, on a surface that is seen
-/// from `view`: the way along the picture is drawn out on the surface. Vectors are unit but for g.
-/// At rims it is drawn out up to eight times.
+/// Gradient along the picture of a coordinate that has the gradient `g` in space, on a surface seen
+/// from `view`: a way along the picture is drawn out on the surface, at rims up to eight times.
+/// Vectors are unit but for g.
 fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let facing = dot(normal, view);
     return g - normal * (dot(g, view) / select(min(facing, -0.125), max(facing, 0.125),
         facing >= 0.0));
 }
 
-/// A place across an axis of the object.
+/// A place on a surface for strokes across an axis of the object.
 fn place_across(
     axis: vec3f,
     position: vec3f,
@@ -470,7 +474,7 @@ fn place_across(
     return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
-/// A place whose coordinates have these gradients in world space.
+/// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
 fn place_on_surface(
     place: vec2f,
     along: vec3f,
@@ -488,50 +492,50 @@ fn place_on_surface(
     return mark_place_of(bounded_vec2(place), x, y, angle);
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not
-/// stretched.
+/// A place in spacings of marks, with its stretch.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
 }
 
-/// A place without a stretch is one in pixels.
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
     let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 there is nothing left between whole numbers.
+    // Beyond 2^22 a float has nothing left between whole numbers.
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
-/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
-/// to it, and marks along that line would be infinitely fine.
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
-/// within +-16.
+/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
+/// must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
-/// How a picture of a stroke is laid.
+/// Style of brush strokes.
 struct Brush {
-    /// Length over width.
+    /// Length of a stroke over its width.
     aspect: f32,
-    /// In cells.
+    /// Size of a stroke over that of its cell.
     size: f32,
-    /// From 0 to 1.
+    /// Scatter of strokes around the middles of their cells, 0 to 1.
     scatter: f32,
-    /// In radians.
+    /// Range of the strokes' angles, both sides together, in radians.
     turn: f32,
     seed: u32,
-    /// Whether what is dark is paint, and not what is opaque.
+    /// True if the picture's dark texels are paint; false if its opaque ones are.
     is_dark: bool,
 }
 
@@ -546,7 +550,7 @@ fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark:
     );
 }
 
-/// The same without a picture, by bristles: premultiplied lightness, and how much covers.
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
@@ -586,7 +590,8 @@ fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
     return paint;
 }
 
-/// Three chances of a bristle, going over smoothly to the next across a stroke.
+/// Three random numbers of a bristle, 0 to 1; across a stroke they go over smoothly into those of
+/// the next bristle.
 fn bristle(row: f32, seed: u32) -> vec3f {
     let first = floor(row);
     let t = row - first;
@@ -595,12 +600,12 @@ fn bristle(row: f32, seed: u32) -> vec3f {
     return mix(a, b, t * t * (3.0 - 2.0 * t));
 }
 
-/// A stroke of a stiff brush at a place in it: how light its paint lies, and how much of it covers.
+/// A stroke of a stiff brush at the place `uv` in it: lightness of its paint in x, coverage in y.
 /// `width` is a pixel's share of the stroke's width.
 fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     let across = 2.0 * uv.y - 1.0;
     let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
-    // Bristles that are finer than a pixel are what they are on average.
+    // Bristles finer than a pixel become their average.
     let seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
     let chance = mix(vec3f(0.5), bristle(11.0 * uv.y, seed), seen);
     // The tip is round, and every bristle begins and leaves off at its own place.
@@ -613,19 +618,19 @@ fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     return vec2f(clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
 }
 
-/// A stroke as it is seen at a place.
+/// A stroke as seen at a place.
 struct Brushstroke {
-    /// Where in its picture, v down.
+    /// Place in the stroke's picture, v down.
     uv: vec2f,
-    /// How far it is turned: sine and cosine.
+    /// Sine and cosine of the stroke's angle.
     turn: vec2f,
-    /// 1 or -1: whether it runs backward.
+    /// Direction of the stroke: 1 forward, -1 backward.
     way: f32,
-    /// How much of it is there, from 0 to 1.
+    /// Share of the stroke that is there, 0 to 1.
     share: f32,
 }
 
-/// The stroke of a cell at a place in cells; `drawn` of it is there.
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
     let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
@@ -637,13 +642,13 @@ fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> B
     // The picture's outermost 64th fades, so that no stroke is cut off.
     let from_edge = min(uv, vec2f(1.0) - uv);
     let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
-    // A stroke must not reach beyond the cells around its own.
+    // A stroke must not reach beyond the cells around its own: a pixel looks at no others.
     let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
     let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
     return Brushstroke(uv, turn, way, share);
 }
 
-/// A step on the canvas as one in a stroke's picture.
+/// A step on the canvas as a step in a stroke's picture.
 fn brush_turned(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
     let turned = vec2f(
         stroke.turn.y * step.x + stroke.turn.x * step.y,

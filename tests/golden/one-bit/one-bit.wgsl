@@ -74,7 +74,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -85,12 +85,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -121,7 +121,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -157,9 +157,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -180,7 +180,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -211,9 +211,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -228,7 +227,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -248,14 +248,14 @@ fn bounded_vec2(v: vec2f) -> vec2f {
     return vec2f(bounded(v.x), bounded(v.y));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -264,8 +264,8 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     return bounded((x - low) / bounded(span));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -276,18 +276,18 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
     return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
 fn edge_width(w: f32, softness: f32) -> f32 {
     return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -296,8 +296,8 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -312,7 +312,7 @@ fn kappa_safe(kappa: f32) -> f32 {
     return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
 }
 
-/// Each number of a tensor fit for use, as [`kappa_safe`] makes it.
+/// Tensor fit for use: [`kappa_safe`] of each number.
 fn tensor_safe(tensor: vec3f) -> vec3f {
     return vec3f(kappa_safe(tensor.x), kappa_safe(tensor.y), kappa_safe(tensor.z));
 }
@@ -328,8 +328,8 @@ fn combine_tones_difference(a: f32, b: f32) -> f32 {
     return min(factor_of(a, true), 1.0 - factor_of(b, true));
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -364,8 +364,8 @@ fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
     return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -379,7 +379,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -421,8 +421,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
@@ -448,14 +448,14 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-/// Which square of `size` a place is in.
+/// Index of the square of `size` that a place is in.
 fn dither_cell(place: vec2f, size: f32) -> vec2i {
     let least = max(bounded(size), 1e-3);
     return vec2i(floor(clamp(bounded_vec2(place) / least, vec2f(-4194304.0), vec2f(4194304.0))));
 }
 
-/// A tone as one of `levels` flat ones from 0 to 1. Within `spread` of the way from one to the next
-/// the threshold decides which; where it is spread over all of the way, the average is the tone.
+/// A tone as one of `levels` flat tones from 0 to 1. Within `spread` of the way from one level to
+/// the next the threshold decides between them; at a spread of 1 the average is the tone.
 fn dithered(tone: f32, levels: i32, spread: f32, threshold: f32) -> f32 {
     let steps = f32(clamp(levels, 2, 256) - 1);
     let x = clamp(bounded(tone), 0.0, 1.0) * steps;
@@ -524,18 +524,19 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
     let facing = clamp(dot(n, view), 0.0, 1.0);
     let reach = factor_of(width, true);
-    // As wide as softness wants, and never narrower than a pixel.
+    // The edge is as wide as softness wants, but never narrower than a pixel.
     let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Nearly straight at the eye a cosine has no digits left, and the vectors' difference has them.
+    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
+    // difference has them.
     let aside = n - view;
     let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
     let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
     let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // The light's direction across the eye's: from the far side of the object (-1) to the near one
-    // (1).
+    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
+    // the near one (1).
     let across = light.direction - dot(light.direction, view) * view;
-    // Only what of the normal is across the eye's direction, too: where the light is nearly behind,
-    // rounding leaves a little of that direction in `across`.
+    // Only the normal's part across the eye's direction counts, too: where the light is nearly
+    // behind, rounding leaves a little of that direction in `across`.
     let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
     return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
 }
@@ -549,13 +550,13 @@ fn dither_blue(value: f32, place: vec2f, levels: i32, spread: f32, size: f32) ->
     return dithered(value, levels, spread, blue_threshold(dither_cell(place, size)));
 }
 
-/// How much of a pixel a line covers that is `width` pixels wide and this far away.
+/// Share of a pixel that a line covers which is `width` pixels wide and `distance` pixels away.
 fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }
 
-/// 0 at the outline, where curvature on the screen has no bound and no digits, 1 where the surface
-/// is seen well.
+/// Trust in curvature on the screen: 0 at the outline, where curvature has no bound and no digits,
+/// 1 where the surface is seen well.
 fn seen_well(facing: f32) -> f32 {
     return eased(facing, 0.05, 0.3);
 }
@@ -582,7 +583,8 @@ fn inner_contour_suggestive(
     // these lines.
     let radial = (h.x * n.x * n.x + 2.0 * h.y * n.x * n.y + h.z * n.y * n.y) / max(square, 1e-6);
     let change = vec2f(dpdx(radial), dpdy(radial));
-    // Whether a row further is up or down in the picture.
+    // `up` is 1 where the next row of pixels is farther up in the picture, -1 where it is farther
+    // down.
     let v = camera_from_world * view;
     let row = dpdy(place);
     let up = select(-1.0, 1.0, (row - dot(row, v) * v).y >= 0.0);
@@ -590,13 +592,12 @@ fn inner_contour_suggestive(
     let toward_eye = -(change.x * n.x + up * change.y * n.y) * inverseSqrt(max(square, 1e-6));
     let pixels = 0.5 * clamp(bounded(width), 0.0, 1e4) * height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
-    // Over a twentieth of the height it is to become as curved as the limit.
+    // Over a twentieth of the picture's height the surface is to become as curved as the limit.
     let strength = faded_in(toward_eye * height * 0.05, limit, softness);
     return line_covers(distance, pixels) * strength * seen_well(dot(normal, view));
 }
 
-/// 0 below the limit and 1 above it, over as much of the limit as is soft and never less than a
-/// pixel.
+/// Fade at a limit: 0 below and 1 above, over `softness` of the limit and never less than a pixel.
 fn faded_in(x: f32, limit: f32, softness: f32) -> f32 {
     let at = max(bounded(limit), 0.0);
     let width = edge_width(footprint_of(x), min(at, 1e9) * factor_of(softness, true));

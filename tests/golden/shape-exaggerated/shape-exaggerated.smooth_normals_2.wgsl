@@ -3,8 +3,8 @@
 // Bindings of group 0: normals 0, depths 1, curvature 2.
 // shape-exaggerated.json says what to put there and how to draw.
 
-// What the curvature passes share: view-centred mean curvature from screen-space normals
-// (docs/math.md 3), which is half the divergence of n.xy / n.z, in camera axes.
+// View-centred mean curvature from screen-space normals (docs/math.md 3), for the curvature passes:
+// half the divergence of n.xy / n.z, in camera axes.
 //
 // Convex is positive. The result is in 1/viewport-height, so that a picture at twice the resolution
 // shows the same. A neighbour counts only where it lies on the same surface: on the same object,
@@ -17,26 +17,27 @@ struct Curvature {
     pixel: f32,
     /// 1 for perspective, 0 for parallel projection.
     perspective: f32,
-    /// In pixels.
+    /// Height of the picture, in pixels.
     viewport_height: f32,
     /// 1 where the first row of an image is at the bottom of the picture (OpenGL), 0 where it is at
     /// the top.
     rows_up: f32,
-    /// Samples a pixel of the picture.
+    /// Samples per pixel of the picture.
     samples: f32,
 }
 
-/// Camera axes in xyz, the object's number plus 1 in w; 0 where nothing is.
+/// Normals in camera axes in xyz, the object's number plus 1 in w; 0 where nothing is.
 @group(0) @binding(0) var normals: texture_2d<f32>;
-/// Distance in front of the eye.
+/// Depths: distances in front of the eye.
 @group(0) @binding(1) var depths: texture_2d<f32>;
 @group(0) @binding(2) var<uniform> curvature: Curvature;
 
 /// The least n.z that divides: beyond it every rim would saturate to convex.
 const LEAST_NZ = 0.2;
-/// How many times the slope's own change of depth a neighbour may differ.
+/// Tolerated difference in depth to a neighbour, in multiples of the change that the slope
+/// explains.
 const DEPTH_TOLERANCE = 2.0;
-/// Curvature beyond this says no more.
+/// Largest curvature, in 1/viewport-height: beyond, it says no more.
 const MOST = 1e4;
 
 /// The pixels around a pixel, nearest first.
@@ -64,7 +65,8 @@ fn slope(normal: vec3f) -> vec2f {
     return normal.xy / max(normal.z, LEAST_NZ);
 }
 
-/// The slope at a neighbour in xy, and how much it counts in z. `offset` is in pixels, y up.
+/// The slope at a neighbour in xy and the neighbour's weight in z, 0 to 1. `offset` is in pixels, y
+/// up.
 fn neighbour(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
     let other = texel(at);
     if other.object != center.object {
@@ -75,12 +77,12 @@ fn neighbour(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
     let expected = dot(gradient, offset) * pixel;
     let error = abs((center.depth - other.depth) - expected);
     let tolerance = DEPTH_TOLERANCE * pixel * length(offset) * (1.0 + length(gradient));
-    // Fading, so that the last bit of a depth does not decide between all and nothing.
+    // The weight fades, so that the last bit of a depth does not decide between all and nothing.
     let weight = clamp(2.0 - error / max(tolerance, 1e-30), 0.0, 1.0);
     return vec3f(slope(other.normal), weight);
 }
 
-/// A derivative under way: what both sides give, each with its weight.
+/// Sums for a derivative: the differences to both sides, each with its weight.
 struct Sides {
     forward: f32,
     forward_weight: f32,
@@ -88,11 +90,11 @@ struct Sides {
     backward_weight: f32,
 }
 
-/// How the differences at one, two and three steps are weighted: a derivative of a Gaussian, which
-/// does not see the noise of single normals.
+/// Weights of the differences at one, two and three steps: a derivative of a Gaussian, which does
+/// not see the noise of single normals.
 const WEIGHTS = array<f32, 3>(1.0, 0.85, 0.5);
 
-/// The derivative from what counts of the two sides; 0 where nothing does.
+/// The derivative from the two sides as far as each counts; 0 where neither does.
 fn derivative(sides: Sides) -> f32 {
     let forward = sides.forward / max(sides.forward_weight, 1e-6);
     let backward = sides.backward / max(sides.backward_weight, 1e-6);
@@ -111,7 +113,7 @@ fn whole_picture(index: u32) -> vec4f {
 fn covered_near(pixel: vec2i) -> vec2i {
     let most = vec2i(textureDimensions(normals)) - 1;
     var found = pixel;
-    // All of them, the nearest last: leaving the loop early costs more than it saves.
+    // The loop visits all pixels, the nearest last: leaving it early costs more than it saves.
     for (var k = 7; k >= 0; k--) {
         let near = clamp(pixel + RING[k], vec2i(0), most);
         if textureLoad(normals, near, 0).w != 0.0 {
@@ -182,7 +184,8 @@ fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     var center = texel(at);
     let object = center.object;
     if center.object == 0.0 {
-        // As for curvature: with several samples, pixels at an outline have what a neighbour has.
+        // With several samples per pixel, pixels at an outline take the values of a neighbour, as
+        // for curvature.
         if curvature.samples < 2.0 {
             return vec4f(0.0);
         }
@@ -202,8 +205,8 @@ fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     return vec4f(select(center.normal, sum / max(size, 1e-6), size > 1e-6), object);
 }
 
-/// The normals at both sides of a pixel, with their weight; the pixel's own where one does not
-/// count. `offset` in pixels, y up.
+/// Weighted sum of the normals at both sides of a pixel; the pixel's own stands in as far as one of
+/// them does not count. `offset` is in pixels, y up.
 fn pair_of(center: Texel, at: vec2i, offset: vec2i, weight: f32) -> vec3f {
     let up = select(-1, 1, curvature.rows_up > 0.5);
     let by = vec2i(offset.x, up * offset.y);

@@ -60,7 +60,7 @@ struct Light {
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -71,12 +71,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -107,7 +107,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -135,9 +135,9 @@ fn log_stable(x: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -186,7 +186,7 @@ fn bounded_vec4(v: vec4f) -> vec4f {
     return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -202,8 +202,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -220,8 +220,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -238,13 +238,13 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -300,7 +300,7 @@ fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
 /// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
 /// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
@@ -308,8 +308,8 @@ fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
-/// how large a unit of the scene is seen there; in picture heights.
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -321,14 +321,15 @@ fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
     return vec2f(from_middle.x, -from_middle.y) / max(viewport.y, 1.0);
 }
 
-/// How much of a footprint of `w` a disk of radius r covers whose middle is d away. Its average is
-/// the disk's own area, however small the disk; without a footprint its edge is inclusive.
+/// Share of a footprint of `w` that a disk of radius r covers whose middle is d away. The average
+/// over the plane is the disk's own area, however small the disk; without a footprint its edge is
+/// inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
         return select(0.0, 1.0, d <= r && r > 0.0);
     }
-    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to take that back
-    // is a fainter one.
+    // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
+    // is drawn fainter.
     let square = r * r;
     let least = w * w / 3.0;
     let inner = sqrt(max(square, least) - 0.25 * least);
@@ -382,13 +383,15 @@ fn blue_part(four: u32, cell: vec2i) -> f32 {
 
 /// A place for marks.
 struct Marked {
-    /// Along the strokes, and across them.
+    /// Coordinates along the strokes and across them.
     place: vec2f,
-    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     stretch: vec3f,
 }
 
-/// A place whose coordinates change along the picture by these two gradients, turned by an angle.
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
     let turn = sin_cos_of(angle);
     let x = bounded_vec3(turn.y * along + turn.x * across);
@@ -399,48 +402,49 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not
-/// stretched.
+/// A place in spacings of marks, with its stretch.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
 }
 
-/// A place without a stretch is one in pixels.
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
     let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 there is nothing left between whole numbers.
+    // Beyond 2^22 a float has nothing left between whole numbers.
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
-/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
-/// to it, and marks along that line would be infinitely fine.
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
-/// within +-16.
+/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
+/// must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
-/// How dots are drawn.
+/// Style of dots.
 struct Dots {
-    /// Their diameter in spacings.
+    /// Diameter of a dot, in spacings.
     size: f32,
-    /// How far they lie from the middles of their cells, from 0 to 1.
+    /// Scatter of dots around the middles of their cells, 0 to 1.
     scatter: f32,
     seed: u32,
 }
 
-/// The square of an offset's length along the picture, for one in the units of a stretched place.
+/// The square of an offset's length along the picture, for an offset in the units of a stretched
+/// place.
 fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
     let area = max(area_square(stretch), 1e-30);
     let square = stretch.z * offset.x * offset.x - 2.0 * stretch.y * offset.x * offset.y
@@ -448,12 +452,12 @@ fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
     return max(square, 0.0) / area;
 }
 
-/// The ink of one octave's dots, of which so many of all are drawn; `stretch` is that of a unit of
+/// The ink of one octave's dots, of which the share `ink` is drawn; `stretch` is that of a unit of
 /// the octave.
 fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, style: Dots) -> f32 {
     let p = clamp(place * power_of_two(zoom), vec2f(-4194304.0), vec2f(4194304.0));
     let corner = floor(p);
-    // So far every dot that could be seen here is among the nine around.
+    // Within this distance every dot is in one of the nine cells around.
     let reach = 1.0 - 0.5 * style.scatter;
     var tile = BLUE_TILE;
     var sum = 0.0;
@@ -462,7 +466,7 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
         let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
-        // The blue tile says when a dot's turn is; it then grows within a short time.
+        // The blue noise tells when a dot's turn is; the dot then grows within 1/32 of all ink.
         let turning = cell + vec2i(i32(style.seed & 31u), zoom * 7);
         let turn = 0.96875 * blue_part(tile[blue_index(turning)], turning);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);

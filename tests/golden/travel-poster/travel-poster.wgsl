@@ -64,14 +64,14 @@ struct Light {
     intensity: f32,
 }
 
-/// A color along one number, the same outside of its stops as at the nearest one. It lies in
-/// uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
-    /// Where the stops are, in increasing order, four to a vector.
+    /// Places of the stops, in increasing order, four to a vector.
     places: array<vec4f, 4>,
-    /// How many of the stops count.
+    /// Number of stops that count.
     count: u32,
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
@@ -82,7 +82,7 @@ const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -93,12 +93,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -129,7 +129,7 @@ fn exp2_stable(x: f32) -> f32 {
     let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
         + f * (0.0416666666666666667 + f * (0.00833333333333333333
         + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // Two steps, because 2^-150 is no normal number.
+    // The power is applied in two steps, because 2^-150 is no normal number.
     let half_whole = i32(whole) / 2;
     return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
 }
@@ -165,9 +165,9 @@ fn log1p_negative_small(y: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -188,7 +188,7 @@ fn angle_between(d: vec3f, l: vec3f) -> Angle {
     return Angle(p * k, s * k);
 }
 
-/// u in radians.
+/// The angle u in radians.
 fn angle_radians(u: Angle) -> f32 {
     return 2.0 * atan2_positive(u.half_sin, u.half_cos);
 }
@@ -219,9 +219,8 @@ fn angle_shifted(u: Angle, shift: f32) -> Angle {
     return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
 }
 
-/// How far u changes over one pixel, in radians: |grad u|, at most 0.5. With half-angles the
-/// gradient needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform
-/// control flow.
+/// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
+/// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
     let half = vec2f(u.half_sin, u.half_cos);
     let dx = dpdx(half);
@@ -236,7 +235,8 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let s = u.half_sin * t.y - u.half_cos * t.x;
     let c = u.half_cos * t.y + u.half_sin * t.x;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller one tells which: a turn by pi may leave the other just below 0.
+    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
+    // below 0.
     let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
     return Angle(turned.x, turned.y);
 }
@@ -262,7 +262,7 @@ fn bounded_vec3(v: vec3f) -> vec3f {
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
-    // Exact, because an exponent of 1 lets the compiler leave the node out.
+    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
     if e == 1.0 {
         return b;
     }
@@ -291,18 +291,18 @@ fn length_of(v: vec3f) -> f32 {
     return bounded(largest * length(w / largest));
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// The width of an edge that is `softness` wide of itself and seen through a footprint of `w`.
+/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
 fn edge_width(w: f32, softness: f32) -> f32 {
     return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -325,8 +325,8 @@ fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
     return (stairs_integral(x + half, count) - stairs_integral(x - half, count)) / (2.0 * half);
 }
 
-/// A number from 0 to 1 in so many flat steps (at least 2), the first 0 and the last 1, seen
-/// through a footprint of `w`; `softness` is how much of a step its edge takes.
+/// A value from 0 to 1 in `count` flat steps (at least 2), the first 0 and the last 1, seen through
+/// a footprint of `w`; `softness` is the share of a step that its edge takes.
 fn stepped_tone(value: f32, w: f32, count: i32, softness: f32) -> f32 {
     let n = f32(clamp(count, 2, 1024));
     let width = edge_width(n * w, min(softness, 1.0));
@@ -358,7 +358,7 @@ fn srgb_of_linear(light: f32) -> f32 {
     return bounded(select(value, -value, light < 0.0));
 }
 
-/// Each component from 0 to 1.
+/// `rgb` with each component clamped to [0, 1].
 fn within_unit(rgb: vec3f) -> vec3f {
     return clamp(bounded_vec3(rgb), vec3f(0.0), vec3f(1.0));
 }
@@ -369,8 +369,8 @@ fn cube_root(x: f32) -> f32 {
     return select(root, -root, x < 0.0);
 }
 
-/// Lightness, green to red and blue to yellow of a linear sRGB color (Ottosson 2020): what eyes
-/// judge as even steps.
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
     let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
@@ -383,7 +383,7 @@ fn oklab_of_linear(rgb: vec3f) -> vec3f {
     );
 }
 
-/// Back from [`oklab_of_linear`].
+/// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 fn linear_of_oklab(lab: vec3f) -> vec3f {
     let c = clamp(bounded_vec3(lab), vec3f(-1e6), vec3f(1e6));
     let l = c.x + 0.3963377774 * c.y + 0.2158037573 * c.z;
@@ -403,15 +403,14 @@ fn oklab_of_srgb(coded: vec3f) -> vec3f {
         linear_of_srgb(coded.z)));
 }
 
-/// Back from [`oklab_of_srgb`].
+/// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 fn srgb_of_oklab(lab: vec3f) -> vec3f {
     let light = linear_of_oklab(lab);
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
 }
 
-/// The colors of a palette, the stops' of a ramp, that are nearest to a color in Oklab: the
-/// nearest alone, or blended there with those that are up to `softness` farther. Black for one
-/// without colors.
+/// The color of a palette (the stops of a ramp) that is nearest to `rgb` in Oklab, alone or blended
+/// there with the colors that are up to `softness` farther. Black for a palette without colors.
 fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
     let count = min(palette.count, 16u);
     var colors = palette.colors;
@@ -432,20 +431,20 @@ fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
     for (var i = 0u; i < count; i++) {
         let lab = oklab_of_srgb(colors[i].xyz);
         let near = clamp(1.0 - (length_of(lab - wanted) - nearest) / softness, 0.0, 1.0);
-        // Squared, so that colors come and go without a kink.
+        // Weights are squared, so that colors come and go without a kink.
         sum += near * near * lab;
         total += near * near;
     }
     return bounded_vec3(srgb_of_oklab(sum / max(total, 1e-6)));
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -520,8 +519,8 @@ fn warp(convexity: f32, amount: f32) -> f32 {
     return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265358979324, 3.14159265358979324);
 }
 
-/// Goes from `below` to `blended` by `opacity`, with `alpha` for the result's own; clamped to [0,
-/// 1] when `clamped`. At opacity 0 it is `below` exactly, whatever that is.
+/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
+/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {
     if opacity <= 0.0 {
@@ -546,8 +545,8 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// A light's intensity in two parts: what of it dims the layer (at most 1) and what brightens the
-/// color (at least 1).
+/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
+/// least 1).
 fn light_split(intensity: f32) -> vec2f {
     return vec2f(min(intensity, 1.0), max(intensity, 1.0));
 }
@@ -584,8 +583,8 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
     return angle_between(normalize_or(mirrored, n), light.direction);
 }
 
-/// What a profile needs of its offset, fall-off and cut-off; made once, in f64 wherever they are
-/// known before the fragment.
+/// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
+/// are known before the fragment.
 struct ProfileShape {
     /// cos(tau/2) and sin(tau/2).
     half_cos_offset: f32,
@@ -599,7 +598,7 @@ struct ProfileShape {
     /// Mean and standard deviation of the soft edge, measured from tau, in radians.
     edge_mean: f32,
     edge_deviation: f32,
-    /// 0: soft; 1: a step at tau; 2: ambient, 1 everywhere.
+    /// Kind of the profile: 0 soft, 1 a step at tau, 2 ambient, which is 1 everywhere.
     kind: u32,
 }
 
@@ -641,8 +640,8 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
         return point;
     }
-    // No footprint is above 0.5, so that this is not even compiled for an edge that is known to be
-    // softer.
+    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
+    // to be softer.
     if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);

@@ -58,14 +58,14 @@ struct Light {
     intensity: f32,
 }
 
-/// A color along one number, the same outside of its stops as at the nearest one. It lies in
-/// uniform buffers as it is.
+/// A color along one number, the same outside of its stops as at the nearest one. The layout is one
+/// for uniform buffers.
 struct Ramp {
     /// Straight RGBA of each stop.
     colors: array<vec4f, 16>,
-    /// Where the stops are, in increasing order, four to a vector.
+    /// Places of the stops, in increasing order, four to a vector.
     places: array<vec4f, 4>,
-    /// How many of the stops count.
+    /// Number of stops that count.
     count: u32,
     /// 0 straight, 1 smooth (monotone cubic, level at both ends), 2 stepped: each color holds
     /// until the next stop.
@@ -75,7 +75,7 @@ struct Ramp {
 const HALF_PI: f32 = 1.57079632679489661923;
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// Whether x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
@@ -86,12 +86,12 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec3(v: vec3f) -> vec3f {
     return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
 }
 
-/// Each component as it is, or 0 where it is NaN or infinite.
+/// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
 }
@@ -136,9 +136,9 @@ fn log_stable(x: f32) -> f32 {
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
 fn sin_cos_quarter(x: f32) -> vec2f {
-    // Halved to |h| <= pi/4, where short series suffice, then doubled. They are long enough for f64
-    // to see sines by 1e-11, and end where they err downward: a profile whose cut-off is pi is 0
-    // there, in f64 too.
+    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
+    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
+    // whose cut-off is pi is 0 there, in f64 too.
     let h = 0.5 * x;
     let h2 = h * h;
     let s = h * (1.0 + h2 * (-0.166666666666666667
@@ -195,7 +195,7 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// From a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -211,8 +211,8 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
 }
 
-/// Where x lies between low (0) and high (1), not clamped. Where low and high are the same: 0
-/// below, 1 from there on.
+/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
+/// 1 from there on.
 fn place_between(x: f32, low: f32, high: f32) -> f32 {
     let span = high - low;
     if abs(span) < SMALLEST_NORMAL {
@@ -229,8 +229,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
     return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
 }
 
-/// 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above high, a step
-/// where they are equal.
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -247,21 +247,21 @@ fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
-/// How far x changes over one pixel: |grad x|, finite. Call it in uniform control flow.
+/// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
     return bounded(sqrt(dot(d, d)));
 }
 
-/// How far a point moves over one pixel: the longer one of its two derivatives, finite. Call it in
-/// uniform control flow.
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
-/// 0 below the edge and 1 from it on, averaged over a footprint of `w`.
+/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     let d = bounded(x - edge);
     if w < 1e-30 {
@@ -270,7 +270,7 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
 }
 
-/// From the color a to the blended numbers by a factor in [0, 1]; a keeps its alpha.
+/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
     return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
         bounded(a.w));
@@ -315,7 +315,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     if ramp.interpolation != INTERPOLATION_SMOOTH {
         return mixed_vec4(colors[at], colors[after], t);
     }
-    // Level at the first and the last stop, because the ramp is flat outside of them.
+    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
     var to_b = vec4f(0.0);
     if at > 0u {
@@ -346,7 +346,7 @@ fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_afte
     );
 }
 
-/// One component of [`ramp_slope`].
+/// [`ramp_slope`] of one component.
 fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
     if before * after <= 0.0 {
         return 0.0;
@@ -356,13 +356,13 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Straight to premultiplied.
+/// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
 }
 
-/// Premultiplied to straight. Where nothing covers the pixel the color is kept as it is, so that
-/// light added over transparency is not lost.
+/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
+/// is, so that light added over transparency is not lost.
 fn straight(composite: Composite) -> Color {
     if composite.w <= 0.0 {
         return composite;
@@ -449,7 +449,7 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Random numbers at lattice points, smooth between them.
+/// Value noise: random numbers at lattice points, smooth between them.
 fn value_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let f = fade_quintic(p - corner);
@@ -499,7 +499,7 @@ fn simplex_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
 }
 
-/// What one corner of a tetrahedron adds at the offset d from it.
+/// Contribution of one corner of a tetrahedron at the offset d from it.
 fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
     let t = max(0.5 - dot(d, d), 0.0);
     return t * t * t * t * gradient_dot(hash, d);
@@ -520,7 +520,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     return sqrt(nearest);
 }
 
-/// One octave of a kind.
+/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
 fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     switch kind {
         case NOISE_PERLIN: {
@@ -538,9 +538,9 @@ fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
     }
 }
 
-/// 1 to 8 octaves, each twice as fine as the one before and `roughness` times as strong, weighed so
-/// that the sum stays in [0, 1]. An octave finer than the footprint `w` of p fades to its average,
-/// so that distance does not make it flicker.
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
     let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
     let gain = clamp(bounded(roughness), 0.0, 1.0);
@@ -552,8 +552,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         var octave = mean;
         if visible > 0.0 {
-            // Each octave from elsewhere, so that their lattices do not meet at the origin. Beyond
-            // 2^22 a float has no digits left for what lies between lattice points.
+            // Octaves are taken from different places, so that their lattices do not meet at the
+            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
             octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
@@ -566,7 +566,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     return clamp(sum / total, 0.0, 1.0);
 }
 
-/// How large a unit of the scene is seen at a depth, in picture heights. `perspective` is 1 or 0;
+/// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
 /// `scale` is what clip space multiplies heights by: at depth 1, or at every depth without
 /// perspective.
 fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
@@ -574,8 +574,8 @@ fn size_on_screen(depth: f32, perspective: f32, scale: f32) -> f32 {
     return bounded(0.5 * scale / mix(1.0, max(depth, 1e-6), perspective));
 }
 
-/// Where a point in camera axes is seen from the picture's middle, x to the right and y down, and
-/// how large a unit of the scene is seen there; in picture heights.
+/// Place on screen of a point in camera axes, from the picture's middle, x to the right and y down,
+/// and in z the size there of a unit of the scene; in picture heights.
 fn anchor_on_screen(origin: vec3f, perspective: f32, scale: f32) -> vec3f {
     let size = size_on_screen(-origin.z, perspective, scale);
     return bounded_vec3(vec3f(origin.x * size, -origin.y * size, size));
@@ -589,13 +589,15 @@ fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
 
 /// A place for marks.
 struct Marked {
-    /// Along the strokes, and across them.
+    /// Coordinates along the strokes and across them.
     place: vec2f,
-    /// How fast both change along the picture: products xx, xy and yy, per picture height.
+    /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
+    /// picture height.
     stretch: vec3f,
 }
 
-/// A place whose coordinates change along the picture by these two gradients, turned by an angle.
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
     let turn = sin_cos_of(angle);
     let x = bounded_vec3(turn.y * along + turn.x * across);
@@ -606,34 +608,34 @@ fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marke
     return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
 }
 
-/// A place in spacings of marks: as many to the picture's height as `count` where it is not
-/// stretched.
+/// A place in spacings of marks, with its stretch.
 struct Spaced {
     place: vec2f,
     stretch: vec3f,
 }
 
-/// A place without a stretch is one in pixels.
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
     let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
     let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 there is nothing left between whole numbers.
+    // Beyond 2^22 a float has nothing left between whole numbers.
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
     return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
-/// How much faster than the picture a place's area grows, squared. A place that is drawn out more
-/// than eight times counts as drawn out by eight: it grows not at all where a surface turns edge-on
-/// to it, and marks along that line would be infinitely fine.
+/// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
+/// more than eight times counts as drawn out by eight: where a surface stands edge-on to the
+/// place's plane the area does not grow at all, and marks along that line would be infinitely fine.
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// log2 of how many times finer than a place's own units marks must lie, for a squared stretch;
-/// within +-16.
+/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
+/// must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
     return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
@@ -652,9 +654,9 @@ struct MarkPlace {
     stretch: vec3f,
 }
 
-/// How much ink the tooth of paper takes: it catches more on its heights and less in its hollows,
-/// most at middle tones, and nothing is caught of no ink (Kalnins et al. 2002). `height` is from 0
-/// to 1, `tooth` from 0 (smooth paper) to 1.
+/// Ink that the tooth of paper takes: more on its heights and less in its hollows, most so at
+/// middle tones, and none of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0
+/// (smooth paper) to 1.
 fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
     let amount = clamp(bounded(ink), 0.0, 1.0);
     let rough = clamp(bounded(tooth), 0.0, 1.0);
@@ -662,7 +664,7 @@ fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
 }
 
 /// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
-/// are seen.
+/// octaves are seen.
 fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
@@ -673,20 +675,20 @@ fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
     let fine = clamp(bounded(fiber), 0.0, 1.0);
     var height = paper_octave(at.place, i32(zoom), w, fine, seed);
     if f > 0.0 {
-        // Two sheets on one another are flatter than each: what they lose is given back.
+        // Two octaves in one are flatter than each: the contrast that they lose is given back.
         let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fine, seed), f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
 }
 
-/// The height of paper in one octave; finer than a pixel it is flat.
+/// The height of paper in one octave; paper finer than a pixel is flat.
 fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let scale = power_of_two(zoom);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
     let own = seed + 7u * bitcast<u32>(zoom);
     let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
-    // Long in no direction, and finer: the felt that the sheet was pressed on.
+    // The felt that the sheet was pressed on: finer, turned, and long in no direction.
     let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
         vec2f(4194304.0));
     let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
@@ -763,7 +765,7 @@ fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
     return eased(value, low, high);
 }
 
-/// How much of a pixel a line covers that is `width` pixels wide and this far away.
+/// Share of a pixel that a line covers which is `width` pixels wide and `distance` pixels away.
 fn line_covers(distance: f32, width: f32) -> f32 {
     return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
 }
