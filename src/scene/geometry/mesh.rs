@@ -95,8 +95,8 @@ impl Bounds {
     }
 }
 
-/// A transform into fitted space: moves `center` to the origin, then scales: `(p - center) *
-/// scale`.
+/// A transform into fitted space: moves `center` to the origin, then scales:
+/// `(p - center) * scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
     /// Point that comes to the origin, in object space.
