@@ -18,7 +18,8 @@ use crate::document::KeyScheme;
 /// use chiaro_scene::directions::KeyWeights;
 /// use glam::DVec3;
 ///
-/// let (keys, problems) = KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic).into_parts();
+/// let (keys, problems) =
+///     KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic).into_parts();
 /// assert!(problems.is_empty());
 /// assert_eq!(keys.weights(DVec3::Z), [1.0, 0.0]);
 /// assert!((keys.weights(DVec3::X)[0] - 0.5).abs() < 1e-12);
