@@ -1,4 +1,5 @@
 //! Export of looks as files for other programs.
+//!
 //! [`export`] compiles a look with its exposed parameters alive, adds the passes that it needs, has
 //! each language write every module, and describes the result in one JSON file: the bindings, the
 //! values to put there, the order of drawing, and the program that turns the parameters that an

@@ -11,8 +11,8 @@ const REFINEMENTS: usize = 3;
 /// continuous.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
-    /// Coefficients of each span between two points: the value is `s[0] + s[1] t + s[2] t² + s[3]
-    /// t³`, t from 0 to 1.
+    /// Coefficients of each span between two points: the value is
+    /// `s[0] + s[1] t + s[2] t² + s[3] t³`, t from 0 to 1.
     spans: Vec<[DVec4; 4]>,
     samples: Vec<DVec3>,
 }

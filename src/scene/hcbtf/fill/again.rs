@@ -71,8 +71,8 @@ enum RefilledTile {
     Patched(Part, Vec<u8>),
 }
 
-/// The paintings that changed, by number, each with its changed part; `None` if more than paintings
-/// has changed, or too many of them.
+/// The paintings that changed, by number, each with its changed part; `None` if anything else has
+/// changed, or too many of them.
 fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, Part>> {
     let is_alike = now.grid == old.grid && now.is_tiling == old.is_tiling && now.rules == old.rules;
     if !is_alike || !now.painted.keys().eq(old.painted.keys()) {

@@ -6,11 +6,6 @@
 //! its share of that color. Colors count by how much of them is seen (premultiplied), so that edges
 //! toward transparent texels are edges like others. A texel that is no mix of both, as where a
 //! third color comes in, stays as it is.
-//! A soft edge is climbed from the filled texels outward for as long as texels become less like the
-//! old color. The top of the climb is what lies beyond, and how far up a texel stands is its share
-//! of that. Colors count by how much of them is seen (premultiplied), so that edges toward what is
-//! transparent are edges like others. What is no mix of both, as where a third color comes in,
-//! stays as it is.
 
 use super::canvas::Canvas;
 
