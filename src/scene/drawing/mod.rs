@@ -51,15 +51,15 @@ pub fn wire_reach(run: f32) -> f32 {
 /// Shape of a socket, so that types can be distinguished without color too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SocketShape {
-    /// Numbers.
+    /// Circle, for numbers.
     Circle,
-    /// Vectors.
+    /// Diamond, for vectors.
     Diamond,
-    /// Colors and stacks.
+    /// Square, for colors and stacks.
     Square,
-    /// Angles.
+    /// Triangle, for angles.
     Triangle,
-    /// Lights.
+    /// Hexagon, for lights.
     Hexagon,
 }
 

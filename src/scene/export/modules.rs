@@ -52,7 +52,7 @@ pub enum Feed {
     Object,
     /// The members that the module's `host` computes: set once an object and frame.
     Look,
-    /// One of `images`.
+    /// An image of `images`.
     Image {
         /// Index of the image.
         image: usize,
@@ -253,7 +253,7 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
             let row = pass.row();
             Feed::Pass { pass: row.slug, output: row.writes[0].name }
         }
-        // Neither is in a module that draws meshes.
+        // A module that draws meshes has no such binding.
         Some(BindingKind::Samples) | None => Feed::Inputs,
     }
 }

@@ -145,6 +145,7 @@ impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
 
     fn slot(&self, key: &K) -> Slot<T> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        // Every look-up drops the slots that nobody holds, so that the map does not grow.
         slots.retain(|_, slot| is_held(slot));
         slots.entry(key.clone()).or_default().clone()
     }

@@ -52,6 +52,8 @@ impl KnownBounds {
     }
 
     fn placed(&mut self, object: &SetupObject) -> Placed {
+        // The weak handle beside the bounds keeps the mesh's address from being used again, so the
+        // address identifies the mesh.
         let key = Arc::as_ptr(&object.mesh) as usize;
         let fresh = || (Arc::downgrade(&object.mesh), object.mesh.bounds());
         let bounds = self.0.entry(key).or_insert_with(fresh).1;
@@ -167,6 +169,8 @@ fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
     if range > 0.0 && distance - placed.radius > range * 1.0001 + 1e-5 * light.position().length() {
         return Some("everything that wears the look is beyond its range");
     }
+    // The cone is not tested for an object around the light: it lies in every direction from the
+    // light.
     let is_around = distance <= placed.radius * 1.0001;
     if light.kind == LightKind::Spot && !is_around {
         let off_axis = light.aim().angle_between(offset);

@@ -167,8 +167,8 @@ impl<'a> Joiner<'a> {
         [self.same_normal[corner.normal as usize], uv]
     }
 
-    /// Gives every corner a vertex. Corners whose UVs say nothing of a tangent take whatever vertex
-    /// their neighbours have, so those come last.
+    /// Gives every corner a vertex. Corners whose UVs determine no tangent take a vertex that a
+    /// neighbor has at the same point, so they come last.
     fn join(&mut self, order: &[u32], made: &CornerTangents) {
         let has_bare = made.of_corner.iter().flatten().any(|&tangent| tangent == NONE);
         for is_bare in [false, true] {
@@ -182,6 +182,8 @@ impl<'a> Joiner<'a> {
                 let key = Key { point: corner.point, normal, uv, tangent };
                 let vertex = self.vertex(key);
                 self.indices[t][k] = vertex;
+                // Corners of the same point, normal and UV that have no tangent find this vertex
+                // later.
                 if has_bare && !is_bare {
                     self.known.entry(Key { tangent: NONE, ..key }).or_insert(vertex);
                 }

@@ -121,6 +121,7 @@ fn join_over_edges(
         }
     }
     edges.sort_unstable();
+    // The margin keeps edges of exactly the crease angle smooth in spite of rounding.
     let smooth = crease_angle.cos() - 1e-9;
     for run in edges.chunk_by(|a, b| a[..2] == b[..2]) {
         let reach = if run.len() <= MAX_COMPARED { run.len() } else { 2 };

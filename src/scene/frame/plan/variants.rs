@@ -1,4 +1,4 @@
-//! Every module of every look that is wanted, compiled.
+//! Variants of looks: every module of every look that is wanted, compiled.
 //!
 //! One look is compiled in several variants where objects set its words, where it is cut out by
 //! alpha, or where different lights are dark for the objects that wear it.

@@ -43,6 +43,7 @@ pub fn refill(
         changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
     let Some(changed) = changed else { return fill(hcbtf, progress) };
     let plan = Plan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
+    // Samples of one recipe had one tile before, so any of them gives the recipe's old tile.
     let mut old_tiles = vec![0; plan.recipes.len()];
     for ([recipe, _], [tile, _]) in plan.samples.iter().zip(&filled.samples) {
         old_tiles[*recipe as usize] = *tile;

@@ -238,6 +238,7 @@ fn strip(
     soup: &mut Soup,
     report: &mut Report,
 ) -> Result<(), Problem> {
+    // The -1 that ends a strip reads as the greatest number where indices are unsigned.
     for run in values.split(|&v| v == -1.0 || v == Number::U32.max().unwrap_or(-1.0)) {
         let mut corners = Vec::with_capacity(run.len());
         for &number in run {
