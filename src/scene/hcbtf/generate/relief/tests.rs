@@ -93,8 +93,8 @@ fn a_steps_shadow_has_its_length() {
     }
 }
 
-/// A surface higher than the pivot is seen moved toward its foot on the tile away from the eye: by
-/// its height times the tangent.
+/// Each cell sees the point of a raised plane that lies toward the eye from the cell, at a distance
+/// of the plane's height above the pivot times the tangent of the eye's angle from the normal.
 #[test]
 fn a_raised_plane_is_seen_where_it_ought_to_be() {
     let high = 5.0;
