@@ -1,4 +1,4 @@
-//! What is drawn: from a scene at a time to a frame plan, and to shaders for other programs.
+//! Drawing of scenes: frame plans of a scene at a time, and shaders for other programs.
 //!
 //! [`geometry`] reads and makes meshes, [`hcbtf`] holds surfaces painted for every light and every
 //! eye, [`directions`] weighs keys on the sphere. [`frame`] joins looks, meshes, lights, keys and

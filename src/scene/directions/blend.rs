@@ -1,18 +1,17 @@
-//! Interpolating values with weights (BADF eq. 9).
+//! Interpolation of values with weights (BADF eq. 9).
 
 use glam::DVec3;
 
 use super::keys::unit;
 
-/// Below this length a weighted sum of unit directions is taken for 0: what is left of it is
-/// rounding.
+/// Length below which a weighted sum of unit directions is taken for 0: the rest is rounding.
 const NO_DIRECTION: f64 = 1e-9;
 
 /// The weighted sum of one finite number per key; 0 without keys.
 ///
-/// It never leaves the range of the values that have weight, not even by rounding, and it keeps
-/// order: where every `a[k] <= b[k]`, so are the results. Hence a fall-off stays between its offset
-/// and cut-off. Values of weight 0 are not read.
+/// The sum never leaves the range of the values that have weight, not even by rounding, and the sum
+/// keeps order: where every `a[k] <= b[k]`, so are the results. Hence a fall-off stays between its
+/// offset and cut-off. Values of weight 0 are not read.
 pub fn blend_number(weights: &[f64], values: &[f64]) -> f64 {
     blend(weights, values.iter().copied())
 }
@@ -36,9 +35,9 @@ fn blend(weights: &[f64], values: impl Iterator<Item = f64>) -> f64 {
 /// The unit direction between one direction per key: the weighted sum of their unit vectors,
 /// normalised.
 ///
-/// Where the sum vanishes (half way between opposite directions) it is the direction of the highest
-/// weight, the first of equals. Directions that are zero or not finite are left out; `None` if no
-/// key of positive weight has one.
+/// Where the sum vanishes (half way between opposite directions) the result is the direction of the
+/// highest weight, the first of equals. Directions that are zero or not finite are left out; `None`
+/// if no key of positive weight has a direction.
 pub fn blend_direction(weights: &[f64], directions: &[DVec3]) -> Option<DVec3> {
     let mut sum = DVec3::ZERO;
     let mut heaviest: Option<(f64, DVec3)> = None;

@@ -7,8 +7,8 @@ use glam::DVec3;
 
 use super::kernel::Kernel;
 
-/// How far a raw weight may be from 1 at its key and from 0 at the others. The smoothstep is flat
-/// there, so it leaves 3 TOLERANCE^2 of this.
+/// Greatest error of a raw weight at the keys, where its own key asks for 1 and the others for 0.
+/// The smoothstep is flat there, so 3 TOLERANCE^2 of the error is left.
 const TOLERANCE: f64 = 1e-5;
 
 /// Raw weights of distinct keys.
@@ -16,9 +16,9 @@ const TOLERANCE: f64 = 1e-5;
 pub(super) struct ClosedForm {
     kernel: Kernel,
     centers: Vec<DVec3>,
-    /// a_k
+    /// Constant terms of the weights: a_k.
     constants: Vec<f64>,
-    /// c_jk: row j holds what the kernel at centre j adds to each weight.
+    /// Coefficients c_jk: row j holds the factors of the kernel at center j in each weight.
     coefficients: Vec<f64>,
 }
 
@@ -37,7 +37,7 @@ impl ClosedForm {
         let inverse = shifted.llt(Side::Lower).ok()?.inverse();
         let sums = Col::from_fn(n, |i| (0..n).map(|j| inverse[(i, j)]).sum::<f64>());
         let total = sums.sum();
-        // The c and a for any right-hand sides, one a column.
+        // The c and a for any right-hand sides, one side per column.
         let solve = |right: &Mat<f64>| {
             let constants = sums.transpose() * right / total;
             (&inverse * right - &sums * &constants, constants)
@@ -60,7 +60,8 @@ impl ClosedForm {
         (solved.interpolation_error() < TOLERANCE).then_some(solved)
     }
 
-    /// The raw weights at a unit direction, one per centre. They sum to 1, but may leave [0, 1].
+    /// The raw weights at a unit direction, one per center. Raw weights sum to 1, but may leave [0,
+    /// 1].
     pub(super) fn raw_into(&self, direction: DVec3, out: &mut [f64]) {
         out.copy_from_slice(&self.constants);
         for (&center, row) in self.centers.iter().zip(self.coefficients.chunks_exact(out.len())) {
@@ -90,7 +91,8 @@ impl ClosedForm {
 /// a key, and C1.
 pub(super) fn inverse_distance_into(centers: &[DVec3], direction: DVec3, out: &mut [f64]) {
     for (weight, center) in out.iter_mut().zip(centers) {
-        // The least distance at which the others' weights are not lost to rounding.
+        // 1e-30 is the least squared distance at which the others' weights are not lost to
+        // rounding.
         *weight = 1.0 / (direction - *center).length_squared().max(1e-30);
     }
     let sum: f64 = out.iter().sum();
@@ -112,7 +114,8 @@ mod tests {
 
     #[test]
     fn keys_at_the_merge_distance_are_solved_well() {
-        // A patch of keys at the least distance that merging leaves, 5 by 5, and some far away.
+        // A patch of keys at the least distance that merging leaves, 5 by 5, and some keys far
+        // away.
         let near =
             |i: usize| DVec3::new(1.0, 1e-4 * (i % 5) as f64, 1e-4 * (i / 5) as f64).normalize();
         let mut keys: Vec<DVec3> = (0..25).map(near).collect();
@@ -125,7 +128,7 @@ mod tests {
 
     #[test]
     fn two_keys_are_a_scaled_difference_of_kernels() {
-        // By symmetry w_1 = 1/2 + (K(x, x_1) - K(x, x_2)) / (-2 K(x_1, x_2)).
+        // By symmetry the weight is w_1 = 1/2 + (K(x, x_1) - K(x, x_2)) / (-2 K(x_1, x_2)).
         let (a, b) = (DVec3::X, DVec3::new(0.3, 0.4, -0.5).normalize());
         for kernel in BOTH {
             let solved = ClosedForm::solve(kernel, &[a, b]).unwrap();

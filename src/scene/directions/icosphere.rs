@@ -7,13 +7,13 @@ use glam::DVec3;
 /// A closed triangle mesh on the unit sphere.
 #[derive(Clone, Debug)]
 pub(super) struct Icosphere {
-    /// Unit vectors.
+    /// Positions of the vertices: unit vectors.
     pub(super) positions: Vec<DVec3>,
     /// Vertices of each triangle, counterclockwise from outside. The children of triangle `t` of
     /// the level above are triangles `4t` to `4t + 3`: those at its three corners, then the middle
     /// one.
     pub(super) triangles: Vec<[u32; 3]>,
-    /// How often the icosahedron was subdivided.
+    /// Number of times that the icosahedron was subdivided.
     pub(super) level: u32,
 }
 
@@ -39,13 +39,13 @@ impl Icosphere {
         Self { positions, triangles, level }
     }
 
-    /// The angle (radians) that an edge takes on average, near enough: that of the icosahedron,
-    /// halved per level.
+    /// The mean angle of an edge, approximately: that of the icosahedron, halved per level. In
+    /// radians.
     pub(super) fn edge_angle(level: u32) -> f64 {
         2f64.atan() / f64::from(1u32 << level)
     }
 
-    /// For each triangle, its neighbours across the edges opposite to its vertices, in their order.
+    /// The neighbors of each triangle, across the edges opposite to its vertices, in their order.
     pub(super) fn neighbors(&self) -> Vec<[u32; 3]> {
         let mut sides = HashMap::with_capacity(3 * self.triangles.len());
         for (triangle, &[a, b, c]) in self.triangles.iter().enumerate() {
@@ -53,7 +53,7 @@ impl Icosphere {
                 sides.insert(edge, triangle as u32);
             }
         }
-        // The neighbour runs along the same edge the other way.
+        // The neighbor runs along the same edge in the opposite direction.
         let across = |from: u32, to: u32| sides.get(&(to, from)).copied().unwrap_or(u32::MAX);
         self.triangles.iter().map(|&[a, b, c]| [across(b, c), across(c, a), across(a, b)]).collect()
     }
@@ -69,7 +69,8 @@ impl Icosphere {
         for (triangle, corners) in self.triangles.iter().enumerate() {
             for corner in 0..3 {
                 let neighbor = neighbors[triangle][corner] as usize;
-                // Each edge once; and a closed mesh has no edge without a neighbour.
+                // Each edge counts once, from its lower triangle; and a closed mesh has no edge
+                // without a neighbor.
                 if neighbor >= self.triangles.len() || neighbor < triangle {
                     continue;
                 }
@@ -86,7 +87,8 @@ impl Icosphere {
         let [i, j, k, l] = vertices.map(|vertex| self.positions[vertex as usize]);
         let edge = j - i;
         let squared_length = edge.length_squared();
-        // Where the height from a vertex meets the edge (0 at i, 1 at j), and how high it is.
+        // Foot of the height from a vertex onto the edge (0 at i, 1 at j), and the length of that
+        // height.
         let foot = |vertex: DVec3| {
             let along = (vertex - i).dot(edge) / squared_length;
             (along, (vertex - i - along * edge).length())
@@ -106,8 +108,8 @@ impl Icosphere {
         }
     }
 
-    /// The least height of any triangle, in edges of the regular mesh; negative when a triangle is
-    /// turned over.
+    /// The least height of any triangle, relative to an edge of the regular mesh; negative when a
+    /// triangle is turned over.
     pub(super) fn least_height(&self) -> f64 {
         let height = |&[a, b, c]: &[u32; 3]| {
             let [a, b, c] = [a, b, c].map(|vertex| self.positions[vertex as usize]);
@@ -120,16 +122,16 @@ impl Icosphere {
     }
 }
 
-/// One term of the energy: how much the Jacobian of a function on the mesh changes over an edge.
+/// A term of the energy: the change of the Jacobian of a function on the mesh over an edge.
 ///
 /// Once the two triangles are unfolded onto a plane, their Jacobians agree along the edge and
 /// differ only across it, by `(w(foot_a) - w_k) / h_a + (w(foot_b) - w_l) / h_b`: linear in the
 /// values at the four vertices.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Jump {
-    /// The ends of the edge, then the opposite vertices.
+    /// Vertices: the ends of the edge, then the opposite vertices.
     pub(super) vertices: [u32; 4],
-    /// What each vertex's value is multiplied by.
+    /// Factors of the values at the four vertices.
     pub(super) coefficients: [f64; 4],
 }
 
@@ -140,8 +142,8 @@ pub(super) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     for (s, l) in [(short, long), (-short, long), (short, -long), (-short, -long)] {
         positions.extend([DVec3::new(0.0, s, l), DVec3::new(s, l, 0.0), DVec3::new(l, 0.0, s)]);
     }
-    // Its faces are the triples of vertices that are all 2 apart (its edge), turned to face
-    // outside.
+    // Faces are the triples of vertices that are all 2 apart (the length of an edge), turned to
+    // face outside.
     let adjacent = |a: usize, b: usize| ((positions[a] - positions[b]).length() - 2.0).abs() < 1e-9;
     let mut triangles = Vec::with_capacity(20);
     for a in 0..12 {
@@ -184,7 +186,7 @@ mod tests {
 
     #[test]
     fn linear_functions_on_a_plane_have_no_jump() {
-        // Four vertices in a plane (not on the sphere, which the energy does not ask for), a
+        // Four vertices in a plane (not on the sphere, which the energy does not require): a
         // crooked pair of triangles.
         let positions = vec![
             DVec3::new(0.0, 0.0, 0.0),
@@ -200,7 +202,7 @@ mod tests {
         assert!(value.abs() < 1e-14, "{value:e}");
     }
 
-    /// Energy over squared norm, of the average over all spherical harmonics of a degree.
+    /// Energy over squared norm, averaged over all spherical harmonics of a degree.
     fn rayleigh(sphere: &Icosphere, harmonics: &[fn(DVec3) -> f64]) -> f64 {
         let jumps = sphere.jumps(false);
         let (mut energy, mut norm) = (0.0, 0.0);
@@ -219,7 +221,7 @@ mod tests {
     fn spectrum_ratio(level: u32) -> f64 {
         let sphere = Icosphere::new(level);
         let first: [fn(DVec3) -> f64; 3] = [|p| p.x, |p| p.y, |p| p.z];
-        // Of equal norm, orthogonal.
+        // Harmonics of equal norm, orthogonal to one another.
         let second: [fn(DVec3) -> f64; 5] = [
             |p| p.x * p.y,
             |p| p.y * p.z,

@@ -21,7 +21,7 @@ use glam::DVec3;
 pub(super) enum Kernel {
     Biharmonic,
     AppendixB,
-    /// Less the distance, between places of a cube of side 1: in space the biharmonic Green's
+    /// The distance, negated, between points of a cube of side 1: in space the biharmonic Green's
     /// function.
     Distance,
 }
@@ -36,20 +36,20 @@ impl Kernel {
         if y <= 0.5 { self.near(y) } else { self.far(0.25 * (a + b).length_squared()) }
     }
 
-    /// The sum of the Legendre series at distance 0: what was taken off, and the largest value of
-    /// the series.
+    /// The sum of the Legendre series at distance 0: the value that was subtracted, and the largest
+    /// value of the series.
     pub(super) fn peak(self) -> f64 {
         match self {
             Self::Biharmonic => 1.0,
             Self::AppendixB => APPENDIX_B.at_zero + 3.0 / 16.0,
-            // The cube's diagonal: so much more than any distance makes a matrix of them positive
+            // The cube's diagonal: a shift that far above all distances makes their matrix positive
             // definite.
             Self::Distance => 3.0_f64.sqrt(),
         }
     }
 
-    /// The kernel at y in [0, 1/2], to a few units in the last place, y = 0 and subnormals
-    /// included.
+    /// The kernel at y in [0, 1/2], exact to a few units in the last place, also at y = 0 and for
+    /// subnormals.
     fn near(self, y: f64) -> f64 {
         if y <= 0.0 {
             return 0.0;
@@ -64,11 +64,12 @@ impl Kernel {
         }
     }
 
-    /// The kernel at 1 - t, t in [0, 1/2]: on the far side of the sphere, where it is smooth.
+    /// The kernel at 1 - t, t in [0, 1/2]: on the far side of the sphere, where the kernel is
+    /// smooth.
     fn far(self, t: f64) -> f64 {
         let t = t.clamp(0.0, 0.5);
         match self {
-            // Euler's reflection makes -ln(y) ln(1-y) - Li2(y) into this.
+            // Euler's reflection turns -ln(y) ln(1-y) - Li2(y) into this.
             Self::Biharmonic => dilogarithm(-(-t).ln_1p()) - PI * PI / 6.0,
             Self::AppendixB => APPENDIX_B.far(t),
             Self::Distance => -2.0 * (1.0 - t).sqrt(),
@@ -94,12 +95,12 @@ fn dilogarithm(z: f64) -> f64 {
     z - 0.25 * square + z * square * horner(&COEFFICIENTS, square)
 }
 
-/// `coefficients[0] + coefficients[1] x + ...`
+/// The polynomial `coefficients[0] + coefficients[1] x + ...`, by Horner's scheme.
 fn horner(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * x + coefficient)
 }
 
-/// Terms of the hypergeometric series: the next, at 1/2, is below 1e-18.
+/// Number of terms of the hypergeometric series: the next term, at 1/2, is below 1e-18.
 const TERMS: usize = 54;
 
 static APPENDIX_B: LazyLock<AppendixB> = LazyLock::new(AppendixB::new);
@@ -110,13 +111,13 @@ static APPENDIX_B: LazyLock<AppendixB> = LazyLock::new(AppendixB::new);
 /// with the cancellation done on paper: `4 K = 1 + h_0 + sum over n >= 1 of t_n (h_n - ln y) y^n`,
 /// where t_n = (-nu)_n (nu+1)_n / n!^2 and h_n = 2 psi(n+1) - psi(n-nu) - psi(n+nu+1).
 struct AppendixB {
-    /// t_n for n from 0.
+    /// Coefficients t_n for n from 0.
     series: [f64; TERMS],
-    /// t_n h_n for n from 0.
+    /// Products t_n h_n for n from 0.
     with_psi: [f64; TERMS],
-    /// pi / sin(nu pi)
+    /// The factor pi / sin(nu pi).
     factor: f64,
-    /// The unshifted kernel at y = 0.
+    /// Value of the unshifted kernel at y = 0.
     at_zero: f64,
 }
 

@@ -1,44 +1,44 @@
-//! From directions as an artist gives them to a set of distinct unit directions.
+//! Set of distinct unit directions, made from directions as an artist gives them.
 
 use glam::DVec3;
 
 use crate::diag::{Diagnostic, Warned};
 
-/// Keys that are closer than this (radians) are one: raw weights grow like 1 over their distance,
-/// to -2e3 here.
+/// Angle below which keys are merged, in radians: raw weights grow like 1 over their distance, to
+/// -2e3 here.
 pub const MERGE_ANGLE: f64 = 1e-4;
 
-/// Keys of drivers that are closer than this, as a share of how far keys are apart along an axis,
-/// are one.
+/// Distance below which keys of drivers are merged, as a share of the extent of the keys along an
+/// axis.
 pub(super) const MERGE_PLACES: f64 = 1e-6;
 
-/// Keys that are closer than this (radians, 5 degrees) are warned of: they split the sphere by a
-/// sharp edge.
+/// Angle below which keys are warned of, because they split the sphere by a sharp edge; 5 degrees,
+/// in radians.
 pub const CLOSE_ANGLE: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// As many keys as one set holds; the solve takes the cube of the count, a query its square. Later
-/// keys have weight 0.
+/// Greatest number of keys in a set; the solve takes the cube of the count, a query its square.
+/// Later keys have weight 0.
 pub const MAX_KEYS: usize = 512;
 
 /// The group of a key that has no weight.
 pub(super) const NO_GROUP: u32 = u32::MAX;
 
-/// Distinct unit directions, and which of them each key stands at.
+/// Distinct unit directions, each shared by a group of keys.
 #[derive(Clone, Debug, Default)]
 pub(super) struct KeySet {
-    /// The direction of each group: that of its first key. In order of first keys, so group `g`
-    /// begins at or after key `g`.
+    /// Direction of each group: that of its first key. Groups are in order of first keys, so group
+    /// `g` begins at or after key `g`.
     pub(super) centers: Vec<DVec3>,
-    /// The number of keys in each group.
+    /// Number of keys in each group.
     pub(super) sizes: Vec<u32>,
-    /// The group of each key, or [`NO_GROUP`].
+    /// Group of each key, or [`NO_GROUP`].
     pub(super) group_of: Vec<u32>,
-    /// The first key of each group.
+    /// First key of each group.
     first_keys: Vec<usize>,
 }
 
 impl KeySet {
-    /// Normalises and merges, and tells of every key that is not what it seems.
+    /// Normalises and merges directions, and reports every key that is merged or has no weight.
     pub(super) fn gather(directions: &[DVec3]) -> Warned<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
@@ -60,7 +60,7 @@ impl KeySet {
         Warned::new(set, diagnostics)
     }
 
-    /// The same of places: any numbers but those that are not finite.
+    /// As `gather`, of points instead of directions: any finite numbers.
     pub(super) fn gather_places(places: &[DVec3]) -> Warned<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
@@ -92,7 +92,7 @@ impl KeySet {
         Warned::new(set, diagnostics)
     }
 
-    /// The group of a new key.
+    /// The group of a new key, found or made.
     fn place(&mut self, key: usize, direction: DVec3, diagnostics: &mut Vec<Diagnostic>) -> u32 {
         let Some(direction) = unit(direction) else {
             diagnostics.push(without_direction(key, direction));
@@ -141,14 +141,14 @@ impl KeySet {
     }
 }
 
-/// The angle (radians) between unit vectors `chord` apart; exact for small ones, where an arc
+/// The angle between unit vectors `chord` apart, in radians; exact for small angles, where an arc
 /// cosine is not.
 pub(super) fn angle_of_chord(chord: f64) -> f64 {
     2.0 * (0.5 * chord).min(1.0).asin()
 }
 
-/// The unit vector along `direction`, however long or short; `None` for zero and for what is not
-/// finite.
+/// The unit vector along `direction`, however long or short; `None` for zero and for values that
+/// are not finite.
 pub(super) fn unit(direction: DVec3) -> Option<DVec3> {
     let largest = direction.abs().max_element();
     // Division by the largest component first, so that squares neither overflow nor vanish.

@@ -1,20 +1,20 @@
 //! Weights of keys on the sphere of directions (BADF section 3.4 and Appendix B).
 //!
-//! A key pins values at a direction; between the keys, [`KeyWeights`] says how much of each there
-//! is. A weight is made in three steps: a smooth function on the sphere that is 1 at its key and 0
-//! at all others ([`KeyWeights::raw`]), a smoothstep that brings it into [0, 1], and a division
-//! that makes all weights sum to 1 ([`KeyWeights::weights`]). [`blend_number`], [`blend_vector`]
-//! and [`blend_direction`] then interpolate values with them.
+//! A key pins values at a direction; between the keys, [`KeyWeights`] gives the share of each key.
+//! A weight is made in three steps: a smooth function on the sphere that is 1 at its key and 0 at
+//! all others ([`KeyWeights::raw`]), a smoothstep that brings it into [0, 1], and a division that
+//! makes all weights sum to 1 ([`KeyWeights::weights`]). [`blend_number`], [`blend_vector`] and
+//! [`blend_direction`] then interpolate values with these weights.
 //!
 //! The paper solves for the smooth functions on a tessellated sphere. Its energy has a limit for
 //! ever finer meshes, and that limit has a closed form: one small dense solve for a set of keys,
-//! then a sum of kernels, exact between the vertices that a mesh would have, and independent of how
-//! the mesh lies. So the closed forms are what looks use (`biharmonic`, `appendix-b`), and the mesh
-//! (`tessellated`) is there to compare.
+//! then a sum of kernels, exact between the vertices that a mesh would have, and independent of the
+//! orientation of the mesh. So looks use the closed forms (`biharmonic`, `appendix-b`), and the
+//! mesh (`tessellated`) is there to compare.
 //!
-//! What to expect of the weights: they are C1. Appendix B claims C2, but the second derivative of a
-//! raw weight grows like log r toward every key, and the clamp makes it jump where a raw weight
-//! leaves [0, 1].
+//! Smoothness of the weights: they are C1. Appendix B claims C2, but the second derivative of a raw
+//! weight grows like log r toward every key, and the clamp makes it jump where a raw weight leaves
+//! [0, 1].
 
 mod blend;
 mod closed_form;

@@ -13,17 +13,17 @@ use super::icosphere::{Icosphere, Jump, icosahedron};
 /// The mesh of [`KeyScheme::Tessellated`](crate::document::KeyScheme).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tessellation {
-    /// How often an icosahedron is subdivided: 4 gives 2,562 vertices with edges of about 4
-    /// degrees. At most [`Tessellation::MAX_LEVEL`]; more is taken for that.
+    /// Number of times that an icosahedron is subdivided: 4 gives 2,562 vertices with edges of
+    /// about 4 degrees. At most [`Tessellation::MAX_LEVEL`]; greater numbers are taken for that.
     pub level: u32,
-    /// Whether each edge counts by the areas beside it, which brings the solution nearer to the
-    /// limit of regular meshes. The paper weighs all edges alike.
+    /// True if each edge is weighted by the areas beside it, which brings the solution nearer to
+    /// the limit of regular meshes. The paper weighs all edges alike.
     pub area_weighted: bool,
 }
 
 impl Tessellation {
-    /// 40,962 vertices. Finer meshes come no nearer to the closed form, and take four times the
-    /// memory per level.
+    /// Greatest level, of 40,962 vertices. Finer meshes come no nearer to the closed form, and take
+    /// four times the memory per level.
     pub const MAX_LEVEL: u32 = 6;
 }
 
@@ -33,7 +33,7 @@ impl Default for Tessellation {
     }
 }
 
-/// The least height of a triangle, in edges, once its vertices were moved onto keys.
+/// Least height that a triangle may have once its vertices were moved onto keys, in edges.
 const LEAST_HEIGHT: f64 = 0.1;
 
 /// Raw weights at the vertices of a mesh that has a vertex at every key.
@@ -41,12 +41,13 @@ const LEAST_HEIGHT: f64 = 0.1;
 pub(super) struct Tessellated {
     mesh: Icosphere,
     neighbors: Vec<[u32; 3]>,
-    /// One row of weights per vertex.
+    /// Raw weights at the vertices, one row per vertex.
     values: Vec<f64>,
 }
 
 impl Tessellated {
-    /// Solves for the weights of unit directions. The error says why the mesh cannot carry them.
+    /// Solves for the weights of unit directions. The error is the reason why the mesh cannot carry
+    /// them.
     pub(super) fn solve(
         tessellation: Tessellation,
         centers: &[DVec3],
@@ -78,16 +79,17 @@ impl Tessellated {
         }
     }
 
-    /// The triangle that a direction passes through, and the barycentric coordinates of where it
-    /// does.
+    /// The triangle that a direction passes through, and the barycentric coordinates of the
+    /// intersection.
     fn locate(&self, direction: DVec3) -> (usize, [f64; 3]) {
-        // Vertices moved onto keys are a step or two away from where the regular mesh has them.
+        // Vertices were moved onto keys, so the triangle is a step or two away from that of the
+        // regular mesh.
         let mut triangle = regular_triangle(direction, self.mesh.level);
         for _ in 0..64 {
             let areas = self.signed_areas(triangle, direction);
             let outermost = (0..3).min_by(|&a, &b| areas[a].total_cmp(&areas[b])).unwrap_or(0);
-            // Far more than the rounding of an area, so that no edge sends the walk back and forth,
-            // and far less than the area of a triangle.
+            // The bound is far more than the rounding of an area, so that no edge sends the walk
+            // back and forth, and far less than the area of a triangle.
             if areas[outermost] >= -1e-14 {
                 return (triangle, shares(areas));
             }
@@ -101,8 +103,8 @@ impl Tessellated {
         (best, shares(self.signed_areas(best, direction)))
     }
 
-    /// For each vertex, six times the volume of the direction with the opposite edge; all are
-    /// positive inside.
+    /// Six times the volume that the direction spans with the edge opposite to each vertex; all
+    /// volumes are positive inside the triangle.
     fn signed_areas(&self, triangle: usize, direction: DVec3) -> [f64; 3] {
         let [a, b, c] =
             self.mesh.triangles[triangle].map(|vertex| self.mesh.positions[vertex as usize]);
@@ -110,14 +112,14 @@ impl Tessellated {
     }
 }
 
-/// Barycentric coordinates from signed areas.
+/// Barycentric coordinates from signed areas; areas below 0 count as 0.
 fn shares(areas: [f64; 3]) -> [f64; 3] {
     let areas = areas.map(|area| area.max(0.0));
     let sum: f64 = areas.iter().sum();
     if sum > 0.0 { areas.map(|area| area / sum) } else { [1.0 / 3.0; 3] }
 }
 
-/// The nearest vertex to each key; `None` if two keys have the same.
+/// The nearest vertex to each key; `None` if two keys have the same nearest vertex.
 fn pin(mesh: &Icosphere, centers: &[DVec3]) -> Option<Vec<u32>> {
     let nearest = |center: &DVec3| {
         let cosines = mesh.positions.iter().map(|position| position.dot(*center)).enumerate();
@@ -131,8 +133,8 @@ fn pin(mesh: &Icosphere, centers: &[DVec3]) -> Option<Vec<u32>> {
 }
 
 /// The values at all vertices that minimise the sum of squared jumps, with pin k held at the k-th
-/// unit vector: rows of `pins.len()` numbers. Normal equations, pinned values eliminated, sparse
-/// Cholesky.
+/// unit vector: rows of `pins.len()` numbers. Solved by normal equations, pinned values eliminated,
+/// and a sparse Cholesky factorisation.
 fn minimize(jumps: &[Jump], vertex_count: usize, pins: &[u32]) -> Option<Vec<f64>> {
     const PINNED: usize = usize::MAX;
     let mut key_of = vec![None; vertex_count];
@@ -173,7 +175,8 @@ fn minimize(jumps: &[Jump], vertex_count: usize, pins: &[u32]) -> Option<Vec<f64
     values.iter().all(|value| value.is_finite()).then_some(values)
 }
 
-/// The triangle of the regular icosphere that a direction passes through (either, on an edge).
+/// The triangle of the regular icosphere that a direction passes through (either of two, on an
+/// edge).
 fn regular_triangle(direction: DVec3, level: u32) -> usize {
     static BASE: LazyLock<(Vec<DVec3>, Vec<[u32; 3]>)> = LazyLock::new(icosahedron);
     let (positions, triangles) = &*BASE;

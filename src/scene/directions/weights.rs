@@ -1,4 +1,4 @@
-//! [`KeyWeights`]: from a direction to one weight per key.
+//! [`KeyWeights`]: one weight per key for any direction.
 
 use glam::DVec3;
 
@@ -10,7 +10,7 @@ use super::tessellated::{Tessellated, Tessellation};
 use crate::diag::{Diagnostic, Warned};
 use crate::document::KeyScheme;
 
-/// The weights of keys as a function of direction. Made once for a set of keys, asked for every
+/// The weights of keys as a function of direction. Made once for a set of keys, evaluated for every
 /// object and frame.
 ///
 /// ```
@@ -18,7 +18,8 @@ use crate::document::KeyScheme;
 /// use chiaro_scene::directions::KeyWeights;
 /// use glam::DVec3;
 ///
-/// let (keys, problems) = KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic).into_parts();
+/// let (keys, problems) =
+///     KeyWeights::new(&[DVec3::Z, DVec3::NEG_Z], KeyScheme::Biharmonic).into_parts();
 /// assert!(problems.is_empty());
 /// assert_eq!(keys.weights(DVec3::Z), [1.0, 0.0]);
 /// assert!((keys.weights(DVec3::X)[0] - 0.5).abs() < 1e-12);
@@ -30,20 +31,20 @@ pub struct KeyWeights {
     space: Space,
 }
 
-/// What lies between keys.
+/// Space that the keys lie in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Space {
-    /// All directions.
+    /// The sphere of all directions.
     Sphere,
     /// The values of one to three drivers, brought into a cube of side 1 by (value - origin) *
     /// scale.
     Places { origin: DVec3, scale: DVec3 },
 }
 
-/// What gives raw weights to the groups of keys.
+/// Function that gives raw weights to the groups of keys.
 #[derive(Clone, Debug)]
 enum Field {
-    /// One group, or none: all weight is its own.
+    /// All weight to the only group, if there is one.
     Whole,
     Closed(ClosedForm),
     Mesh(Box<Tessellated>),
@@ -72,10 +73,10 @@ impl KeyWeights {
     /// Solves for the weights of keys at places: the values of one to three drivers, 0 where there
     /// are fewer.
     ///
-    /// Each axis counts by how far the keys are apart along it, so that metres and radians go
-    /// together. Raw weights are of the kernel -|x - y|: of the sphere's in space, and along one
-    /// axis straight lines from key to key, so that weights go by a smoothstep from one to the next
-    /// and stay beyond the outermost.
+    /// Each axis is scaled by the extent of the keys along it, so that metres and radians go
+    /// together. Raw weights use the kernel -|x - y|, the counterpart in space of the sphere's;
+    /// along one axis they are straight lines from key to key, so that weights go by a smoothstep
+    /// from one key to the next and stay constant beyond the outermost.
     pub fn at_places(places: &[DVec3]) -> Warned<Self> {
         let finite = || places.iter().copied().filter(|place| place.is_finite());
         let origin = finite().reduce(DVec3::min).unwrap_or(DVec3::ZERO);
@@ -103,23 +104,23 @@ impl KeyWeights {
         Warned::new(Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
-    /// The number of keys it was made of, and of weights it gives.
+    /// The number of keys, which is also the number of weights.
     pub fn len(&self) -> usize {
         self.set.group_of.len()
     }
 
-    /// Whether there are no keys.
+    /// True if there are no keys.
     pub fn is_empty(&self) -> bool {
         self.set.group_of.is_empty()
     }
 
-    /// Whether any key has a direction. If none has, all weights are 0 and a look's own values
+    /// True if any key has a direction. If none has, all weights are 0 and a look's own values
     /// hold.
     pub fn has_weight(&self) -> bool {
         !self.set.centers.is_empty()
     }
 
-    /// The smooth weights before clamping, one per key: they sum to 1, but may leave [0, 1].
+    /// The smooth weights before clamping, one per key: raw weights sum to 1, but may leave [0, 1].
     pub fn raw(&self, direction: DVec3) -> Vec<f64> {
         let mut weights = vec![0.0; self.len()];
         self.raw_into(direction, &mut weights);
@@ -129,15 +130,15 @@ impl KeyWeights {
     /// The weights, one per key: from 0 to 1, of sum 1, C1 in the direction, 1 at a key and 0 at
     /// the others.
     ///
-    /// The direction may be of any length. One that is zero or not finite, such as that to an eye
-    /// at the object's centre, favours no key: all weights are equal.
+    /// The direction may be of any length. A direction that is zero or not finite, such as that to
+    /// an eye at the object's center, favors no key: all weights are equal.
     pub fn weights(&self, direction: DVec3) -> Vec<f64> {
         let mut weights = vec![0.0; self.len()];
         self.weights_into(direction, &mut weights);
         weights
     }
 
-    /// As [`KeyWeights::raw`], without allocating.
+    /// The weights of [`KeyWeights::raw`], written to `out` without allocating.
     ///
     /// # Panics
     /// If `out` does not hold [`KeyWeights::len`] numbers.
@@ -146,7 +147,7 @@ impl KeyWeights {
         self.share_within_groups(out);
     }
 
-    /// As [`KeyWeights::weights`], without allocating.
+    /// The weights of [`KeyWeights::weights`], written to `out` without allocating.
     ///
     /// # Panics
     /// If `out` does not hold [`KeyWeights::len`] numbers.
@@ -158,7 +159,7 @@ impl KeyWeights {
             *weight = smoothstep(*weight);
             sum += *weight;
         }
-        // Raw weights sum to 1, so with K of them this sum is at least (3K - 2) / K^2.
+        // Raw weights sum to 1, so with K of them the divisor is at least (3K - 2) / K^2.
         groups.iter_mut().for_each(|weight| *weight /= sum);
         self.share_within_groups(out);
     }
@@ -238,7 +239,8 @@ fn meshed(tessellation: Tessellation, set: &KeySet, diagnostics: &mut Vec<Diagno
     }
 }
 
-/// A mesh shows the shape of weights between two keys only if there are some edges between.
+/// A warning if a mesh is too coarse for the keys: only with several edges between two keys does
+/// the mesh show the shape of their weights.
 fn coarse(level: u32, set: &KeySet) -> Option<Diagnostic> {
     let resolved = 5.0 * Icosphere::edge_angle(level);
     let (a, b, angle) = set.closest_pair().filter(|(_, _, angle)| *angle < resolved)?;

@@ -1,4 +1,4 @@
-//! A graph as SVG, as the canvas shows it: frames, notes, wires, nodes with their values.
+//! SVG of a graph, as the canvas shows it: frames, notes, wires, nodes with their values.
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
@@ -16,15 +16,15 @@ use crate::document::{Graph, Look, Node};
 use crate::ids::NodeId;
 use crate::library::Type;
 
-/// Around everything.
+/// Margin around the drawing, in points.
 const MARGIN: f32 = 24.0;
-/// Between the nodes of a group and its ends.
+/// Gap between the nodes of a group and its ends, in points.
 const END_GAP: f32 = 70.0;
-/// Reroutes are followed this far for their type.
+/// Greatest number of reroutes that are followed for their type.
 const MAX_REROUTES: usize = 64;
-/// The height of a note's line.
+/// Height of a note's line, in points.
 const LINE: f32 = 17.0;
-/// Where the types' colors are written in a drawing: a class a type.
+/// Classes of the types' colors in a drawing.
 const TYPES: [(Type, &str); 10] = [
     (Type::Float, "tf"),
     (Type::Int, "ti"),
@@ -38,7 +38,7 @@ const TYPES: [(Type, &str); 10] = [
     (Type::Text, "to"),
 ];
 
-/// x, y, width and height, in points.
+/// Rectangle: x, y, width and height, in points.
 type Rect = [f32; 4];
 
 struct Row {
@@ -50,7 +50,7 @@ struct Row {
 }
 
 impl Row {
-    /// Where an output or an input is.
+    /// The position of an output's or an input's socket.
     fn place(&self, port: usize, is_output: bool) -> [f32; 2] {
         let [x, y, ..] = self.rect;
         let x = if is_output { x + NODE_WIDTH } else { x };
@@ -61,7 +61,7 @@ impl Row {
     }
 }
 
-/// Ends of a wire: a node's index and a port's.
+/// Ends of a wire: the index of a node and the index of a port each.
 struct Joint {
     from: (usize, usize),
     to: (usize, usize),
@@ -74,8 +74,8 @@ struct Drawing<'a> {
     wires: Vec<Joint>,
 }
 
-/// One of a look's graphs as an SVG that is dark or light as its reader's screen is; `group` is the
-/// kind whose graph it is, or `None` for the look's own.
+/// The SVG of one of a look's graphs, dark or light like its reader's screen; `group` is the kind
+/// whose graph it is, or `None` for the look's own.
 ///
 /// Lengths are points of the canvas. The catalog must know the look's groups ([`Catalog::sync`]).
 pub fn graph_svg(look: &Look, graph: &Graph, catalog: &Catalog, group: Option<&str>) -> String {
@@ -83,14 +83,14 @@ pub fn graph_svg(look: &Look, graph: &Graph, catalog: &Catalog, group: Option<&s
     drawing.svg(graph)
 }
 
-/// A node of a kind, unwired, as an SVG.
+/// The SVG of a node of a kind, unwired.
 pub fn node_svg(kind: &str, catalog: &Catalog) -> String {
     let mut look = Look::default();
     look.graph.nodes.insert(kind.into(), Node { kind: kind.to_owned(), ..Node::default() });
     graph_svg(&look, &look.graph, catalog, None)
 }
 
-/// Where a node is, as large as it is drawn.
+/// The rectangle of a node as it is drawn.
 fn rect_of(node: &Node, kind: &Kind) -> Rect {
     // A position may be any finite number.
     let [x, y] = node.position.map(|x| (x as f32).clamp(-1e6, 1e6));
@@ -98,8 +98,8 @@ fn rect_of(node: &Node, kind: &Kind) -> Rect {
     [x, y, NODE_WIDTH, if node.collapsed { TITLE_HEIGHT } else { node_height(rows) }]
 }
 
-/// Pairs of nodes of a graph that lie on each other, wholly or in part, as it is drawn. The catalog
-/// must know the look's groups ([`Catalog::sync`]).
+/// Pairs of a graph's nodes that overlap as drawn, wholly or in part. The catalog must know the
+/// look's groups ([`Catalog::sync`]).
 pub fn overlapping(graph: &Graph, catalog: &Catalog) -> Vec<[NodeId; 2]> {
     let missing = catalog.missing_in(graph);
     let kind = |id: &NodeId, node: &Node| missing.get(id).or_else(|| catalog.of(node)).cloned();
@@ -166,7 +166,7 @@ impl<'a> Drawing<'a> {
         Self { look, rows, wires }
     }
 
-    /// The type of an output; a reroute's is that of what it is given.
+    /// The type of an output; that of a reroute is the type of its input.
     fn type_of(&self, (mut node, mut port): (usize, usize)) -> Type {
         for _ in 0..MAX_REROUTES {
             if !self.rows[node].kind.is_reroute {
@@ -247,7 +247,7 @@ impl<'a> Drawing<'a> {
             "<g{muted}><rect class=\"n\" x=\"{left}\" y=\"{top}\" width=\"{wide}\" \
              height=\"{high}\" rx=\"6\"/>"
         );
-        // Round above, and below too where there is nothing but the title.
+        // Titles are round above, and below too if there is only the title.
         let foot = if row.node.collapsed { 6.0 } else { 0.0 };
         let down = short(TITLE_HEIGHT - 6.0 - foot);
         let level = short(w - 12.0);
@@ -321,7 +321,7 @@ impl<'a> Drawing<'a> {
     }
 }
 
-/// Left, top, right and bottom of all of them.
+/// The left, top, right and bottom edge around all rectangles.
 fn bounds(rects: impl Iterator<Item = Rect>) -> Option<[f32; 4]> {
     rects.fold(None, |all: Option<[f32; 4]>, [x, y, w, h]| {
         let [left, top, right, bottom] = all.unwrap_or([x, y, x + w, y + h]);
@@ -332,7 +332,7 @@ fn bounds(rects: impl Iterator<Item = Rect>) -> Option<[f32; 4]> {
 fn text(body: &mut String, class: &str, (x, y): (f32, f32), text: &str, anchor: &str) {
     let anchor =
         if anchor.is_empty() { String::new() } else { format!(r#" text-anchor="{anchor}""#) };
-    // The middle of the small letters lies on the row's middle.
+    // The middle of the small letters is put on the row's middle.
     let [x, y] = [x, y + 0.35 * TEXT_SIZE].map(short);
     let _ =
         writeln!(body, r#"<text class="{class}" x="{x}" y="{y}"{anchor}>{}</text>"#, escaped(text));
@@ -361,7 +361,7 @@ fn swatch(body: &mut String, (x, y): (f32, f32), color: [f64; 4]) {
         r#"<rect class="c" x="{left}" y="{top}" width="28" height="{high}" rx="2" fill="{hex}"/>"#
     );
     if alpha < 1.0 {
-        // Left half opaque, so that the hue of a transparent color is seen.
+        // The left half is opaque, so that the hue of a transparent color is seen.
         let middle = short(x + 14.0);
         let rect = format!(r#"x="{middle}" y="{top}" width="14" height="{high}""#);
         let _ = writeln!(
@@ -400,7 +400,7 @@ fn draw_note(body: &mut String, [x, y, w, h]: Rect, lines: &[String], color: &[f
     }
 }
 
-/// A color that an artist gave; nothing where the theme's stands.
+/// The style of a color that an artist gave; empty where the theme's color applies.
 fn own_color(color: &[f64]) -> String {
     match <[f64; 3]>::try_from(color) {
         Ok(color) => format!(r#" style="fill:#{0:06x};stroke:#{0:06x}""#, packed(color)),
@@ -426,7 +426,7 @@ fn category_class(category: &str) -> String {
     format!("h{}", index.unwrap_or_default())
 }
 
-/// Both themes; the reader's screen chooses.
+/// The style sheet of both themes; the reader's screen chooses.
 fn style() -> String {
     let plain = "text{stroke:none}.w{fill:none;stroke-width:2.4}.k{stroke-width:1.5}\
                  .n{stroke-width:1}\
@@ -511,7 +511,7 @@ mod tests {
             }
         }
         assert!(problems.is_empty(), "{problems:#?}");
-        // A row lower they touch, which is no overlap.
+        // A row lower the nodes touch, which is no overlap.
         let two = |y: f32| {
             let json = format!(
                 r#"{{"nodes": [{{"id": "a", "kind": "uv", "at": [0, 0]}}, {{"id": "b", "kind": "uv",

@@ -13,52 +13,53 @@ pub use svg::escaped;
 
 use crate::library::Type;
 
-/// The size of plain text, in points.
+/// Size of plain text, in points.
 pub const TEXT_SIZE: f32 = 13.0;
-/// The width of a node, in points.
+/// Width of a node, in points.
 pub const NODE_WIDTH: f32 = 184.0;
-/// The height of a node's title.
+/// Height of a node's title, in points.
 pub const TITLE_HEIGHT: f32 = 26.0;
-/// The height of a port's row.
+/// Height of a port's row, in points.
 pub const ROW_HEIGHT: f32 = 20.0;
-/// What a node has below its last row.
+/// Height of a node's part below its last row, in points.
 pub const NODE_FOOT: f32 = 6.0;
-/// A socket's radius.
+/// Radius of a socket, in points.
 pub const SOCKET: f32 = 5.0;
-/// Between a frame and its nodes.
+/// Margin between a frame and its nodes, in points.
 pub const FRAME_MARGIN: f32 = 16.0;
-/// The height of a frame's title.
+/// Height of a frame's title, in points.
 pub const FRAME_TITLE: f32 = 28.0;
-/// Between a note's edge and its text.
+/// Padding between a note's edge and its text, in points.
 pub const NOTE_PADDING: f32 = 9.0;
 
-/// How high a node with so many rows is.
+/// The height of a node with `rows` rows, in points.
 pub fn node_height(rows: usize) -> f32 {
     TITLE_HEIGHT + ROW_HEIGHT * rows as f32 + NODE_FOOT
 }
 
-/// The middle of a row below a node's top; outputs come first.
+/// The middle of a row below a node's top, in points; outputs come first.
 pub fn row_center(row: usize) -> f32 {
     TITLE_HEIGHT + ROW_HEIGHT * (row as f32 + 0.5) + 1.0
 }
 
-/// How far a wire runs level before it bends, from one end to another `run` points to the right.
+/// The distance that a wire runs level before it bends, for ends that are `run` points apart
+/// horizontally. In points.
 pub fn wire_reach(run: f32) -> f32 {
     (run.abs() * 0.5).clamp(30.0, 200.0)
 }
 
-/// How a socket is drawn, so that types are told apart without color too.
+/// Shape of a socket, so that types can be distinguished without color too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SocketShape {
-    /// Numbers.
+    /// Circle, for numbers.
     Circle,
-    /// Vectors.
+    /// Diamond, for vectors.
     Diamond,
-    /// Colors and stacks.
+    /// Square, for colors and stacks.
     Square,
-    /// Angles.
+    /// Triangle, for angles.
     Triangle,
-    /// Lights.
+    /// Hexagon, for lights.
     Hexagon,
 }
 
@@ -95,7 +96,7 @@ impl SocketShape {
         }
     }
 
-    /// Its corners around the middle, at radius 1; no more than twelve.
+    /// The corners of the shape around its middle, at radius 1; no more than twelve.
     pub fn outline(self) -> &'static [(f32, f32)] {
         match self {
             Self::Circle => &CIRCLE,

@@ -2,27 +2,27 @@
 
 use crate::library::{CATEGORIES, Type};
 
-/// One set of colors.
+/// A set of colors for graphs.
 #[derive(Debug)]
 pub struct Palette {
-    /// The ground.
+    /// Ground of the canvas.
     pub canvas: u32,
-    /// A node's body.
+    /// Body of a node.
     pub node: u32,
-    /// The edge of a node.
+    /// Edge of a node.
     pub node_edge: u32,
-    /// Around a color, so that one like its ground is seen.
+    /// Edge around a color, so that a color like its ground is seen.
     pub swatch_edge: u32,
     /// Plain text.
     pub text: u32,
     /// Text of less weight.
     pub dim: u32,
-    /// A frame that has no color of its own.
+    /// Frame that has no color of its own.
     pub frame: u32,
-    /// A note that has no color of its own.
+    /// Note that has no color of its own.
     pub note: u32,
     types: Types,
-    /// In the order of [`CATEGORIES`]; what is none of them comes last.
+    /// Colors of titles, in the order of [`CATEGORIES`]; that of any other category comes last.
     categories: [u32; CATEGORIES.len() + 1],
 }
 
@@ -72,13 +72,13 @@ impl Palette {
         [float, int, bool, vector, color, composite, angle, light, curve, other]
     }
 
-    /// The colors of all titles.
+    /// The colors of all categories' titles.
     pub fn categories(&self) -> &[u32] {
         &self.categories
     }
 }
 
-/// A calm dark ground.
+/// Dark palette: a calm dark ground.
 pub static DARK: Palette = Palette {
     canvas: 0x18191c,
     node: 0x2c2e33,
@@ -106,7 +106,7 @@ pub static DARK: Palette = Palette {
     ],
 };
 
-/// Paper.
+/// Light palette: paper.
 pub static LIGHT: Palette = Palette {
     canvas: 0xe2dfd9,
     node: 0xfaf9f7,

@@ -1,8 +1,8 @@
-//! Pieces of SVG: text that fits, and numbers that are short.
+//! Parts of SVG: text that fits, and numbers that are short.
 
-/// Text as XML and HTML hold it.
+/// The text escaped for XML and HTML.
 pub fn escaped(text: &str) -> String {
-    // What XML has no sign for would make the whole file unreadable.
+    // A character that XML does not allow would make the whole file unreadable.
     let is_known = |c: char| {
         matches!(c, '\n' | '\t') || !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}')
     };
@@ -10,15 +10,15 @@ pub fn escaped(text: &str) -> String {
     known.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// A length with one decimal at most.
+/// A length with at most one decimal.
 pub(super) fn short(x: f32) -> String {
     let text = format!("{x:.1}");
     let text = text.strip_suffix(".0").map(str::to_owned).unwrap_or(text);
     if text == "-0" { "0".to_owned() } else { text }
 }
 
-/// About how wide a text is in a plain sans-serif face, in points; who looks at the picture has one
-/// that we do not know.
+/// The approximate width of a text in a plain sans-serif face, in points; the reader's own face is
+/// not known.
 pub(super) fn width(text: &str, size: f32) -> f32 {
     let share = |c: char| match c {
         'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.28,

@@ -1,4 +1,4 @@
-//! The JSON file that says what an exported look needs.
+//! The JSON file that describes an exported look: everything that a host needs to draw it.
 //!
 //! # How to draw
 //!
@@ -68,73 +68,72 @@ pub use super::language::{
 pub use super::modules::{Feed, Image, Pass, PassInput, Target};
 pub use super::reflect::{Attribute, EntryPoint, Kind, Located, Member};
 
-/// The version of the description's form.
+/// Version of the description's form.
 const FORMAT: u32 = 1;
 
-/// An exported look.
+/// The description of an exported look.
 #[derive(Clone, Debug, Serialize)]
 pub struct Description {
-    /// The look's name.
+    /// Name of the look.
     pub look: String,
-    /// The version of Chiaro.
+    /// Version of Chiaro.
     pub chiaro: &'static str,
-    /// The version of this form.
+    /// Version of the description's form.
     pub format: u32,
-    /// What the numbers of the picture mean: as shown (sRGB-encoded), or linear light. Straight
-    /// alpha.
+    /// Meaning of the picture's numbers: as shown (sRGB-encoded), or linear light. Straight alpha.
     pub color_space: ColorSpace,
-    /// What to run, in order.
+    /// Passes to run, in order.
     pub passes: Vec<Pass>,
-    /// What passes run.
+    /// Modules that passes run.
     pub modules: Vec<ModuleDescription>,
-    /// How the modules go in each language, by slug.
+    /// Files, names and bindings of the modules in each language, by slug.
     pub languages: Map<String, Value>,
-    /// What may be set.
+    /// Parameters that may be set.
     pub parameters: Vec<Parameter>,
-    /// The lights that the look reads.
+    /// Lights that the look reads.
     pub lights: Vec<LightDescription>,
-    /// The images that the look reads.
+    /// Images that the look reads.
     pub images: Vec<Image>,
-    /// The look's direction keys, as its document has them, where it has any.
+    /// Direction keys of the look, as its document has them; left out where it has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub direction_keys: Vec<crate::document::DirectionKeys>,
-    /// The look's time keys, as its document has them, where it has any.
+    /// Time keys of the look, as its document has them; left out where it has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub time_keys: Vec<crate::document::TimeKeys>,
 }
 
-/// A module, apart from any language.
+/// A module, independent of any language.
 #[derive(Clone, Debug, Serialize)]
 pub struct ModuleDescription {
-    /// Its name.
+    /// Name of the module.
     pub name: &'static str,
-    /// What it does.
+    /// Purpose of the module.
     pub purpose: &'static str,
-    /// A vertex and a fragment shader.
+    /// Entry points: a vertex and a fragment shader.
     pub entry_points: Vec<EntryPoint>,
-    /// What to bind.
+    /// Bindings of the module.
     pub bindings: Vec<BindingDescription>,
-    /// What computes the `Look` uniform; none where there is none.
+    /// Program that computes the `Look` uniform; none where the module has no such uniform.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub host: Option<HostDescription>,
 }
 
-/// A binding, apart from any language.
+/// A binding, independent of any language.
 #[derive(Clone, Debug, Serialize)]
 pub struct BindingDescription {
-    /// Its name in WGSL.
+    /// Name of the binding in WGSL.
     pub name: String,
-    /// What it is to a graphics API.
+    /// Kind of the binding for a graphics API.
     pub kind: Kind,
-    /// Its type in WGSL.
+    /// Type of the binding in WGSL.
     #[serde(rename = "type")]
     pub ty: String,
-    /// What to put in.
+    /// Resource or values that a host puts into the binding.
     pub feed: Feed,
-    /// Bytes of a uniform buffer.
+    /// Size of a uniform buffer, in bytes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub size: Option<u32>,
-    /// The members of a uniform buffer.
+    /// Members of a uniform buffer.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub members: Vec<MeaningfulMember>,
 }
@@ -142,28 +141,28 @@ pub struct BindingDescription {
 /// A member with its meaning.
 #[derive(Clone, Debug, Serialize)]
 pub struct MeaningfulMember {
-    /// Where it lies.
+    /// Layout of the member.
     #[serde(flatten)]
     pub member: Member,
-    /// What to write there; empty for members of `Look`, which `host` computes.
+    /// Meaning of the value to write; empty for members of `Look`, which `host` computes.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub meaning: &'static str,
 }
 
-/// A language, and how the modules go in it.
+/// A language, with the modules in it.
 #[derive(Clone, Debug, Serialize)]
 pub struct LanguageDescription<'a> {
-    /// What people call it.
+    /// Name of the language for people.
     pub label: &'static str,
-    /// The program that accepts the golden outputs of Chiaro's own tests; none for what nobody has
-    /// compiled.
+    /// Program that accepts the golden outputs of Chiaro's own tests; none for languages that
+    /// nobody has compiled.
     pub verified_by: Option<&'static str>,
-    /// What the API expects.
+    /// Conventions of the API.
     pub clip_space: ClipSpace,
-    /// What else there is to know.
+    /// Further hints for a host.
     #[serde(skip_serializing_if = "str::is_empty")]
     pub note: &'static str,
-    /// Each module.
+    /// Modules in this language.
     pub modules: Vec<&'a LanguageModule>,
 }
 

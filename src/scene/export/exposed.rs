@@ -1,4 +1,4 @@
-//! What may be set from outside: parameters and lights.
+//! Parameters and lights that may be set from outside.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -14,37 +14,37 @@ use crate::library::{Input, Library, Type};
 /// A value that may be set from outside, or that keys move.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Parameter {
-    /// The name that the artist exposed it by; none for what only keys move.
+    /// Name under which the artist exposed the value; none for a value that only keys move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<PortName>,
-    /// What people read.
+    /// Label for people.
     pub label: String,
-    /// What is said about it.
+    /// Help text.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub help: String,
-    /// What it sets: `path/to/node.port`, or `lights.key.direction`.
+    /// Target that the parameter sets: `path/to/node.port`, or `lights.key.direction`.
     pub target: String,
-    /// Chiaro's type; none for an input of a node that the look does not use.
+    /// Type in Chiaro; none for an input of a node that the look does not use.
     #[serde(rename = "type", skip_serializing_if = "String::is_empty")]
     pub ty: String,
-    /// What the look has.
+    /// Value in the look.
     pub default: Value,
-    /// The least value.
+    /// Least value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min: Option<f64>,
-    /// The greatest value.
+    /// Greatest value.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
-    /// The unit of its numbers.
+    /// Unit of the value's numbers.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub unit: String,
-    /// The words of a choice.
+    /// Words of a choice.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub options: Vec<String>,
-    /// Whether setting it changes the picture. What is not live was decided when the shader was
-    /// made (choices), or reaches nothing.
+    /// True if setting the parameter changes the picture. A parameter that is not live was decided
+    /// when the shader was made (choices), or reaches nothing.
     pub live: bool,
-    /// Whether keys move it.
+    /// True if keys move the parameter.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub keyed: bool,
 }
@@ -52,25 +52,25 @@ pub struct Parameter {
 /// A light of the look.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightDescription {
-    /// Its id, as steps name it.
+    /// Id of the light, as steps name it.
     pub id: LightId,
-    /// What people read.
+    /// Label for people.
     pub label: String,
-    /// As the look has it: `type`, `space`, `direction` and the rest.
+    /// Values of the light in the look: `type`, `space`, `direction` and the rest.
     pub values: Light,
-    /// The fields that steps ask for.
+    /// Fields that steps ask for.
     pub fields: BTreeSet<&'static str>,
-    /// The uniform members that depend on it, `module.member`; filled in by the description.
+    /// Uniform members that depend on the light, `module.member`; filled in by the description.
     pub members: Vec<String>,
 }
 
-/// The parameters, and for each live value its index among them.
+/// The parameters, and the index among them of each live value.
 pub(super) struct Parameters {
     pub(super) list: Vec<Parameter>,
     pub(super) index: HashMap<ParamId, usize>,
 }
 
-/// What is exposed in the artist's order, then what only keys move.
+/// The parameters: those that are exposed in the artist's order, then those that only keys move.
 pub(super) fn parameters(
     look: &Look,
     library: &Library,
@@ -133,7 +133,8 @@ pub(super) fn parameters(
     found
 }
 
-/// What the library says about an input, or the group around it where that says more.
+/// The parameter of an input, with labels and bounds from the library, or from the group around the
+/// input where that says more.
 fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId) -> Parameter {
     let param = &typed.params[id];
     let mut parameter =
@@ -145,7 +146,7 @@ fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId)
                 Some(TypedSource::Param(found, _)) if *found == id
             )
         });
-        // Choices and other settings are no inputs any more.
+        // Choices and other settings are not inputs of the typed node any more.
         found
             .or_else(|| node.def.input(param.port.as_str()).filter(|_| node.path == param.path))
             .map(|at| (node, at))
@@ -177,7 +178,7 @@ fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId)
     parameter
 }
 
-/// The port of a group that a path names, if it is one of a group.
+/// The port of a group that a path names; `None` if the path names no group.
 fn interface_port<'a>(
     look: &'a Look,
     library: &'a Library,
@@ -208,7 +209,7 @@ fn light_field(look: &Look, light: &LightId, field: &str) -> Parameter {
         ty: ty.to_string(),
         default: document.get(field).cloned().unwrap_or_default(),
         min: range.map(|[min, _]| min),
-        // What bounds lengths and factors in files is no end of a slider.
+        // Bounds of lengths and factors in files are not meant as ends of a slider.
         max: range.filter(|_| !unit.is_empty()).map(|[_, max]| max),
         unit: unit.to_owned(),
         ..Parameter::default()

@@ -1,4 +1,4 @@
-//! An export's files on their way into a folder.
+//! Writing of an export's files into a folder.
 
 use std::path::{Path, PathBuf};
 
@@ -8,16 +8,16 @@ use super::File;
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, Outputs, read_text};
 
-/// The first file in `folder` that an export must not write over: what the export reads, or what no
-/// export has written. `None` where nothing is in the way.
+/// The first file in `folder` that an export must not overwrite: one that the export reads, or one
+/// that no export has written. `None` if the way is free.
 pub fn in_the_way(files: &[File], folder: &Path, outputs: &Outputs) -> Option<PathBuf> {
     check(files, folder, outputs).err().and_then(|problem| problem.place.file).map(PathBuf::from)
 }
 
-/// Whether an export's files may be written into a folder.
+/// Checks that an export's files may be written into a folder.
 ///
 /// # Errors
-/// As [`Outputs::check`], for the first that may not.
+/// As [`Outputs::check`], for the first file that may not.
 fn check(files: &[File], folder: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
     let earlier = Earlier::of(files, folder);
     files.iter().try_for_each(|file| {
@@ -25,7 +25,7 @@ fn check(files: &[File], folder: &Path, outputs: &Outputs) -> Result<(), Diagnos
     })
 }
 
-/// What the descriptions of an earlier export in a folder say.
+/// Texts of the descriptions of earlier exports in a folder.
 struct Earlier(Vec<String>);
 
 impl Earlier {
@@ -35,8 +35,8 @@ impl Earlier {
         Self(descriptions.filter_map(|path| read_text(&path).ok()).collect())
     }
 
-    /// Hands on what a file is. An earlier one is known by the comment that it begins with; what
-    /// has no comments, by the description that names it.
+    /// Calls `then` with the kind of a file. A file of an earlier export is known by the comment
+    /// that it begins with; a file in a format without comments, by the description that names it.
     fn with_kind<T>(&self, file: &File, then: impl FnOnce(OutputKind<'_>) -> T) -> T {
         let quoted = serde_json::Value::from(file.name.as_str()).to_string();
         let is_description_file = file.name.ends_with(".json");
@@ -50,10 +50,10 @@ impl Earlier {
     }
 }
 
-/// As much of a file, in bytes, is looked through for the comment at its beginning.
+/// Length of the beginning of a file that is searched for the comment, in bytes.
 const HEAD: usize = 4096;
 
-/// Whether a file is a description that an export wrote, so that the next one may take its place.
+/// True if a file is a description that an export wrote, so that the next export may replace it.
 fn is_description(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending == "json")
         && read_text(path).is_ok_and(|text| describes(text.as_bytes()))
@@ -66,12 +66,12 @@ fn describes(text: &[u8]) -> bool {
         .all(|name| members.contains_key(*name))
 }
 
-/// Writes every file into a folder, which is made where there is none; or none, where one of them
-/// would take the place of what somebody made. All come at once, the description last. Returns
-/// where they are, in the order of `files`.
+/// Writes all files into a folder, which is made if there is none; or no file, where one of them
+/// would replace a file that somebody made. All files appear at once, the description last. Returns
+/// their paths, in the order of `files`.
 ///
 /// # Errors
-/// What is in the way, or why a file cannot be written.
+/// The file that is in the way, or the reason why a file cannot be written.
 pub fn write(
     files: &[File],
     folder: &Path,
@@ -161,7 +161,7 @@ mod tests {
         }
         write(&files, folder.path(), &mut Outputs::new(false)).unwrap();
         // Another version of Chiaro writes another text, and other words of SPIR-V: the description
-        // names them.
+        // names the files.
         std::fs::write(path("rim.wgsl"), "// Rim: made by Chiaro 0.0.9, WGSL.\n").unwrap();
         std::fs::write(path("rim.spv"), [3, 2, 35, 8]).unwrap();
         write(&files, folder.path(), &mut Outputs::new(false)).unwrap();

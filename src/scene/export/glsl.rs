@@ -1,8 +1,8 @@
-//! What the versions of GLSL share: a file for each stage.
+//! Common part of the versions of GLSL, which have a file for each stage.
 //!
-//! naga names interface blocks, varyings and attributes by numbers; here they get the names of the
-//! WGSL source back, the same in both stages, so that a uniform block is one block of the linked
-//! program.
+//! naga names interface blocks, varyings and attributes by numbers; the writer gives them the names
+//! of the WGSL source back, the same in both stages, so that a uniform block is one block of the
+//! linked program.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,13 +21,13 @@ use super::modules::ShaderModule;
 use super::reflect::{self, Bound, Kind};
 use crate::wgsl::{Valid, identifiers, rename_identifiers, validate};
 
-/// One stage, as naga writes it.
+/// A stage, as naga writes it.
 struct StageText {
     stage: naga::ShaderStage,
     text: String,
-    /// naga's name of each block.
+    /// Name of each block as naga writes it.
     blocks: BTreeMap<ResourceBinding, String>,
-    /// naga's name of each texture, and the sampler that it is one with.
+    /// Name of each texture as naga writes it, and the sampler that is combined with the texture.
     textures: BTreeMap<ResourceBinding, (String, Option<ResourceBinding>)>,
 }
 
@@ -40,7 +40,7 @@ pub(super) fn write(
     let module = request.module;
     let slots = slots(&module.bindings);
     let binding_map = slots.iter().map(|(bound, slot)| (resource(bound), *slot)).collect();
-    // Positions stay as the host's matrix gives them.
+    // Positions stay unchanged from the host's matrix.
     let options = glsl::Options {
         version,
         writer_flags: glsl::WriterFlags::empty(),
@@ -102,8 +102,8 @@ fn stage_text(
     Ok(StageText { stage: point.stage, text, blocks, textures })
 }
 
-/// The module with one entry point and what that needs; naga would write every function into both
-/// files.
+/// The module reduced to one entry point and everything that it needs; naga would write every
+/// function into both files.
 fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, String> {
     let mut naga_module = module.valid().module.clone();
     naga_module.entry_points.retain(|other| other.name == point.name);
@@ -111,8 +111,8 @@ fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, S
     validate(naga_module).map_err(|error| error.to_string())
 }
 
-/// A number for each buffer and for each texture, counted apart: OpenGL's binding points and
-/// texture units.
+/// Slots for buffers and for textures, counted separately: OpenGL's binding points and texture
+/// units.
 fn slots(bindings: &[Bound]) -> Vec<(&Bound, u8)> {
     let mut counts: BTreeMap<bool, u8> = BTreeMap::new();
     let mut slots = Vec::new();
@@ -136,7 +136,7 @@ fn extension(stage: naga::ShaderStage) -> &'static str {
     }
 }
 
-/// What naga's names become.
+/// New names for those that naga wrote.
 struct Names {
     of: BTreeMap<String, String>,
     attributes: Vec<LanguageAttribute>,
@@ -190,8 +190,8 @@ struct Choice {
 }
 
 impl Choice {
-    /// The name for what naga calls `old`; two of naga's names for one thing of the source get the
-    /// same one.
+    /// The new name for naga's name `old`; two names that naga has for one variable of the source
+    /// get the same new name.
     fn give(&mut self, old: &str, wanted: &str) -> String {
         let mut name = wanted.to_owned();
         while self.taken.contains(&name) {
@@ -202,7 +202,7 @@ impl Choice {
     }
 }
 
-/// Where everything is; `is_explicit` where the text itself says so.
+/// The locations of all bindings; `is_explicit` where the text itself contains them.
 fn bindings(
     module: &ShaderModule,
     names: &Names,
@@ -215,7 +215,7 @@ fn bindings(
         let place = resource(bound);
         let block = stages.iter().find_map(|stage| stage.blocks.get(&place));
         let texture = stages.iter().find_map(|stage| stage.textures.get(&place));
-        // What neither stage reads is not in the text.
+        // Bindings that neither stage reads are not in the text.
         let Some(old) = block.or(texture.map(|(old, _)| old)) else { continue };
         let name = names.of.get(old).unwrap_or(old);
         let key = match (bound.kind, is_explicit) {
@@ -233,7 +233,7 @@ fn bindings(
     found
 }
 
-/// What to bind, in words.
+/// The bindings in words, for the header.
 fn binds(bindings: &[LanguageBinding], slots: &[(&Bound, u8)]) -> Vec<String> {
     let named = |is_texture: bool| {
         let of_kind = bindings.iter().filter(move |binding| {
@@ -252,7 +252,7 @@ fn binds(bindings: &[LanguageBinding], slots: &[(&Bound, u8)]) -> Vec<String> {
     vec![list("Uniform blocks (std140)", &named(false)), list("Textures", &named(true))]
 }
 
-/// Puts the header after the first line, where `#version` has to be.
+/// Puts the header after the first line, because `#version` has to come first.
 fn after_version(text: &str, header: &str) -> String {
     let (version, rest) = text.split_once('\n').unwrap_or((text, ""));
     format!("{version}\n{header}{rest}")

@@ -3,8 +3,8 @@
 use super::language::Request;
 
 impl Request<'_> {
-    /// Who made this and what to bind; `part` says which part of the module it is, `binds` what to
-    /// bind, a line each.
+    /// The header: the program that made the file, and the bindings; `part` is the part of the
+    /// module in the file, `binds` the bindings, a line each.
     pub(super) fn header(&self, part: &str, binds: &[String]) -> String {
         let language = self.language;
         let version = env!("CARGO_PKG_VERSION");
@@ -27,8 +27,8 @@ pub(super) fn comment(lines: &[String]) -> String {
     lines.iter().map(|line| format!("// {line}\n")).collect()
 }
 
-/// A name of any content, fit for a line of a comment. A backslash at the end of a line would join
-/// the next one to it.
+/// A name of any content, made fit for a line of a comment. A backslash at the end of a line would
+/// join the next line to it.
 pub(super) fn title(name: &str) -> String {
     let name: String =
         name.chars().map(|c| if c.is_control() || c == '\\' { ' ' } else { c }).collect();
@@ -36,7 +36,7 @@ pub(super) fn title(name: &str) -> String {
     if name.is_empty() { "A look".to_owned() } else { name.to_owned() }
 }
 
-/// `Kind: a, b.`, or nothing where there are none.
+/// `Kind: a, b.`, or nothing where there are no names.
 pub(super) fn list(kind: &str, names: &[String]) -> String {
     if names.is_empty() { String::new() } else { format!("{kind}: {}.", names.join(", ")) }
 }

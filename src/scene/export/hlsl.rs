@@ -1,7 +1,7 @@
 //! HLSL, shader model 5.1, for Direct3D 12: one file with both entry points.
 //!
-//! naga reaches samplers through a heap of 2048 of them, as wgpu binds them. Here each gets a
-//! register of its own instead, so that the file fits any engine.
+//! naga reaches samplers through a heap of 2048, as wgpu binds them. The writer gives each sampler
+//! a register of its own instead, so that the file fits any engine.
 
 use naga::back::hlsl;
 use serde_json::json;
@@ -38,7 +38,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         let target = hlsl::BindTarget { register: *register, ..hlsl::BindTarget::default() };
         let resource = naga::ResourceBinding { group: bound.group, binding: bound.binding };
         options.binding_map.insert(resource, target);
-        // The heap's index, which is taken out again, has a register after the textures.
+        // The heap's index, which is removed again, has a register after the textures.
         let index = hlsl::BindTarget { register: textures, ..hlsl::BindTarget::default() };
         options
             .sampler_buffer_binding_map
@@ -71,7 +71,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
 }
 
-/// Each binding's register: `b` buffers, `t` textures and `s` samplers are counted apart.
+/// The register of each binding: `b` buffers, `t` textures and `s` samplers are counted separately.
 fn registers(bindings: &[Bound]) -> Vec<(&Bound, char, u32)> {
     let mut counts = [0u32; 3];
     let mut register = |bound| {
@@ -111,7 +111,7 @@ fn naga_text(
     Ok((text, points))
 }
 
-/// Takes the sampler heap out: every sampler gets its register.
+/// Removes the sampler heap from the text: every sampler gets its own register.
 fn own_samplers(text: &str) -> Result<String, String> {
     const HEAPS: [&str; 3] = [
         "SamplerState nagaSamplerHeap[",
@@ -139,7 +139,8 @@ fn own_samplers(text: &str) -> Result<String, String> {
     Ok(result)
 }
 
-/// What naga calls the variable at a register: `view_1` where a function has an argument `view`.
+/// The name that naga gives to the variable at a register: `view_1` where a function has an
+/// argument `view`.
 fn name_at<'t>(text: &'t str, register: &str) -> &'t str {
     let declared = text.find(&format!(" : {register}")).map_or("", |end| &text[..end]);
     declared.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()

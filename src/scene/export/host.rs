@@ -1,4 +1,4 @@
-//! How the numbers of a module's `Look` uniform come about, as data.
+//! The program that computes the numbers of a module's `Look` uniform, as data.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -14,25 +14,26 @@ use crate::ids::LightId;
 use crate::interp;
 use crate::library::{Context, ContextSource};
 
-/// What computes the members of a module's `Look` uniform: run the steps in order, each from the
-/// values of earlier ones, then write each member's step into the uniform at the member's offset.
+/// The program that computes the members of a module's `Look` uniform: run the steps in order, each
+/// from the values of earlier ones, then write each member's step into the uniform at the member's
+/// offset.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HostDescription {
-    /// The WGSL file with the functions that steps call; none where no step calls any.
+    /// Name of the WGSL file with the functions that steps call; none where no step calls any.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub functions: Option<String>,
-    /// Every surrounding that steps ask for.
+    /// Surroundings that steps ask for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub contexts: Vec<ContextDescription>,
-    /// Their indices are how later ones name them.
+    /// Steps, which later steps name by index.
     pub steps: Vec<StepDescription>,
-    /// In the order of the struct.
+    /// Members of the uniform, in the order of the struct.
     pub members: Vec<MemberDescription>,
     /// The wires that drive direction keys.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drivers: Vec<DriverDescription>,
-    /// Where wires drive them, the sets of direction keys in the order in which they take effect,
-    /// by index.
+    /// Indices of the sets of direction keys in the order in which they take effect, where wires
+    /// drive them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub key_order: Vec<usize>,
 }
@@ -40,65 +41,66 @@ pub struct HostDescription {
 /// A wire that drives direction keys: a number for each object and frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct DriverDescription {
-    /// As `direction_keys` name it.
+    /// Name of the wire in `direction_keys`.
     pub wire: String,
-    /// The step that computes it; it is within a million of 0, and 0 where it is no number.
+    /// Step that computes the wire; its value is clamped to a million around 0, and is 0 where it
+    /// is not a number.
     pub step: usize,
 }
 
 /// A value of the surroundings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ContextDescription {
-    /// Its name in steps.
+    /// Name of the surrounding in steps.
     pub name: &'static str,
-    /// As WGSL writes it.
+    /// Type of the surrounding in WGSL.
     #[serde(rename = "type")]
     pub ty: &'static str,
-    /// What it is.
+    /// Meaning of the surrounding.
     pub meaning: &'static str,
 }
 
-/// One step. Vectors, matrices (column after column), arrays and structs (in the order of their
-/// members) are lists.
+/// A step of the program. Vectors, matrices (column after column), arrays and structs (in the order
+/// of their members) are lists.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "op", rename_all = "snake_case")]
 pub enum StepDescription {
-    /// A value.
+    /// A constant.
     Constant {
-        /// The value.
+        /// Value of the constant.
         value: Value,
     },
     /// The value of a parameter.
     Parameter {
-        /// Its index in `parameters`.
+        /// Index in `parameters`.
         parameter: usize,
-        /// What it is taken as; the same parameter may be a float in one step and a color in
-        /// another.
+        /// Type that the parameter is taken as; the same parameter may be a float in one step and a
+        /// color in another.
         #[serde(rename = "type")]
         ty: String,
-        /// The parameter's default as that type, ready for use.
+        /// Default of the parameter as that type, ready for use.
         value: Value,
     },
     /// A surrounding.
     Context {
-        /// Its name in `contexts`.
+        /// Name in `contexts`.
         context: &'static str,
-        /// The light that it is a field of.
+        /// Light that the surrounding is a field of.
         #[serde(skip_serializing_if = "Option::is_none")]
         light: Option<LightId>,
     },
     /// A call of a function.
     Call {
-        /// Its name in the file.
+        /// Name of the function in the file.
         function: String,
-        /// Steps.
+        /// Steps that give the arguments.
         arguments: Vec<usize>,
     },
     /// A member of a struct.
     Member {
-        /// The step that gives the struct.
+        /// Step that gives the struct.
         of: usize,
-        /// Counts from 0.
+        /// Index of the member, counted from 0.
         member: usize,
     },
 }
@@ -106,33 +108,34 @@ pub enum StepDescription {
 /// A member of the `Look` uniform.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MemberDescription {
-    /// Its name in the struct.
+    /// Name of the member in the struct.
     pub name: String,
-    /// What it is to the look. A `switch` is written as the unsigned integer 0 or 1.
+    /// Type of the member in the look. A `switch` is written as the unsigned integer 0 or 1.
     #[serde(rename = "type")]
     pub ty: String,
-    /// Its first byte in the uniform.
+    /// Offset of the member in the uniform, in bytes.
     pub offset: u32,
-    /// The node that reads it, and the input or part.
+    /// Node that reads the member, and the input or part.
     pub origin: String,
-    /// The step that computes it.
+    /// Step that computes the member.
     pub step: usize,
-    /// The parameters that it depends on, by index.
+    /// Parameters that the member depends on, by index.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     pub parameters: BTreeSet<usize>,
-    /// The lights that it depends on.
+    /// Lights that the member depends on.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     pub lights: BTreeSet<LightId>,
-    /// The surroundings that it depends on.
+    /// Surroundings that the member depends on.
     #[serde(skip_serializing_if = "BTreeSet::is_empty")]
     pub contexts: BTreeSet<&'static str>,
-    /// What it is while parameters have their defaults; none where it depends on anything else.
+    /// Value of the member while parameters have their defaults; none where the member depends on
+    /// anything else.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub default: Option<Value>,
 }
 
 /// Describes a host; `parameters` gives each live value's index in the description. `None` where
-/// the module reads no such value.
+/// the module has no `Look` uniform.
 pub(super) fn describe(
     host: &Host,
     parameters: &HashMap<ParamId, usize>,
@@ -204,7 +207,7 @@ fn describe_step(step: &HostStep, parameters: &HashMap<ParamId, usize>) -> StepD
 }
 
 impl MemberDescription {
-    /// Collects what the member's step depends on.
+    /// Collects the parameters, lights and surroundings that the member's step depends on.
     fn depend(&mut self, steps: &[HostStep], parameters: &HashMap<ParamId, usize>) {
         let mut seen = BTreeSet::new();
         let mut open = vec![self.step];
@@ -228,7 +231,7 @@ impl MemberDescription {
     }
 }
 
-/// The members with every parameter at its default.
+/// The members' values with every parameter at its default.
 fn defaults(host: &Host) -> Vec<interp::Value> {
     let lights: IndexMap<LightId, LightValues> =
         [(LightId::new(""), LightValues::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY))]
@@ -242,7 +245,7 @@ fn defaults(host: &Host) -> Vec<interp::Value> {
         frame: 0.0,
         object_id: 0.0,
     };
-    // What cannot be run has no default; compiling has reported it.
+    // A program that cannot be run has no defaults; compiling has reported the error.
     host.shader.host.run(&inputs).unwrap_or_default()
 }
 
@@ -268,7 +271,7 @@ fn stored(value: &interp::Value) -> Value {
     rounded(self::value(value))
 }
 
-/// The shortest numbers that read back as the same f32. Values nest a few levels deep.
+/// Rounds numbers to the shortest that read back as the same f32. Values nest a few levels deep.
 fn rounded(value: Value) -> Value {
     match value {
         Value::Array(parts) => parts.into_iter().map(rounded).collect(),
@@ -280,12 +283,12 @@ fn rounded(value: Value) -> Value {
     }
 }
 
-/// What a surrounding is.
+/// The meaning of a surrounding.
 fn meaning(context: Context) -> &'static str {
     match context.row().source {
         ContextSource::Host { meaning, .. } => meaning,
         ContextSource::Light(input) => input.help(),
-        // Of fragment rate, and so never asked for by a step.
+        // Contexts of fragment rate, which steps never ask for.
         ContextSource::Fragment { .. } | ContextSource::Pass { .. } => "",
     }
 }

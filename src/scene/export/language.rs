@@ -1,4 +1,4 @@
-//! What every language has in common.
+//! Languages of exports: their common description.
 
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -10,37 +10,38 @@ use crate::diag::Diagnostic;
 /// A language that looks are exported to.
 #[derive(Debug)]
 pub struct Language {
-    /// What `--to` takes.
+    /// Name of the language for `--to`.
     pub slug: &'static str,
-    /// What people call it.
+    /// Name of the language for people.
     pub label: &'static str,
-    /// What menus call it: without a version where there is but one.
+    /// Name of the language in menus: without a version where there is but one.
     pub short_label: &'static str,
-    /// What reads it, where its name does not say so; may be empty.
+    /// API that reads the language, where its name does not say so; may be empty.
     pub api: &'static str,
-    /// The files of a look that are text, for who copies one of them; none where the window copies
-    /// it in another way.
+    /// Files of a look that are text, for users who copy one of them; none where the window copies
+    /// the look in another way.
     pub texts: &'static [TextFile],
-    /// The program, none of ours, that accepts every golden output; `None` where there is none, and
-    /// files say so.
+    /// Program, not one of Chiaro's, that accepts every golden output; `None` where there is none,
+    /// and files say so.
     pub verified_by: Option<&'static str>,
-    /// What its API expects of positions.
+    /// Conventions of the language's API for positions.
     pub clip_space: ClipSpace,
-    /// What else a host has to know; may be empty.
+    /// Further hints for a host; may be empty.
     pub note: &'static str,
     pub(super) write: fn(&Request<'_>) -> Result<Written, String>,
 }
 
-/// A file of every exported look that is text.
+/// A text file that every exported look has.
 #[derive(Debug)]
 pub struct TextFile {
-    /// What its name ends with.
+    /// Ending of the file's name.
     pub ending: &'static str,
-    /// What it holds: `shader`, or one stage of it.
+    /// Content of the file: `shader`, or one stage of it.
     pub content: &'static str,
 }
 
-/// A file for each stage, as GLSL has them: how the names end after that of the version.
+/// The text files of a language with a file for each stage, such as GLSL; `$version` comes before
+/// the stage in the names' endings.
 macro_rules! stages {
     ($version:literal) => {
         &[
@@ -57,55 +58,55 @@ macro_rules! stages {
 }
 pub(super) use stages;
 
-/// What an API expects of the positions that a vertex shader gives, and how it counts the rows of
-/// images. Exported shaders convert nothing: `clip_from_world` is the host's.
+/// Conventions of an API for the positions that a vertex shader gives, and for the order of an
+/// image's rows. Exported shaders convert nothing: `clip_from_world` is the host's.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ClipSpace {
-    /// Which way y points in clip space: `up` or `down` the picture.
+    /// Direction of y in clip space: `up` or `down` the picture.
     pub y: &'static str,
-    /// z / w of what is nearest and farthest.
+    /// Values of z / w of the nearest and the farthest point.
     pub depth: [f64; 2],
-    /// Where the first row of a rendered image is: `top` or `bottom`.
+    /// Position of the first row of a rendered image: `top` or `bottom`.
     pub first_row: &'static str,
 }
 
 impl ClipSpace {
-    /// Direct3D, Metal and WebGPU.
+    /// Conventions of Direct3D, Metal and WebGPU.
     pub(super) const WEBGPU: Self = Self { y: "up", depth: [0.0, 1.0], first_row: "top" };
-    /// OpenGL, OpenGL ES and WebGL.
+    /// Conventions of OpenGL, OpenGL ES and WebGL.
     pub(super) const OPENGL: Self = Self { y: "up", depth: [-1.0, 1.0], first_row: "bottom" };
-    /// Vulkan.
+    /// Conventions of Vulkan.
     pub(super) const VULKAN: Self = Self { y: "down", depth: [0.0, 1.0], first_row: "top" };
 }
 
-/// What a language is asked to write.
+/// Request to write a module in a language.
 pub(super) struct Request<'a> {
     pub(super) language: &'static Language,
     pub(super) module: &'a ShaderModule,
-    /// The look's name, fit for a comment.
+    /// Name of the look, fit for a comment.
     pub(super) title: &'a str,
-    /// What the names of this module's files begin with.
+    /// Beginning of the names of this module's files.
     pub(super) stem: String,
-    /// The JSON description's name.
+    /// Name of the JSON description.
     pub(super) description: String,
 }
 
-/// A module in one language.
+/// A module written in one language.
 pub(super) struct Written {
     pub(super) files: Vec<File>,
     pub(super) described: LanguageModule,
 }
 
-/// How a module goes in one language.
+/// Description of a module in one language.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct LanguageModule {
-    /// The module.
+    /// Name of the module.
     pub module: String,
-    /// The files it lies in.
+    /// Files that hold the module.
     pub files: Vec<LanguageFile>,
-    /// Where its bindings are and what they are called.
+    /// Places and names of the module's bindings.
     pub bindings: Vec<LanguageBinding>,
-    /// What its vertex attributes are called.
+    /// Names of the module's vertex attributes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub attributes: Vec<LanguageAttribute>,
 }
@@ -113,33 +114,33 @@ pub struct LanguageModule {
 /// A file of a module.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LanguageFile {
-    /// Its name, beside the description.
+    /// Name of the file, beside the description.
     pub file: String,
-    /// The entry points in it.
+    /// Entry points in the file.
     pub entry_points: Vec<LanguageEntryPoint>,
 }
 
-/// An entry point as a language calls it.
+/// An entry point as it is named in a language.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LanguageEntryPoint {
-    /// `vertex` or `fragment`.
+    /// Stage: `vertex` or `fragment`.
     pub stage: &'static str,
-    /// What to ask the API for.
+    /// Name to pass to the API.
     pub name: String,
 }
 
 /// A binding in one language.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LanguageBinding {
-    /// The module's binding.
+    /// Name of the module's binding.
     pub binding: String,
-    /// The sampler that is one with this texture, in languages that join the two.
+    /// Sampler that is combined with this texture, in languages that join the two.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sampler: Option<String>,
-    /// What it is called here, to the API where that asks for names.
+    /// Name of the binding in this language, for APIs that ask for names.
     pub name: String,
-    /// Where it is, in the API's words: `{"group": 0, "binding": 1}`, `{"unit": 0}`, `{"register":
-    /// "b0"}`.
+    /// Place of the binding, in the API's words: `{"group": 0, "binding": 1}`, `{"unit": 0}`,
+    /// `{"register": "b0"}`.
     pub at: Map<String, Value>,
 }
 
@@ -153,9 +154,9 @@ impl LanguageBinding {
 /// A vertex attribute in one language.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LanguageAttribute {
-    /// The module's attribute.
+    /// Name of the module's attribute.
     pub attribute: String,
-    /// What it is called here.
+    /// Name of the attribute in this language.
     pub name: String,
 }
 

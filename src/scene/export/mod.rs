@@ -1,13 +1,13 @@
-//! Looks as files for other programs.
+//! Export of looks as files for other programs.
 //!
 //! [`export`] compiles a look with its exposed parameters alive, adds the passes that it needs, has
-//! each language write every module, and describes it all in one JSON file: what to bind, what to
-//! feed, in which order to draw, and how the parameters that an artist sets become the numbers that
-//! the shader reads. [`description`] documents that file.
+//! each language write every module, and describes the result in one JSON file: the bindings, the
+//! values to put there, the order of drawing, and the program that turns the parameters that an
+//! artist sets into the numbers that the shader reads. [`description`] documents that file.
 //!
-//! A language is one file here and one line in [`LANGUAGES`]; naga's back ends write the text.
-//! Positions in clip space are left exactly as `view.clip_from_world` gives them in every language,
-//! so that a host uses the projection matrices of its own API.
+//! A language is one file of this module and one line in [`LANGUAGES`]; naga's back ends write the
+//! text. Positions in clip space are left exactly as `view.clip_from_world` gives them in every
+//! language, so that a host uses the projection matrices of its own API.
 
 pub mod description;
 mod exposed;
@@ -39,7 +39,7 @@ pub use files::{in_the_way, write};
 pub use language::{Language, TextFile};
 pub use spirv::spirv_words;
 
-/// Every language, in the order of the issue.
+/// All languages, in the order of the issue.
 pub const LANGUAGES: [&Language; 7] = [
     &wgsl::LANGUAGE,
     &glsl_es300::LANGUAGE,
@@ -50,18 +50,18 @@ pub const LANGUAGES: [&Language; 7] = [
     &spirv::LANGUAGE,
 ];
 
-/// What stands for every language.
+/// Slug that stands for all languages.
 pub const ALL: &str = "all";
 
-/// The language that `chiaro export --to` names.
+/// The language that `chiaro export --to` calls `slug`.
 pub fn language(slug: &str) -> Option<&'static Language> {
     LANGUAGES.into_iter().find(|language| language.slug == slug)
 }
 
-/// The languages that these slugs name, each once, in their order; `all` names every one.
+/// The languages that these slugs name, each once, in their order; `all` names every language.
 ///
 /// # Errors
-/// A problem for each slug that names none.
+/// A problem for each slug that names no language.
 pub fn languages<'a>(
     slugs: impl IntoIterator<Item = &'a str>,
 ) -> Result<Vec<&'static Language>, Vec<Diagnostic>> {
@@ -89,7 +89,7 @@ pub fn languages<'a>(
     if problems.is_empty() { Ok(found) } else { Err(problems) }
 }
 
-/// What is told of languages whose files no compiler here has seen; `None` where there are none.
+/// The warning about languages whose files no compiler here has seen; `None` where there are none.
 pub fn unverified(languages: &[&'static Language]) -> Option<String> {
     let labels: Vec<&str> = languages
         .iter()
@@ -103,12 +103,12 @@ pub fn unverified(languages: &[&'static Language]) -> Option<String> {
     (!labels.is_empty()).then(told)
 }
 
-/// A file to be written.
+/// A file of an export, to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
-    /// Its name, without folders.
+    /// Name of the file, without folders.
     pub name: String,
-    /// What it holds.
+    /// Content of the file.
     pub bytes: Vec<u8>,
 }
 
@@ -119,12 +119,12 @@ impl File {
 }
 
 /// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for
-/// `rim.frag`. The images and HCBTFs that it reads, whose paths are relative to `folder`, are
-/// carried along; one that cannot be read is a warning. Returns what to write, in order; no two
-/// files have the same name.
+/// `rim.frag`. The images and HCBTFs that the look reads, whose paths are relative to `folder`, are
+/// carried along; one that cannot be read is a warning. Returns the files to write, in order; no
+/// two files have the same name.
 ///
 /// # Errors
-/// Everything that is wrong with the look, or what a language cannot express.
+/// All errors of the look, and constructs that a language cannot express.
 pub fn export(
     look: &Look,
     library: &Library,

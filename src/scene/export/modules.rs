@@ -14,134 +14,136 @@ use crate::frame::ScreenModule;
 use crate::library::{PassId, PassOutput};
 use crate::wgsl::Valid;
 
-/// A WGSL module with what a host has to know.
+/// A WGSL module with everything that a host has to know of it.
 pub(super) struct ShaderModule {
-    /// The slug of its pass, or the name that several passes share.
+    /// Slug of the module's pass, or the name that several passes share.
     pub(super) name: &'static str,
-    /// What it does, as a sentence.
+    /// Purpose of the module, as a sentence.
     pub(super) purpose: &'static str,
     pub(super) entry_points: Vec<EntryPoint>,
     pub(super) bindings: Vec<Bound>,
-    /// For each binding.
+    /// Feeds of the bindings, in their order.
     pub(super) feeds: Vec<Feed>,
     code: Code,
 }
 
 enum Code {
-    /// Made from a look.
+    /// A module made from a look.
     Look(Box<Host>),
-    /// A file of `shaders/passes`.
+    /// A module from a file of `shaders/passes`: its text, and naga's form of it.
     Fixed(String, Box<Valid>),
 }
 
-/// What computes a module's `Look` uniform.
+/// Program that computes a module's `Look` uniform.
 pub(super) struct Host {
     pub(super) shader: CompiledShader,
     pub(super) source: HostSource,
-    /// The file that holds the functions; `None` where there are none.
+    /// Name of the file that holds the functions; `None` where there are none.
     pub(super) file: Option<String>,
 }
 
-/// What a host puts into a binding.
+/// Content that a host puts into a binding.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "from", rename_all = "snake_case")]
 pub enum Feed {
-    /// The camera: once a view.
+    /// The camera: set once a view.
     View,
-    /// The object's place: once an object.
+    /// The object's place: set once an object.
     Object,
-    /// The members that the module's `host` computes: once an object and frame.
+    /// The members that the module's `host` computes: set once an object and frame.
     Look,
-    /// One of `images`.
+    /// An image of `images`.
     Image {
-        /// Its index.
+        /// Index of the image.
         image: usize,
     },
     /// The sampler of one of `images`.
     Sampler {
-        /// Its index.
+        /// Index of the image.
         image: usize,
     },
-    /// What an earlier pass has drawn, at the same size.
+    /// The result of an earlier pass, at the same size.
     Pass {
-        /// The pass.
+        /// Name of the pass.
         pass: &'static str,
-        /// Its output.
+        /// Name of the pass's output.
         output: &'static str,
     },
-    /// The numbers of the curvature pass: once a view.
+    /// The numbers of the curvature pass: set once a view.
     Curvature,
-    /// What earlier passes have drawn, as each pass's `inputs` say: the module runs in several.
+    /// The results of earlier passes that each pass's `inputs` name: the module runs in several
+    /// passes.
     Inputs,
 }
 
-/// One step of drawing a frame.
+/// A pass: one step of drawing a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Pass {
-    /// Its name.
+    /// Name of the pass.
     pub name: &'static str,
-    /// The module that it runs.
+    /// Module that the pass runs.
     pub module: &'static str,
-    /// `meshes`: every mesh, depth-tested. `screen`: one triangle over the whole target, made from
-    /// the vertex index.
+    /// Geometry that is drawn. `meshes`: every mesh, depth-tested. `screen`: one triangle over the
+    /// whole target, made from the vertex index.
     pub draws: &'static str,
-    /// The textures that it reads from earlier passes.
+    /// Textures that the pass reads from earlier passes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<PassInput>,
-    /// What it draws into, in the order of locations.
+    /// Targets that the pass draws into, in the order of locations.
     pub outputs: Vec<Target>,
 }
 
 /// A texture that a pass reads from an earlier one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PassInput {
-    /// The module's binding.
+    /// Name of the module's binding.
     pub binding: String,
-    /// The earlier pass.
+    /// Name of the earlier pass.
     pub pass: &'static str,
-    /// Its output.
+    /// Name of the earlier pass's output.
     pub output: &'static str,
 }
 
-/// What a pass draws into.
+/// A target that a pass draws into.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Target {
-    /// Its name.
+    /// Name of the target.
     pub name: &'static str,
-    /// A WebGPU format; `any` for the host's own color target.
+    /// Format of the target in WebGPU; `any` for the host's own color target.
     pub format: &'static str,
-    /// What it is cleared to.
+    /// Color that the target is cleared to.
     pub clear: [f64; 4],
 }
 
 /// An image that the look reads, and how it is sampled.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Image {
-    /// The file, relative to the look's document.
+    /// Path of the image's file, relative to the look's document.
     pub path: String,
-    /// The file beside this description that carries it: an image as it is, or the texture of an
-    /// HCBTF as KTX2; none where it could not be read.
+    /// File beside this description that carries the image: an image file unchanged, or the texture
+    /// of an HCBTF as KTX2; none where the image could not be read.
     pub file: Option<String>,
-    /// `image`: a flat texture. `hcbtf`: an array of flat textures, as they lie in the KTX2 file.
+    /// Kind. `image`: a flat texture. `hcbtf`: an array of flat textures, as they lie in the KTX2
+    /// file.
     pub kind: &'static str,
-    /// `repeat`, `clamp` or `mirror`.
+    /// Wrapping: `repeat`, `clamp` or `mirror`.
     pub wrap: String,
-    /// `linear` or `nearest`.
+    /// Filter: `linear` or `nearest`.
     pub filter: String,
-    /// `color`, decoded into the look's color space, or `data`, taken as it is. An HCBTF's shader
-    /// decodes by itself.
+    /// Encoding: `color`, decoded into the look's color space, or `data`, taken unchanged. An
+    /// HCBTF's shader decodes by itself.
     pub encoding: String,
-    /// How the look uses it.
+    /// Use of the image by the look.
     #[serde(skip)]
     pub(super) used: ImageUse,
 }
 
-/// Everything that is drawn.
+/// Modules, passes and images of an export.
 #[derive(Default)]
 pub(super) struct Modules {
-    /// The look's name, fit for a comment.
+    /// Name of the look, fit for a comment.
     pub(super) title: String,
-    /// Each before those that read what it draws.
+    /// Modules, each before those that read its results.
     pub(super) modules: Vec<ShaderModule>,
     pub(super) passes: Vec<Pass>,
     pub(super) images: Vec<Image>,
@@ -229,7 +231,7 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
             encoding: used.encoding.clone(),
             used: used.clone(),
         };
-        // Which node read it first does not matter.
+        // Uses that differ only in the node that reads the image are the same.
         let same = |known: &Image| {
             known.used == ImageUse { node: known.used.node.clone(), ..used.clone() }
         };
@@ -251,7 +253,7 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
             let row = pass.row();
             Feed::Pass { pass: row.slug, output: row.writes[0].name }
         }
-        // Neither is in a module that draws meshes.
+        // A module that draws meshes has no such binding.
         Some(BindingKind::Samples) | None => Feed::Inputs,
     }
 }
@@ -288,11 +290,12 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
     Ok(found)
 }
 
-/// The passes before the look that it reads, and those that are read for them.
+/// The passes before the look that it reads, and the passes that those read in turn.
 fn wanted(draw: &CompiledShader) -> Vec<PassId> {
     let read: Vec<PassId> = draw.needs.contexts.iter().filter_map(|c| c.pass()).collect();
     let mut wanted: Vec<PassId> = Vec::new();
-    // From the last to the first, so that whoever reads a pass is known before it.
+    // Passes are visited from the last to the first, so that the readers of a pass are known before
+    // it.
     for pass in PassId::all().rev() {
         if read.contains(&pass) || wanted.iter().any(|reader| reader.reads(pass)) {
             wanted.push(pass);
@@ -314,7 +317,7 @@ impl Modules {
         self.modules.push(module);
     }
 
-    /// The passes over the whole picture, those of one module side by side.
+    /// Adds the passes over the whole picture, those of one module side by side.
     fn add_screens(&mut self, wanted: &[PassId]) -> Result<(), Vec<Diagnostic>> {
         for first in PassId::all().filter(|pass| pass.is_screen()) {
             let name = first.row().module();
@@ -340,7 +343,7 @@ impl Modules {
         Ok(())
     }
 
-    /// The functions that hosts call, one file for each module that has any.
+    /// The files of functions that hosts call, one file for each module that has any.
     pub(super) fn prepare_files(&self) -> Vec<File> {
         let file = |module: &ShaderModule| {
             let host = module.host()?;

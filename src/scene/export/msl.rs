@@ -70,7 +70,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
 }
 
-/// Each binding's slot: buffers, textures and samplers are counted apart.
+/// The slot of each binding: buffers, textures and samplers are counted separately.
 fn slots(bindings: &[Bound]) -> Vec<(&Bound, &'static str, u8)> {
     let mut counts = [0u8; 3];
     let mut slots = Vec::new();
@@ -112,7 +112,8 @@ fn naga_text(
     Ok((text, points))
 }
 
-/// What naga calls the argument at a slot: `view_1` where another function has an argument `view`.
+/// The name that naga gives to the argument at a slot: `view_1` where another function has an
+/// argument `view`.
 fn name_at<'t>(text: &'t str, slot: &str) -> &'t str {
     let declared = text.find(&format!(" {slot}")).map_or("", |end| &text[..end]);
     declared.rsplit(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or_default()

@@ -1,11 +1,11 @@
-//! JSON for people: whatever fits on a line stands on one.
+//! JSON for people: a value that fits on a line stands on one line.
 
 use serde_json::Value;
 
-/// No line is longer than this, but for single texts.
+/// Greatest length of a line, except for single texts, in columns.
 const WIDTH: usize = 120;
 
-/// A document with a line end at its end. What is written here nests a few levels deep.
+/// A document with a line end at its end. Values that are written here nest a few levels deep.
 pub(super) fn pretty(value: &Value) -> String {
     let mut out = String::new();
     write(value, 0, 0, &mut out);
@@ -13,10 +13,11 @@ pub(super) fn pretty(value: &Value) -> String {
     out
 }
 
-/// `used` is how many columns stand before the value on its line, beside the indentation.
+/// Writes a value; `used` is the number of columns before the value on its line, beside the
+/// indentation.
 fn write(value: &Value, indent: usize, used: usize, out: &mut String) {
     let compact = spaced(value);
-    // One column for the comma behind it.
+    // One column is left for the comma behind the value.
     if indent + used + compact.len() < WIDTH || !(value.is_array() || value.is_object()) {
         out.push_str(&compact);
         return;
@@ -45,7 +46,7 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// On one line, with a space after each comma and colon.
+/// A value on one line, with a space after each comma and colon.
 fn spaced(value: &Value) -> String {
     match value {
         Value::Array(items) => {
@@ -56,7 +57,7 @@ fn spaced(value: &Value) -> String {
                 |(key, value): (&String, &Value)| format!("{}: {}", quoted(key), spaced(value));
             format!("{{{}}}", fields.iter().map(field).collect::<Vec<_>>().join(", "))
         }
-        // Whole numbers without a point, as people write them.
+        // Whole numbers are written without a point, as people write them.
         Value::Number(number) if number.is_f64() => match number.as_f64() {
             Some(x) if x.fract() == 0.0 && x.abs() < 1e15 => format!("{x:.0}"),
             _ => number.to_string(),

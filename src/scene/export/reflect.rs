@@ -1,4 +1,4 @@
-//! What naga knows of a module: entry points, bindings, and where every number of a uniform lies.
+//! Reflection of naga modules: entry points, bindings, and the layout of uniforms.
 
 use naga::{AddressSpace, ImageClass, Module, ShaderStage, TypeInner};
 use serde::Serialize;
@@ -6,14 +6,14 @@ use serde::Serialize;
 /// An entry point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EntryPoint {
-    /// Its name in WGSL; a language may call it something else.
+    /// Name of the entry point in WGSL; a language may name it differently.
     pub name: String,
-    /// `vertex` or `fragment`.
+    /// Stage: `vertex` or `fragment`.
     pub stage: &'static str,
-    /// A vertex shader's attributes; nothing for a fragment shader.
+    /// Attributes of a vertex shader; empty for a fragment shader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub attributes: Vec<Attribute>,
-    /// What a fragment shader writes; nothing for a vertex shader.
+    /// Outputs of a fragment shader; empty for a vertex shader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub outputs: Vec<Located>,
 }
@@ -21,31 +21,31 @@ pub struct EntryPoint {
 /// A vertex attribute.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Attribute {
-    /// Its location.
+    /// Location of the attribute.
     pub location: u32,
-    /// Its name.
+    /// Name of the attribute.
     pub name: String,
-    /// As WGSL writes it.
+    /// Type of the attribute, in WGSL.
     #[serde(rename = "type")]
     pub ty: String,
-    /// What a mesh gives here.
+    /// Meaning of the attribute for a mesh.
     pub semantic: &'static str,
 }
 
-/// Something at a location.
+/// An argument or a result at a location.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Located {
-    /// Its location.
+    /// Location of the value.
     pub location: u32,
-    /// Its name; empty where it has none.
+    /// Name of the value; empty where it has none.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub name: String,
-    /// As WGSL writes it.
+    /// Type of the value, in WGSL.
     #[serde(rename = "type")]
     pub ty: String,
 }
 
-/// What a binding is to a graphics API.
+/// Kind of a binding for a graphics API.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -62,39 +62,39 @@ pub enum Kind {
 /// A global variable with a binding.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Bound {
-    /// Its group.
+    /// Group of the binding.
     pub group: u32,
-    /// Its number in the group.
+    /// Number of the binding in the group.
     pub binding: u32,
-    /// Its name.
+    /// Name of the variable.
     pub name: String,
-    /// What it is.
+    /// Kind of the binding.
     pub kind: Kind,
-    /// Its type, as WGSL writes it.
+    /// Type of the variable, in WGSL.
     pub ty: String,
-    /// Bytes of a buffer, to the next 16; 0 for what is none.
+    /// Size of a buffer, rounded up to 16; 0 for other kinds. In bytes.
     pub size: u32,
-    /// The members of a buffer's struct.
+    /// Members of a buffer's struct.
     pub members: Vec<Member>,
 }
 
 /// A member of a struct in a buffer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Member {
-    /// Its name.
+    /// Name of the member.
     pub name: String,
-    /// As WGSL writes it.
+    /// Type of the member, in WGSL.
     #[serde(rename = "type")]
     pub ty: String,
-    /// Its first byte, counted from the start of the struct that it is a member of.
+    /// Offset of the member from the start of the struct that it belongs to, in bytes.
     pub offset: u32,
-    /// Bytes.
+    /// Size of the member, in bytes.
     pub size: u32,
-    /// Bytes from one column of a matrix or one element of an array to the next; 0 for anything
-    /// else.
+    /// Distance from one column of a matrix or one element of an array to the next, in bytes; 0 for
+    /// other types.
     #[serde(skip_serializing_if = "is_zero")]
     pub stride: u32,
-    /// The members of a struct, or of an array's elements.
+    /// Members of a struct, or of an array's elements.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub members: Vec<Member>,
 }
@@ -153,7 +153,7 @@ fn attribute(found: Located) -> Attribute {
     Attribute { location: found.location, name: found.name, ty: found.ty, semantic }
 }
 
-/// Everything with a location in an argument or a result.
+/// All values with a location in an argument or a result.
 fn located(
     module: &Module,
     name: Option<String>,
@@ -179,7 +179,7 @@ fn located(
     members.iter().filter_map(of_member).collect()
 }
 
-/// What goes from the vertex shader to the fragment shader.
+/// The values that go from the vertex shader to the fragment shader.
 pub(super) fn varyings(module: &Module) -> Vec<Located> {
     let vertex = module.entry_points.iter().filter(|point| point.stage == ShaderStage::Vertex);
     let results = vertex.filter_map(|point| point.function.result.as_ref());
@@ -211,7 +211,8 @@ fn bound(module: &Module, variable: &naga::GlobalVariable) -> Option<Bound> {
     Some(Bound { group, binding, name, kind, ty, size, members })
 }
 
-/// WGSL has no recursive types, and those of a look nest a few levels deep.
+/// The description of a member. Recursion is bounded: WGSL has no recursive types, and those of a
+/// look nest a few levels deep.
 fn member(module: &Module, found: &naga::StructMember) -> Member {
     let inner = &module.types[found.ty].inner;
     let (stride, element) = match inner {
@@ -238,7 +239,7 @@ fn member(module: &Module, found: &naga::StructMember) -> Member {
     }
 }
 
-/// A type as WGSL writes it.
+/// The name of a type in WGSL.
 fn type_name(module: &Module, ty: naga::Handle<naga::Type>) -> String {
     let named = &module.types[ty];
     match &named.inner {

@@ -21,10 +21,10 @@ pub(super) const LANGUAGE: Language = Language {
     write,
 };
 
-/// A module as SPIR-V words, as the export writes them but for the bindings' numbers.
+/// A module as SPIR-V words, the same as in the export but for the bindings' numbers.
 ///
 /// # Errors
-/// What SPIR-V cannot express.
+/// A construct that SPIR-V cannot express.
 pub fn spirv_words(valid: &crate::wgsl::Valid) -> Result<Vec<u32>, String> {
     let options = spv::Options { lang_version: (1, 3), ..spv::Options::default() };
     spv::write_vec(&valid.module, &valid.info, &options, None).map_err(|error| error.to_string())
@@ -37,7 +37,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         fake_missing_bindings: false,
         ..spv::Options::default()
     };
-    // Names stay in, whatever this is built as; positions stay as the host's matrix gives them.
+    // Names stay in, in any build of Chiaro; positions stay unchanged from the host's matrix.
     options.flags = spv::WriterFlags::DEBUG;
     let mut bindings = Vec::new();
     for bound in &module.bindings {

@@ -1,4 +1,4 @@
-//! The images and HCBTFs that an exported look reads, carried along with it.
+//! Images and HCBTFs that an exported look reads, carried along with it.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -11,8 +11,8 @@ use crate::frame::{Assets, image_bytes};
 use crate::hcbtf::{LayerOptions, Layers, ktx2};
 
 /// Reads every image, relative to `folder`, names the file that carries it, and returns those files
-/// with what could not be read. An image goes as it is; an HCBTF goes as the texture that the
-/// shader looks up.
+/// with warnings about images that could not be read. An image is carried unchanged; an HCBTF as
+/// the texture that the shader looks up.
 pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> Warned<Vec<File>> {
     let mut assets = Assets::default();
     let mut files: Vec<File> = Vec::new();
@@ -39,7 +39,7 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> Warned
             }
         };
         match bytes {
-            // The same file, sampled in two ways, is carried once.
+            // A file that is sampled in two ways is carried once.
             Ok(bytes) => {
                 let known =
                     files.iter().find(|file| file.bytes == bytes).map(|file| file.name.clone());
@@ -55,7 +55,7 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> Warned
     Warned::new(files, problems)
 }
 
-/// A name that no other file of the export has: the look's, then the image's own.
+/// A name that no other file of the export has: the look's name, then the image's own.
 fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> String {
     let own = Path::new(path).file_stem().map_or("image".into(), |own| own.to_string_lossy());
     // A module's file may be called `stem.word.ending` too, but never with an image's ending.

@@ -48,7 +48,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     Ok(Written { files: vec![File::text(file, text)], described })
 }
 
-/// A compiled source after the comment that it begins with, for which ours stands.
+/// A compiled source without the comment that it begins with, which the export's header replaces.
 fn without_header(source: &str) -> &str {
     let mut rest = source;
     while let Some((line, after)) = rest.split_once('\n') {

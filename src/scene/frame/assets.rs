@@ -15,43 +15,43 @@ use crate::geometry::{self, Mesh};
 use crate::hcbtf::{self, Coding, FilledSamples, LayerOptions, Layers, Region};
 use crate::progress::Progress;
 
-/// What an object's mesh begins with where it is an own shape.
+/// Prefix of an object's mesh that is a built-in shape instead of a file.
 pub const SHAPE_PREFIX: &str = "shape:";
-/// What looks call the HCBTF that is being painted, while that has no file.
+/// Name in looks of the HCBTF that is being painted, while that has no file.
 pub const UNSAVED_HCBTF: &str = "hcbtf:open";
-/// The largest image, in pixels along a side; a GPU may allow less.
+/// Largest image that is read, in pixels along a side; a GPU may allow less.
 pub const MAX_IMAGE_SIDE: u32 = 16_384;
-/// The most memory that decoding one image may take, in bytes.
+/// Greatest memory that decoding one image may take, in bytes.
 const MAX_IMAGE_BYTES: u64 = 1 << 30;
 
 /// A decoded image: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// 1 for a flat image.
+    /// Number of layers; 1 for a flat image.
     pub layers: u32,
-    /// How pixels are put down.
+    /// Coding of the pixels in `bytes`.
     pub coding: Coding,
-    /// Pixels, or blocks of them.
+    /// Pixels, or blocks of pixels, as `coding` says.
     pub bytes: Vec<u8>,
-    /// Of the content, for caches.
+    /// Hash of the content, for caches.
     pub hash: u64,
-    /// What it was before, where little of it is another now.
+    /// Difference from the image before, where only a small part changed.
     pub change: Option<Change>,
 }
 
-/// From one image to the next.
+/// Difference between an image and the image before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
-    /// The hash of the image before.
+    /// Hash of the image before.
     pub from: u64,
-    /// What may be another now.
+    /// Regions that may have changed.
     pub regions: Vec<Region>,
 }
 
 impl Image {
-    /// One pixel, standing in for an image that could not be read.
+    /// An image of one pixel, standing in for an image that could not be read.
     pub fn single(rgba: [u8; 4]) -> Self {
         Self::flat([1, 1], rgba.to_vec())
     }
@@ -67,7 +67,7 @@ impl Image {
         Self { size, layers: count, coding, bytes, hash: hasher.finish(), change: None }
     }
 
-    /// Four bytes a pixel.
+    /// The pixels decoded to RGBA, four bytes a pixel.
     pub fn rgba(&self) -> Cow<'_, [u8]> {
         self.coding.rgba(self.size, &self.bytes)
     }
@@ -78,36 +78,36 @@ impl Image {
 struct UsedAsset<T> {
     stamp: FileStamp,
     warned: Warned<Arc<T>>,
-    /// The round in which it was asked for last.
+    /// Round in which the asset was asked for last.
     round: u64,
 }
 
 impl<T> UsedAsset<T> {
-    /// The asset, where its file is as it was.
+    /// The asset, if its file has not changed since it was read.
     fn at(&mut self, stamp: FileStamp, round: u64) -> Option<Warned<Arc<T>>> {
         self.round = round;
         (self.stamp == stamp).then(|| self.warned.clone())
     }
 }
 
-/// What none of so many pictures used is dropped.
+/// Number of pictures for which an unused asset is kept.
 const MOST_ROUNDS: u64 = 16;
 
-/// An HCBTF as it is being painted, in place of what its file holds.
+/// An HCBTF that is being painted, shown in place of its file.
 #[derive(Clone, Debug)]
 pub struct Overlay {
-    /// Its file, once there is one; [`UNSAVED_HCBTF`] names it also before.
+    /// Path of the HCBTF's file, once there is one; [`UNSAVED_HCBTF`] names the HCBTF also before.
     pub path: Option<PathBuf>,
-    /// Another number is another content.
+    /// Version of the content: another number means another content.
     pub version: u64,
-    /// What is painted.
+    /// The HCBTF as painted so far.
     pub hcbtf: Arc<Hcbtf>,
-    /// What the rules made of the rest, as far as that is known.
+    /// Samples that the rules made of the rest, as far as they are known.
     pub filled: Option<Arc<FilledSamples>>,
 }
 
 impl Overlay {
-    /// Whether a look that names `path` means it.
+    /// True if a look that names `path` means this HCBTF.
     fn is(&self, path: &Path) -> bool {
         let real = |path: &Path| path.canonicalize().ok();
         let is_it =
@@ -127,22 +127,23 @@ impl Overlay {
         Ok(Image { hash, ..Image::new(layers) })
     }
 
-    /// While it is painted on it is baked again and again: its number tells it from the last one.
+    /// The hash of the image that is baked of this version: the version's number, since an HCBTF is
+    /// baked again and again while it is painted on.
     fn hash(&self, options: LayerOptions) -> u64 {
         let mut hasher = DefaultHasher::new();
         ("overlay", self.version, options).hash(&mut hasher);
         hasher.finish()
     }
 
-    /// Brings what was baked of the overlay before up to date, where few texels are others now.
-    /// Returns whether it did.
+    /// Brings the image that was baked of the version `before` up to date, if few texels have
+    /// changed. Returns false if the image must be baked anew.
     fn rebake(&self, before: &Self, image: &mut Arc<Image>, options: LayerOptions) -> bool {
         let grid = self.hcbtf.grid;
         if grid != before.hcbtf.grid {
             return false;
         }
         let texels = grid.texels() as u64;
-        // All smaller levels of a sample are put anew.
+        // All smaller levels of a changed sample are written anew.
         let levels = if options.has_levels { texels.div_ceil(3) } else { 0 };
         let most = grid.sample_count() * (texels + levels) / REBAKED;
         let mut count = 0;
@@ -161,7 +162,7 @@ impl Overlay {
                 return false;
             }
         }
-        // Whoever still draws with the old one keeps it.
+        // A copy is made if somebody still draws with the old image.
         let image = Arc::make_mut(image);
         let repaint = |(address, tile, part): (Address, Arc<Tile>, [u32; 4])| {
             hcbtf::repaint(&mut image.bytes, &grid, options, address, (&tile, part))
@@ -173,14 +174,14 @@ impl Overlay {
     }
 }
 
-/// Directions of lights, and of views, in a draft, at most.
+/// Greatest number of directions of lights, and of views, in a draft.
 const DRAFT: Directions = Directions { theta: 3, phi: 4 };
 
-/// Where more than one texel of so many is another, all are baked anew.
+/// Inverse of the share of changed texels above which all are baked anew.
 const REBAKED: u64 = 8;
 
-/// Regions of a layer that overlap become one around them: all samples of a view lie in the same
-/// one, light by light.
+/// Joins regions of a layer that overlap into one around them: all samples of a view lie in the
+/// same layer, light by light.
 fn together(regions: impl Iterator<Item = Region>) -> Vec<Region> {
     let mut layers: BTreeMap<u32, Vec<Region>> = BTreeMap::new();
     for region in regions {
@@ -206,19 +207,19 @@ fn around(one: &Region, other: &Region) -> Region {
     Region { layer: one.layer, at, size: [0, 1].map(|axis| end(axis) - at[axis]) }
 }
 
-/// Reads meshes and images, each once, and holds what a picture uses; what is read is shared with
-/// all who have the same [`AssetStore`].
+/// Reader of meshes and images. Each file is read once and kept while pictures use it, shared with
+/// all users of the same [`AssetStore`].
 #[derive(Clone, Debug, Default)]
 pub struct Assets {
     store: AssetStore,
-    /// Counts pictures.
+    /// Number of the current picture.
     round: u64,
     overlay: Option<Overlay>,
-    /// Whether what rules make is made for few directions alone.
+    /// True if the rules of HCBTFs make samples for few directions only.
     drafts: bool,
-    /// Who watches HCBTFs being filled.
+    /// Progress of filling HCBTFs, for those who watch it.
     progress: Progress,
-    /// What was baked of it, or of what it was before.
+    /// Images baked of the overlay, or of an earlier version of it, by their options.
     baked: HashMap<LayerOptions, (Overlay, Arc<Image>)>,
     meshes: HashMap<String, UsedAsset<Mesh>>,
     images: HashMap<PathBuf, UsedAsset<Image>>,
@@ -226,19 +227,19 @@ pub struct Assets {
 }
 
 impl Assets {
-    /// Nothing is used yet; what is read is shared with all who have the same store.
+    /// A reader with nothing in use, sharing what it reads with all users of the same store.
     pub fn of(store: &AssetStore) -> Self {
         Self { store: store.clone(), ..Self::default() }
     }
 
-    /// Shares what is read from now on with all who have the same store.
+    /// Shares everything that is read from now on with all users of the same store.
     pub fn share(&mut self, store: &AssetStore) {
         if !self.store.is_same(store) {
             self.store = store.clone();
         }
     }
 
-    /// Another picture begins: what none of the last few used is dropped.
+    /// Begins another picture: assets that none of the last few pictures used are dropped.
     pub fn begin_picture(&mut self) {
         self.round += 1;
         let least = self.round.saturating_sub(MOST_ROUNDS);
@@ -247,11 +248,11 @@ impl Assets {
         self.hcbtfs.retain(|_, used| used.round >= least);
     }
 
-    /// The mesh that `name` means, a path relative to `folder` or `shape:` and an own shape, with
-    /// what was odd in it.
+    /// The mesh that `name` means, a path relative to `folder` or `shape:` and a built-in shape,
+    /// with the warnings of its file.
     ///
     /// # Errors
-    /// Why it cannot be used.
+    /// The reasons why the mesh cannot be used.
     pub fn mesh(
         &mut self,
         folder: &Path,
@@ -271,7 +272,7 @@ impl Assets {
         Ok(warned)
     }
 
-    /// Every file that was read: meshes, images and HCBTFs.
+    /// The paths of all files that were read: meshes, images and HCBTFs.
     pub fn files(&self) -> impl Iterator<Item = &Path> {
         let meshes =
             self.meshes.keys().filter(|name| !name.starts_with(SHAPE_PREFIX)).map(Path::new);
@@ -305,7 +306,7 @@ impl Assets {
     /// The image at `path`, relative to `folder`.
     ///
     /// # Errors
-    /// Why it cannot be used; the caller adds who names it.
+    /// The reason why the image cannot be used; the caller adds what names the image.
     pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
         let path = folder.join(path);
         let (stamp, round) = (stamp(&path), self.round);
@@ -318,7 +319,7 @@ impl Assets {
     }
 
     /// Shows an HCBTF as it is being painted wherever its file is named, from now on; with `None`
-    /// files are as they are.
+    /// files are shown as they are on disk.
     pub fn overlay(&mut self, overlay: Option<Overlay>) {
         if overlay.is_none() {
             self.baked.clear();
@@ -326,14 +327,14 @@ impl Assets {
         self.overlay = overlay;
     }
 
-    /// Fills HCBTFs of which nothing is painted for few lights and views alone, from now on: small
-    /// pictures show no more, and drawing strokes or reliefs takes as much less time.
+    /// Fills unpainted HCBTFs for few lights and views only, from now on: small pictures show no
+    /// more, and drawing strokes or reliefs takes less time in proportion.
     pub fn draft(&mut self) {
         self.drafts = true;
     }
 
-    /// Lets somebody watch, and stop, the filling of HCBTFs from now on; each begins the progress
-    /// anew.
+    /// Lets `progress` count, and stop, the filling of HCBTFs from now on; each HCBTF begins the
+    /// progress anew.
     pub fn watch(&mut self, progress: Progress) {
         self.progress = progress;
     }
@@ -358,11 +359,11 @@ impl Assets {
         Some(image)
     }
 
-    /// The texture of the HCBTF at `path`, relative to `folder`, filled by its rules, with what was
-    /// odd in the file.
+    /// The texture of the HCBTF at `path`, relative to `folder`, filled by its rules, with the
+    /// warnings of the file.
     ///
     /// # Errors
-    /// Why it cannot be used; the caller adds who names it.
+    /// The reasons why the HCBTF cannot be used; the caller adds what names the HCBTF.
     pub fn hcbtf(
         &mut self,
         folder: &Path,
@@ -384,7 +385,7 @@ impl Assets {
     }
 }
 
-/// Stands in for an HCBTF that is not chosen, or could not be read.
+/// The image of one color that stands in for an HCBTF that is not chosen, or could not be read.
 pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: [1, 1], light: one, view: one };
@@ -403,7 +404,7 @@ fn read_hcbtf(key: &HcbtfKey, progress: &Progress) -> Result<Warned<Image>, Vec<
     Ok(Warned::new(image, notes))
 }
 
-/// A grid with few directions.
+/// A grid reduced to the few directions of a draft.
 fn drafted(grid: Grid) -> Grid {
     let few = |Directions { theta, phi }: Directions| Directions {
         theta: theta.min(DRAFT.theta),
@@ -412,7 +413,7 @@ fn drafted(grid: Grid) -> Grid {
     Grid { light: few(grid.light), view: few(grid.view), ..grid }
 }
 
-/// The texture of an HCBTF, if it is not larger than one may be.
+/// The texture of an HCBTF, unless the texture would be too large.
 fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Image, Diagnostic> {
     let filled = hcbtf::fill::fill(hcbtf, progress)?;
     Ok(Image::new(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options, progress)?))
@@ -423,10 +424,10 @@ fn stamp(path: &Path) -> FileStamp {
     Some((data.modified().ok()?, data.len()))
 }
 
-/// The bytes of an image file at `path`, relative to `folder`, as they are.
+/// The bytes of the image file at `path`, relative to `folder`, undecoded.
 ///
 /// # Errors
-/// Why they cannot be read.
+/// The reason why the file cannot be read.
 pub fn image_bytes(folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
     bytes_of(&folder.join(path))
 }
@@ -541,7 +542,7 @@ mod tests {
             tile.bytes_mut()[4 * at..4 * at + 3].copy_from_slice(&[250, 20, 20]);
         }
         let again = hcbtf::fill::refill(&stroked, (&hcbtf, &filled), &progress).unwrap();
-        // Two rows of every sample that the rule fills, and the painted one as it is.
+        // Two rows of every sample that the rule fills, and the painted sample unchanged.
         let [done, all] = progress.steps();
         assert!(done == all && all <= 2 * grid.sample_count() + 16, "{all}");
         let second = baked(2, &stroked, &again);

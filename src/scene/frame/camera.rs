@@ -5,30 +5,30 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use crate::compile::Uniform;
 use crate::document::{Camera, Projection};
 
-/// The near plane of a view with perspective, as a share of the far one: nearer costs depth, which
-/// is an f32, its steps far away.
+/// Least distance of the near plane of a perspective view, as a share of the far plane's: a nearer
+/// plane costs depth precision, because depth is an f32 whose steps are far away.
 const NEAREST: f64 = 1e-3;
-/// The same where a surface is as near: beyond, the f32 of a vertex shader cannot tell on which
-/// side of the eye it lies.
+/// Least distance of the near plane where a surface is that near, as a share of the far plane's:
+/// below it, the f32 of a vertex shader cannot tell on which side of the eye a vertex lies.
 const LEAST_NEAREST: f64 = 1e-6;
 
-/// A camera resolved for one picture.
+/// A camera resolved for a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Clip space as WebGPU has it: x right, y up, z from 0 (near) to 1 (far).
+    /// Matrix from world to clip space as in WebGPU: x right, y up, z from 0 (near) to 1 (far).
     pub clip_from_world: DMat4,
-    /// Camera axes: x right, y up, z toward the viewer, from the eye.
+    /// Matrix from world space to camera axes: x right, y up, z toward the viewer, from the eye.
     pub camera_from_world: DMat4,
-    /// World space.
+    /// Position of the eye, in world space.
     pub eye: DVec3,
-    /// From the target toward the viewer, unit.
+    /// Unit direction from the target toward the viewer.
     pub backward: DVec3,
-    /// Whether lines meet at the eye.
+    /// True for perspective, where lines meet at the eye; false for parallel projection.
     pub is_perspective: bool,
-    /// Pixels.
+    /// Width and height of the picture, in pixels.
     pub viewport: [u32; 2],
-    /// The height of the picture in scene units: at depth 1 for perspective, at every depth for
-    /// parallel projection.
+    /// Height of the picture at depth 1 for perspective, at every depth for parallel projection, in
+    /// scene units.
     pub view_height: f64,
 }
 
@@ -38,7 +38,8 @@ impl View {
         let eye = DVec3::from(camera.eye);
         let backward = (eye - DVec3::from(camera.target)).try_normalize().unwrap_or(DVec3::Z);
         let up = DVec3::from(camera.up);
-        // An up vector along the line of sight leaves the roll open; any other axis settles it.
+        // An up vector along the line of sight leaves the roll undetermined; any other axis settles
+        // it.
         let fallback = if backward.y.abs() < 0.9 { DVec3::Y } else { DVec3::Z };
         let right = up
             .cross(backward)
@@ -48,8 +49,8 @@ impl View {
         let rotation = DMat3::from_cols(right, up, backward).transpose();
         let camera_from_world = DMat4::from_mat3(rotation) * DMat4::from_translation(-eye);
         let aspect = f64::from(viewport[0].max(1)) / f64::from(viewport[1].max(1));
-        // Everything in the scene lies between these two planes; a little more, so that nothing is
-        // cut.
+        // Everything in the scene lies between these two planes, which are a little farther apart
+        // so that nothing is cut.
         let distance = backward.dot(eye - center);
         let reach = radius.max(1e-6) * 1.01;
         let far = (distance + reach).max(1e-3);
@@ -57,8 +58,8 @@ impl View {
         let (projection, is_perspective, view_height) = match camera.projection {
             Projection::Perspective => {
                 let near = (distance - reach).max(far * NEAREST);
-                // Documents keep this range; whoever makes a camera otherwise gets the nearest that
-                // can be drawn.
+                // Documents stay within this range; a camera from elsewhere gets the nearest angle
+                // that can be drawn.
                 let fov = camera.fov.clamp(Camera::FOV[0], Camera::FOV[1]);
                 let fov = widened(fov, widening);
                 (
@@ -85,16 +86,16 @@ impl View {
         }
     }
 
-    /// How far from the eye a surface must be to be whole, in scene units: what is nearer may lie
-    /// before the near plane, in a corner of the picture first. 0 without perspective, where
-    /// nothing does.
+    /// The distance from the eye at which a surface is whole in the picture: nearer surfaces may
+    /// lie before the near plane, first in a corner of the picture. 0 without perspective, where no
+    /// surface does. In scene units.
     pub(super) fn least_distance(&self) -> f64 {
         if self.is_perspective { self.distance(0.0) / self.corner_cosine() } else { 0.0 }
     }
 
-    /// The same with the near plane before a surface that is so near the eye, in scene units. What
-    /// is far away has a coarser depth then, so the plane stays where it is as long as nothing is
-    /// cut.
+    /// The view with the near plane moved before a surface at `distance` from the eye, in scene
+    /// units. That makes the depth of far surfaces coarser, so the plane stays where it is as long
+    /// as nothing is cut.
     pub(super) fn with_surface_at(self, distance: Option<f64>) -> Self {
         let Some(distance) = distance.filter(|distance| *distance < self.least_distance()) else {
             return self;
@@ -107,26 +108,26 @@ impl View {
         Self { clip_from_world, ..self }
     }
 
-    /// The cosine between the line of sight and a corner of the picture.
+    /// The cosine of the angle between the line of sight and a corner of the picture.
     fn corner_cosine(&self) -> f64 {
         let [width, height] = self.viewport.map(|side| f64::from(side.max(1)));
         let half = 0.5 * self.view_height;
         1.0 / (1.0 + half * half * (1.0 + (width / height).powi(2))).sqrt()
     }
 
-    /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
-    /// projection.
+    /// The size of a pixel at depth 1 for perspective, at every depth for parallel projection, in
+    /// scene units.
     pub fn pixel_size(&self) -> f64 {
         self.view_height / f64::from(self.viewport[1].max(1))
     }
 
-    /// The size of a pixel, in scene units, so far in front of the eye.
+    /// The size of a pixel at `distance` in front of the eye, in scene units.
     pub fn pixel_size_at(&self, distance: f64) -> f64 {
         self.pixel_size() * if self.is_perspective { distance.abs() } else { 1.0 }
     }
 
-    /// The distance in front of the eye, in scene units along the line of sight, that clip space
-    /// has as `depth`.
+    /// The distance in front of the eye, along the line of sight, whose depth in clip space is
+    /// `depth`, in scene units.
     pub fn distance(&self, depth: f64) -> f64 {
         // Along the line of sight both z and w of clip space are linear in the distance.
         let clip = |distance: f64| {
@@ -137,12 +138,12 @@ impl View {
         (at_0.z - depth * at_0.w) / (depth * slope.w - slope.z)
     }
 
-    /// The rotation from world to camera axes.
+    /// The rotation from world space to camera axes.
     pub fn rotation(&self) -> DMat3 {
         DMat3::from_mat4(self.camera_from_world)
     }
 
-    /// Unit, from `point` toward the viewer, world space.
+    /// The unit direction from `point` toward the viewer, in world space.
     pub fn toward_viewer(&self, point: DVec3) -> DVec3 {
         if self.is_perspective {
             (self.eye - point).try_normalize().unwrap_or(self.backward)
@@ -151,13 +152,14 @@ impl View {
         }
     }
 
-    /// The pixels of a step in which passes over the picture look around, 1/800 of its height.
+    /// The step in which passes over the picture look around: 1/800 of the picture's height, in
+    /// pixels.
     pub fn step_pixels(&self) -> u32 {
         (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as u32
     }
 
-    /// Every number of the uniform of passes over the picture, in order, for images whose first row
-    /// is at the top, before a picture of so many samples a pixel.
+    /// All numbers of the uniform of passes over the picture, in order, for images whose first row
+    /// is at the top, before a picture of `samples` samples a pixel.
     pub fn screen_numbers(&self, samples: u32) -> [f64; 5] {
         let is_perspective = f64::from(u8::from(self.is_perspective));
         [self.pixel_size(), is_perspective, f64::from(self.viewport[1]), 0.0, f64::from(samples)]
@@ -168,27 +170,27 @@ impl View {
         self.uniform_numbers().into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()
     }
 
-    /// Every number of the shader's `View` uniform, in order.
+    /// All numbers of the shader's `View` uniform, in order.
     pub fn uniform_numbers(&self) -> Vec<f64> {
         let eye =
             if self.is_perspective { self.eye.extend(1.0) } else { self.backward.extend(0.0) };
         let mut numbers = self.clip_from_world.to_cols_array().to_vec();
         numbers.extend(self.camera_from_world.to_cols_array());
         numbers.extend(eye.to_array());
-        // Rows are counted from the top, as pixels are.
+        // Rows are counted from the top, as those of pixels.
         numbers.extend([1.0, 1.0, 0.0, 0.0]);
         numbers
     }
 }
 
-/// A vertical field of view in radians, so many times as high at every depth, as far as a camera
-/// can see.
+/// A vertical field of view that shows `widening` times the height at every depth, up to the widest
+/// that a camera can have. In radians.
 pub fn widened(fov: f64, widening: f64) -> f64 {
     (2.0 * ((0.5 * fov).tan() * widening).atan()).min(Camera::FOV[1])
 }
 
-/// Clip from camera axes with the vertical field of view `fov` in radians; depth 0 at `near`, 1 at
-/// `far`.
+/// The perspective matrix from camera axes to clip space with the vertical field of view `fov` in
+/// radians; depth 0 at `near`, 1 at `far`.
 fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
     let scale = 1.0 / (0.5 * fov).tan();
     let depth = far / (near - far);
@@ -200,8 +202,8 @@ fn perspective(fov: f64, aspect: f64, near: f64, far: f64) -> DMat4 {
     )
 }
 
-/// Clip from camera axes for a box of half a width and half a height; depth 0 at `near`, 1 at
-/// `far`.
+/// The parallel matrix from camera axes to clip space for a box of half a width and half a height;
+/// depth 0 at `near`, 1 at `far`.
 fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4 {
     let depth = 1.0 / (near - far);
     DMat4::from_cols(
@@ -215,7 +217,7 @@ fn orthographic(half_width: f64, half_height: f64, near: f64, far: f64) -> DMat4
 /// The shader's `Object` uniform.
 pub(super) fn object_uniform(world_from_object: DMat4, id: f64, cutoff: f64) -> Uniform {
     let linear = DMat3::from_mat4(world_from_object);
-    // A flattened object has no inverse; its normals then turn as directions do.
+    // A flattened object has no inverse; its normals are transformed as directions are.
     let normals =
         if linear.determinant().abs() > 1e-12 { linear.inverse().transpose() } else { linear };
     let mut numbers = world_from_object.to_cols_array().to_vec();
@@ -265,7 +267,7 @@ mod tests {
                 (square_x - x).abs() < 1e-12 && (square_y - y / 1.5).abs() < 1e-12,
                 "{square_x} {square_y}"
             );
-            // A wider one shows more beside it, as it does of any camera.
+            // A wider picture shows more at the sides, as with any camera.
             let any = Camera { aspect: 0.0, ..camera };
             assert_eq!(side(&camera, [400, 200]), side(&any, [400, 200]));
             assert_eq!(side(&camera, [300, 200]), side(&any, [300, 200]));

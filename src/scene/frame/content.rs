@@ -1,5 +1,4 @@
-//! What a picture is made from, as bytes: for those who keep what was drawn or proved by a hash of
-//! it.
+//! Content of a plan as bytes, for hashes under which drawn pictures and proofs are kept.
 
 use super::assets::Image;
 use super::plan::{Draw, FramePlan};
@@ -7,12 +6,12 @@ use super::screen::ScreenModule;
 use crate::compile::{Stage, Uniform};
 use crate::geometry::Mesh;
 
-/// Takes bytes in; where one part ends and the next begins is the caller's to mark.
+/// Receiver of bytes; the caller marks where one part ends and the next begins.
 type Sink<'a> = &'a mut dyn FnMut(&[u8]);
 
 impl FramePlan {
     /// Hands over everything that decides on the picture, modules, numbers, meshes and images,
-    /// always in the same order. Plans that hand over the same make the same picture on one device.
+    /// always in the same order. Plans with the same content make the same picture on one device.
     pub fn content(&self, sink: Sink<'_>) {
         sink(format!("{:?} {} {:?}", self.size, self.samples, self.backdrop).as_bytes());
         sink(&self.view.uniform_bytes());

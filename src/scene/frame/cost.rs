@@ -1,4 +1,5 @@
-//! What effects cost: counted here, and measured by whoever has a GPU.
+//! Costs of effects: operations and bytes are counted here, time is measured by those who have a
+//! GPU.
 
 use std::collections::BTreeMap;
 
@@ -11,33 +12,33 @@ use crate::figures;
 use crate::library::PassId;
 use crate::wgsl::{Operations, Valid};
 
-/// What an effect costs; of what is dropped, what it would cost.
+/// Cost of an effect; for a dropped effect, the cost that it would have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct EffectCost {
-    /// Operations at each fragment that it is drawn at, counted in naga's IR (see [`Operations`]);
-    /// 0 for what has none.
+    /// Number of operations at each fragment that the effect is drawn at, counted in naga's IR (see
+    /// [`Operations`]); 0 for effects without operations.
     pub operations: u64,
-    /// Bytes of memory that it holds.
+    /// Memory that the effect holds, in bytes.
     pub bytes: u64,
-    /// What the GPU took for it, where that was measured.
+    /// Time that the GPU took for the effect, in milliseconds; `None` where it was not measured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub milliseconds: Option<f64>,
 }
 
 impl EffectCost {
-    /// Operations alone.
+    /// A cost in operations alone.
     pub fn operations(operations: u64) -> Self {
         Self { operations, ..Self::default() }
     }
 
-    /// Memory alone.
+    /// A cost in memory alone.
     pub fn bytes(bytes: u64) -> Self {
         Self { bytes, ..Self::default() }
     }
 }
 
 impl std::fmt::Display for EffectCost {
-    /// `12.3 ms, 214 operations, 7.5 MiB`: what there is of it.
+    /// Writes `12.3 ms, 214 operations, 7.5 MiB`: the parts of the cost that are not 0.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let milliseconds = self.milliseconds.map(|ms| {
             format!("{} ms", if ms < 9.95 { format!("{ms:.2}") } else { format!("{ms:.0}") })
@@ -51,7 +52,7 @@ impl std::fmt::Display for EffectCost {
     }
 }
 
-/// Bytes that a vertex's attribute takes.
+/// Size of a vertex's attribute, in bytes.
 pub fn attribute_bytes(attribute: Attribute) -> u64 {
     match attribute {
         Attribute::Uv => 8,
@@ -60,14 +61,15 @@ pub fn attribute_bytes(attribute: Attribute) -> u64 {
     }
 }
 
-/// What passes that are not in a plan would hold.
+/// The memory that passes that are not in a plan would hold.
 pub(super) fn of_passes(passes: impl Iterator<Item = PassId>, options: &PlanOptions) -> EffectCost {
     let pixels = u64::from(options.size[0]) * u64::from(options.size[1]);
     let bytes: u64 = passes.map(|pass| pass.row().bytes_per_pixel(1).0).sum();
     EffectCost::bytes(bytes * pixels)
 }
 
-/// The operations at each fragment of the modules that a pass runs; the most, where objects differ.
+/// The number of operations at each fragment of the modules that a pass runs; the greatest number
+/// where objects differ.
 pub(super) fn pass_operations(pass: PassId, draws: &[Draw]) -> u64 {
     let Some(stage) = pass.stage() else {
         let module = ScreenModule::of(pass).ok().flatten();
@@ -77,12 +79,13 @@ pub(super) fn pass_operations(pass: PassId, draws: &[Draw]) -> u64 {
     modules.map(|shader| module_operations(&shader.valid)).max().unwrap_or_default()
 }
 
-/// The operations of a whole module.
+/// The number of operations of a whole module.
 fn module_operations(valid: &Valid) -> u64 {
     Operations::of(&valid.module).of_entry_points(&valid.module)
 }
 
-/// The operations at each fragment of a module, whole and of every node that is in it.
+/// The number of operations at each fragment of a module: of the whole module, and of every node in
+/// the module.
 pub(super) fn shader_operations(shader: &CompiledShader) -> (u64, BTreeMap<String, u64>) {
     let module = &shader.valid.module;
     let operations = Operations::of(module);

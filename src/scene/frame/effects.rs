@@ -1,5 +1,5 @@
-//! Everything that a picture may cost, each with its state, the reason and the proof: what `chiaro
-//! explain` prints.
+//! Effects: everything that a picture may cost, each with its state, the reason and the proof.
+//! `chiaro explain` prints them.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::Arc;
@@ -11,11 +11,11 @@ use super::plan::{Draw, FramePlan};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Proof, StructLayout};
 use crate::library::{PassId, Type};
 
-/// What kind of thing an effect is.
+/// Kind of an effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EffectKind {
-    /// GPU work of its own.
+    /// A pass: GPU work of its own.
     Pass,
     /// An object of the scene.
     Object,
@@ -33,41 +33,41 @@ pub enum EffectKind {
     Node,
 }
 
-/// What becomes of an effect.
+/// State of an effect in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum EffectState {
-    /// It is done for this picture.
+    /// The effect is done for this picture.
     Runs,
-    /// It was done for an earlier picture and still stands.
+    /// The effect was done for an earlier picture and is still valid.
     Cached,
-    /// It is not done.
+    /// The effect is not done.
     Dropped,
 }
 
-/// Something that a picture may cost.
+/// An effect: a part of the work that a picture may cost.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Effect {
-    /// What it is called.
+    /// Name of the effect.
     pub what: String,
-    /// What kind of thing it is.
+    /// Kind of the effect.
     pub kind: EffectKind,
-    /// What becomes of it.
+    /// State of the effect.
     pub state: EffectState,
-    /// What it costs; of what is dropped, what it would cost as far as that is known.
+    /// Cost of the effect; for a dropped effect, the cost that it would have, as far as known.
     pub cost: EffectCost,
-    /// Why: the end of a sentence that begins with it.
+    /// Reason for the state: the end of a sentence that begins with the effect.
     pub reason: String,
-    /// What proves that nothing is lost without it; `None` for what runs.
+    /// Proof that nothing is lost without the effect; `None` for effects that run.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub proof: Option<Proof>,
-    /// The look that it belongs to, by name.
+    /// Name of the look that the effect belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<String>,
-    /// The node, as a path.
+    /// Path of the node, for an effect of one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
-    /// The pass that it is.
+    /// Pass, for an effect that is one.
     #[serde(skip)]
     pub pass: Option<PassId>,
 }
@@ -107,8 +107,8 @@ impl Effect {
     }
 }
 
-/// Every effect of a plan. `done` is the input hash of each pass whose result a renderer still
-/// holds, so that what would not run again shows as cached.
+/// All effects of a plan. `done` is the input hash of each pass whose result a renderer still
+/// holds, so that a pass that would not run again shows as cached.
 pub fn effects(plan: &FramePlan, done: &HashMap<PassId, u64>) -> Vec<Effect> {
     let mut effects: Vec<Effect> = Vec::new();
     let pixels = u64::from(plan.size[0]) * u64::from(plan.size[1]);
@@ -233,7 +233,7 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     }
 }
 
-/// The lights that a module reads, each once.
+/// Lists the lights that a module reads, each once.
 fn push_lights(push: &mut impl FnMut(Effect), shader: &CompiledShader) {
     let has_uniforms = shader.host.members.iter().any(|member| member.ty == Type::Light);
     let layout = StructLayout::of(&shader.valid.module, "Light").filter(|_| has_uniforms);
@@ -253,7 +253,7 @@ fn plural(count: usize, word: &str) -> String {
     if count == 1 { word.to_owned() } else { format!("{word}s") }
 }
 
-/// The attributes that a draw's modules read, each with the first module that does.
+/// The attributes that a draw's modules read, each with the first module that reads it.
 fn read_attributes(shader: &CompiledShader, draw: &Draw) -> BTreeMap<Attribute, &'static str> {
     let mut read = BTreeMap::new();
     for attribute in shader.needs.attributes() {

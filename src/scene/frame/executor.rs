@@ -1,4 +1,4 @@
-//! Whoever makes the picture of a frame plan.
+//! Executors, which make the picture of a frame plan.
 
 use std::pin::Pin;
 
@@ -7,22 +7,23 @@ use super::plan::FramePlan;
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
-/// A picture under way, or why there is none.
+/// Future of a picture, or of the error that prevents it.
 pub type PictureFuture<'a> = Pin<Box<dyn Future<Output = Result<Picture, Diagnostic>> + 'a>>;
 
-/// Whoever makes the picture of a frame plan: a GPU, or the reference. They take the same plans and
-/// give the same pictures, so that nobody who only wants a picture asks which one it is.
+/// Maker of the picture of a frame plan: a GPU, or the reference. All executors take the same plans
+/// and give the same pictures, so that callers that only want a picture need not ask which one they
+/// have.
 pub trait Executor {
-    /// Who draws, for people: an adapter, or the reference.
+    /// Name of the executor for people: an adapter, or the reference.
     fn name(&self) -> String;
 
-    /// The picture of `plan`. `progress` counts how far it is, and stops it.
+    /// Makes the picture of `plan`. `progress` counts the part that is done, and can stop the work.
     ///
     /// # Errors
-    /// What cannot be drawn, and that it was stopped.
+    /// Where the plan cannot be drawn, and where the work was stopped.
     fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a>;
 
-    /// What of a plan will not be drawn as it was asked for.
+    /// Warnings about parts of a plan that will not be drawn as asked for.
     fn warnings(&self, _plan: &FramePlan) -> Vec<Diagnostic> {
         Vec::new()
     }

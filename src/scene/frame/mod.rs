@@ -1,9 +1,10 @@
-//! From a scene at a time to a frame plan: which passes run, on which modules, with which values,
-//! and why.
+//! Frame plans of a scene at a time: which passes run, on which modules, with which values, and
+//! why.
 //!
 //! [`open`] finds everything that a look or a scene names; [`Planner::plan`] makes a [`FramePlan`]
 //! of it, which a renderer executes without knowing what a look is. A pass is in the plan only
-//! while a live node of a visible object needs it; what is left out is listed with the reason.
+//! while a live node of a visible object needs it; parts that are left out are listed with the
+//! reason.
 
 mod assets;
 mod camera;
@@ -26,8 +27,8 @@ mod uvs;
 mod values;
 mod visibility;
 
-/// What a plan holds that the compiler made; who executes plans needs no more of the compiler than
-/// this.
+/// Types of the compiler that a plan holds; executors of plans need no more of the compiler than
+/// these.
 pub use crate::compile::{
     Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
 };

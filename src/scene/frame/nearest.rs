@@ -1,7 +1,8 @@
-//! How near the eye is to a surface, so that the near plane cuts nothing that would be seen.
+//! Distance of the eye from the nearest surface, so that the near plane cuts nothing that would be
+//! seen.
 //!
-//! Only an eye within the box of an object, or next to it, has a surface before the plane; for all
-//! others the boxes say so, and no triangle is looked at.
+//! Only an eye within the box of an object, or next to the box, has a surface before the plane; for
+//! all other objects the boxes show that, and no triangle is tested.
 
 use glam::{DMat4, DVec3, Vec3};
 use rayon::prelude::*;
@@ -11,7 +12,7 @@ use super::visibility::Placed;
 use crate::geometry::{Bounds, Mesh};
 
 /// The distance from `eye` to the nearest triangle that wears a look, in scene units; `None` where
-/// it is `reach` or more.
+/// the distance is `reach` or more.
 pub(super) fn nearest_surface(
     objects: &[SetupObject],
     placed: &[Placed],
@@ -36,7 +37,7 @@ pub(super) fn nearest_surface(
     distances.min_by(f64::total_cmp).filter(|distance| *distance < reach)
 }
 
-/// Whether the box around an object's box, along the axes of the world, comes within `reach` of the
+/// True if the box around an object's box, along the axes of the world, comes within `reach` of the
 /// eye.
 fn reaches(world_from_object: DMat4, bounds: &Bounds, eye: DVec3, reach: f64) -> bool {
     let half = 0.5 * bounds.size();
@@ -55,16 +56,18 @@ fn nearest_triangle(mesh: &Mesh, indices: &[u32], world_from_object: DMat4, eye:
         &[a, b, c] => squared_distance(eye, [a, b, c].map(corner)),
         _ => f64::INFINITY,
     };
-    // The least of many is the same in any order, so that the picture is for any number of threads.
+    // The minimum is the same in any order, so the picture does not depend on the number of
+    // threads.
     indices.par_chunks(3).map(distance).reduce(|| f64::INFINITY, f64::min).sqrt()
 }
 
-/// From a point to a triangle. A place that is no number is infinitely far away.
+/// The squared distance from a point to a triangle; infinite where a coordinate is not a number.
 fn squared_distance(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
     let offset = point - a;
-    // The signs of the areas to each side of the point's foot on the plane.
+    // The signs of the areas at each side of the point's foot on the plane tell whether the foot is
+    // inside.
     let is_inside = [(a, b), (b, c), (c, a)]
         .into_iter()
         .all(|(from, to)| (to - from).cross(point - from).dot(normal) >= 0.0);

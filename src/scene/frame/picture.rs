@@ -1,27 +1,27 @@
-//! What comes out, whoever draws it.
+//! Pictures: the result of drawing, on any executor.
 
 use crate::diag::Diagnostic;
 
 /// A finished picture: straight RGBA, display-referred, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Row by row.
+    /// Pixels, row by row.
     pub rgba: Vec<[f32; 4]>,
 }
 
 impl Picture {
-    /// Eight bits a channel, rounded.
+    /// The pixels with eight bits a channel, rounded.
     pub fn to_rgba8(&self) -> Vec<u8> {
         let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
         self.rgba.iter().flat_map(|pixel| pixel.map(byte)).collect()
     }
 
-    /// As PNG: straight alpha, 8 bits a channel.
+    /// The picture as PNG: straight alpha, 8 bits a channel.
     ///
     /// # Errors
-    /// `png`: why it cannot be encoded.
+    /// `png`: the reason why the picture cannot be encoded.
     pub fn to_png(&self) -> Result<Vec<u8>, Diagnostic> {
         let mut bytes = Vec::new();
         let encoder = image::codecs::png::PngEncoder::new(&mut bytes);
@@ -33,7 +33,7 @@ impl Picture {
         Ok(bytes)
     }
 
-    /// A pixel by column and row.
+    /// The pixel at a column and row.
     pub fn pixel(&self, x: u32, y: u32) -> [f32; 4] {
         self.rgba[(y * self.size[0] + x) as usize]
     }

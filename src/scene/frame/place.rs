@@ -1,23 +1,23 @@
-//! Cameras and lights placed by a line of text, as the command line and a gallery's list have it.
+//! Cameras and lights placed by a line of text, as on the command line and in a gallery's list.
 
 use glam::{DQuat, DVec3};
 
 use crate::document::{Camera, Projection, Scene};
 
-/// What a line cannot say, and what it may.
+/// Error in a line of text that places a camera or lights.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Misplaced {
-    /// The part that is wrong.
+    /// Part of the text that is wrong.
     pub found: String,
-    /// What is written there.
+    /// Form of the text that is accepted there.
     pub wanted: &'static str,
 }
 
 /// Places a camera: `eye=X,Y,Z`, `target=X,Y,Z`, `up=X,Y,Z`, `orbit=YAW,PITCH` and `fov=DEGREES` in
-/// degrees, `distance=D` and `ortho=HEIGHT` in scene units; joined by `;`, taken in order.
+/// degrees, `distance=D` and `ortho=HEIGHT` in scene units; joined by `;`, applied in order.
 ///
 /// # Errors
-/// What is not written so, and an eye in its target.
+/// A part in another form, and an eye at its target.
 pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
     let bad = |part: &str| Misplaced {
         found: part.to_owned(),
@@ -38,7 +38,7 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
                 let turn = DQuat::from_rotation_y(yaw.to_radians())
                     * DQuat::from_rotation_x(-pitch.to_radians());
                 camera.eye = (target + turn * DVec3::Z * offset.length()).to_array();
-                // From straight above, too, the picture has an up.
+                // The up vector is turned too, so that a view from straight above has one.
                 camera.up = (turn * DVec3::Y).to_array();
             }
             ("distance", &[distance]) if distance > 0.0 => {
@@ -46,7 +46,8 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
             }
             ("ortho", &[height]) if height > 0.0 => {
                 camera.projection = Projection::Orthographic;
-                // Who says how much is seen means it for the picture at hand.
+                // A height or an angle that is given applies to the picture at hand, whatever its
+                // aspect.
                 (camera.height, camera.aspect) = (height, 0.0);
             }
             ("fov", &[degrees]) if Camera::holds_fov(degrees.to_radians()) => {
@@ -65,11 +66,11 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
     Ok(())
 }
 
-/// Turns a scene's illumination frame, and every light in it: degrees around the vertical axis, or
-/// `YAW,PITCH`.
+/// Turns a scene's illumination frame, and every light in it: `text` is degrees around the vertical
+/// axis, or `YAW,PITCH`.
 ///
 /// # Errors
-/// What is no angle or two.
+/// A text that is not one angle or two.
 pub fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Misplaced> {
     let angles = numbers(text).filter(|n| (1..=2).contains(&n.len())).ok_or_else(|| Misplaced {
         found: text.to_owned(),

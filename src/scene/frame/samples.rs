@@ -22,55 +22,55 @@ use crate::document::{Light, LightKind, Look, Value, Values};
 use crate::ids::{LightId, ObjectId};
 use crate::library::{Context, Library, SurfacePoint};
 
-/// What a sample says of a light; whatever it leaves out is the look's.
+/// Fields of a light that a sample sets; fields that it leaves out are the look's.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LightOverride {
-    /// Toward the light, in the light's own frame; any length but 0.
+    /// Direction toward the light, in the light's own frame; any length but 0.
     pub direction: Option<DVec3>,
-    /// In the light's own frame.
+    /// Position of the light, in the light's own frame.
     pub position: Option<DVec3>,
-    /// Straight RGB.
+    /// Color, straight RGB.
     pub color: Option<DVec3>,
-    /// 0 or more.
+    /// Intensity, 0 or more.
     pub intensity: Option<f64>,
 }
 
-/// A point of a surface with all that a look may ask of it. Vectors are in world space, unit or
-/// not.
+/// A point of a surface with everything that a look may ask of it. Vectors are in world space, of
+/// any length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EvalSample {
-    /// The surface's normal.
+    /// Normal of the surface.
     pub normal: DVec3,
-    /// Along u; `None` for any direction along the surface.
+    /// Tangent along u; `None` for any direction along the surface.
     pub tangent: Option<DVec3>,
-    /// Whether texture coordinates are mirrored here: v then goes the other way around the normal.
+    /// True if texture coordinates are mirrored here: v then goes the other way around the normal.
     pub is_mirrored: bool,
-    /// From the surface to the eye.
+    /// Direction from the surface to the eye.
     pub view: DVec3,
-    /// World space.
+    /// Position of the point, in world space.
     pub position: DVec3,
-    /// Rows right, up and toward the viewer: camera from world.
+    /// Rotation from world space to camera axes: rows right, up and toward the viewer.
     pub camera: DMat3,
     /// Texture coordinates.
     pub uv: DVec2,
     /// Curvature in 1/viewport-height, convex positive.
     pub kappa: f64,
-    /// The numbers of contexts that do not follow from the rest, as their rows say; the default of
-    /// the row where none are given. A sample's picture is one pixel high.
+    /// Numbers of contexts that do not follow from the other fields, as the contexts' rows say; a
+    /// row's default where none are given. A sample's picture is one pixel high.
     pub contexts: BTreeMap<Context, Vec<f64>>,
-    /// From the eye to the object, scene units.
+    /// Distance from the eye to the object, in scene units.
     pub distance: f64,
-    /// The object's front, its z axis, world space.
+    /// Front of the object, its z axis, in world space.
     pub front: DVec3,
-    /// How far other objects are, by id, scene units.
+    /// Distances of other objects, by id, in scene units.
     pub near: IndexMap<ObjectId, f64>,
-    /// Straight RGBA of the vertices.
+    /// Color of the vertices, straight RGBA.
     pub vertex_color: [f64; 4],
-    /// Seconds.
+    /// Time, in seconds.
     pub time: f64,
-    /// World from illumination frame.
+    /// Rotation from the illumination frame to world space.
     pub frame: DQuat,
-    /// By the light's id.
+    /// Lights that the sample changes, by id.
     pub lights: IndexMap<LightId, LightOverride>,
     /// Values of exposed parameters.
     pub values: Values,
@@ -105,7 +105,7 @@ impl Default for EvalSample {
 pub struct EvalBatch {
     /// The module, of [`Stage::Eval`].
     pub shader: Arc<CompiledShader>,
-    /// The samples' places in the list they came from.
+    /// Indices of the samples in the list that they came from.
     pub indices: Vec<usize>,
     /// The storage buffer's content, one sample after the other.
     pub samples: Uniform,
@@ -113,7 +113,7 @@ pub struct EvalBatch {
     pub images: Vec<Arc<Image>>,
 }
 
-/// A look compiled for the evaluation of samples, as many batches of them as are wanted.
+/// A look compiled for the evaluation of samples, in any number of batches.
 #[derive(Debug)]
 pub struct Evaluable<'a> {
     setup: &'a SetupLook,
@@ -129,7 +129,7 @@ impl<'a> Evaluable<'a> {
     /// Compiles a look for samples that set no values, at time 0.
     ///
     /// # Errors
-    /// Everything that is wrong with the look, and images that cannot be read.
+    /// All errors of the look, and images that cannot be read.
     pub fn new(
         setup: &'a SetupLook,
         library: &Library,
@@ -186,7 +186,7 @@ impl<'a> Evaluable<'a> {
 /// into batches of their own.
 ///
 /// # Errors
-/// Everything that is wrong with the look, and values or lights that the look does not have.
+/// All errors of the look, and values or lights that the look does not have.
 pub fn eval_batches(
     setup: &SetupLook,
     library: &Library,
@@ -242,7 +242,7 @@ pub fn eval_batches(
     Ok(batches)
 }
 
-/// Samples by the words that they set.
+/// Indices of samples, grouped by the words that the samples set.
 fn group(setup: &SetupLook, samples: &[EvalSample]) -> IndexMap<String, Vec<usize>> {
     let has_words = setup
         .look
@@ -303,7 +303,7 @@ fn check_samples(setup: &SetupLook, samples: &[EvalSample]) -> Vec<Diagnostic> {
     problems
 }
 
-/// Values that a parameter cannot have.
+/// Errors for values that a parameter cannot have.
 fn check_values(look: &Look, typed: &TypedGraph, samples: &[EvalSample]) -> Vec<Diagnostic> {
     let mut problems = Vec::new();
     for (index, sample) in samples.iter().enumerate() {
@@ -356,8 +356,8 @@ impl<'a> Packer<'a> {
                 };
                 let at = at + (*offset + member) as usize;
                 if context.is_curvature() {
-                    // As it is: whether a look stands infinite curvature, or none at all, is worth
-                    // asking.
+                    // Kappa is written unchanged, even infinite or NaN: users may ask how a look
+                    // bears such curvature.
                     packed.bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
                     packed.numbers.push(sample.kappa);
                 } else {
@@ -403,7 +403,7 @@ impl<'a> Packer<'a> {
     }
 }
 
-/// The look's lights with what the sample says of them.
+/// The look's lights with the fields that the sample sets.
 fn sample_lights(sample: &EvalSample, own: &IndexMap<LightId, Light>) -> IndexMap<LightId, Light> {
     let mut lights = IndexMap::new();
     for (id, set) in &sample.lights {
@@ -425,8 +425,9 @@ fn sample_lights(sample: &EvalSample, own: &IndexMap<LightId, Light>) -> IndexMa
     lights
 }
 
-/// A directional light that a sample gives a position shines from there; a point or spot light that
-/// it gives a direction stands one unit away in that direction.
+/// Places lights of kinds that a sample's fields do not suit: a directional light that is given a
+/// position shines from there; a point or spot light that is given a direction stands one unit away
+/// in that direction.
 fn place_lights(sample: &EvalSample, lights: &mut IndexMap<LightId, LightValues>) {
     for (id, set) in &sample.lights {
         let Some(light) = lights.get_mut(id) else { continue };
@@ -447,7 +448,7 @@ fn place_lights(sample: &EvalSample, lights: &mut IndexMap<LightId, LightValues>
 /// A sample's surface in unit vectors.
 fn surface_point(sample: &EvalSample) -> SurfacePoint {
     let unit = |v: DVec3, otherwise: DVec3| {
-        // Scaled first, so that neither tiny nor huge vectors under- or overflow.
+        // Scaled first, so that neither tiny nor huge vectors underflow or overflow.
         let largest = v.abs().max_element();
         if largest > 0.0 && largest.is_finite() { (v / largest).normalize() } else { otherwise }
     };

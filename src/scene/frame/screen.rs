@@ -1,5 +1,5 @@
-//! The modules of passes over the whole picture, ready to be run: what each of their bindings
-//! holds.
+//! The modules of passes over the whole picture, ready to be run, with the resource of each
+//! binding.
 
 use crate::diag::Diagnostic;
 use crate::library::{PassId, PassInput, PassWork};
@@ -8,24 +8,24 @@ use crate::wgsl::{self, Valid};
 /// The module of a pass over the whole picture.
 #[derive(Debug)]
 pub struct ScreenModule {
-    /// The WGSL.
+    /// Source of the module, in WGSL.
     pub text: String,
-    /// What naga made of it.
+    /// The module as naga validated it.
     pub valid: Valid,
-    /// What to bind, all in group 0.
+    /// Bindings, all in group 0.
     pub bindings: Vec<ScreenBinding>,
 }
 
-/// A binding of such a module.
+/// A binding of a pass's module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ScreenBinding {
-    /// Its number.
+    /// Number of the binding.
     pub binding: u32,
-    /// What it holds.
+    /// Resource of the binding.
     pub holds: ScreenResource,
 }
 
-/// What a binding of such a module holds.
+/// Resource of a binding of a pass's module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScreenResource {
     /// A result of an earlier pass.
@@ -39,28 +39,28 @@ pub enum ScreenResource {
 pub struct PassImage {
     /// The pass.
     pub pass: PassId,
-    /// The place among its outputs.
+    /// Index of the result among the pass's outputs.
     pub output: usize,
 }
 
 impl PassImage {
-    /// What a row says that its pass reads.
+    /// The image that a row names as an input of its pass.
     pub fn read(input: &PassInput) -> Option<Self> {
         let pass = PassId::from_slug(input.pass)?;
         Some(Self { pass, output: pass.row().output(input.output)? })
     }
 
-    /// All that a pass makes.
+    /// All images that a pass makes.
     pub fn written(pass: PassId) -> impl Iterator<Item = Self> {
         (0..pass.row().writes.len()).map(move |output| Self { pass, output })
     }
 }
 
 impl ScreenModule {
-    /// The module of a pass; `None` where it draws meshes.
+    /// The module of a pass; `None` for a pass that draws meshes.
     ///
     /// # Errors
-    /// That this build lacks the file, or that the file reads what its row does not say.
+    /// Where this build lacks the file, or where the file reads what its row does not say.
     pub fn of(pass: PassId) -> Result<Option<Self>, Vec<Diagnostic>> {
         let PassWork::Screen { shader, constants, .. } = pass.row().work else { return Ok(None) };
         let text = wgsl::pass(shader, constants)?.text;

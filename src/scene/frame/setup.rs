@@ -1,4 +1,4 @@
-//! A scene with everything that it names: looks, meshes, images.
+//! A scene together with everything that it names: looks, meshes, images.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,30 +13,30 @@ use crate::examples;
 use crate::geometry::Mesh;
 use crate::ids::ObjectId;
 
-/// The look of every material that the object does not name.
+/// Name that stands for all materials that the object does not name.
 pub const ANY_MATERIAL: &str = "*";
 
-/// A look with the place that its assets are relative to.
+/// A look with the folder that its assets are relative to.
 #[derive(Clone, Debug)]
 pub struct SetupLook {
     /// The look.
     pub look: Look,
-    /// Where its values stand in its file.
+    /// Places of the look's values in its file.
     pub source: Arc<SourceMap>,
-    /// The folder of its file.
+    /// Folder of the look's file.
     pub folder: PathBuf,
 }
 
-/// An object with its mesh and looks found.
+/// An object with its mesh and looks resolved.
 #[derive(Clone, Debug)]
 pub struct SetupObject {
-    /// Its id.
+    /// Id of the object.
     pub id: ObjectId,
-    /// Its mesh.
+    /// Mesh of the object.
     pub mesh: Arc<Mesh>,
-    /// Where it stands.
+    /// Transform from object to world space.
     pub world_from_object: DMat4,
-    /// For each part of the mesh, its look by index; `None` where the object has no look for that
+    /// Look of each part of the mesh, by index; `None` where the object has no look for the part's
     /// material.
     pub looks: Vec<Option<usize>>,
     /// Values of exposed parameters.
@@ -44,17 +44,17 @@ pub struct SetupObject {
 }
 
 impl SetupObject {
-    /// The looks that its parts wear, one for each part that wears any.
+    /// The looks that the object's parts wear, one for each part that wears any.
     pub fn worn_looks(&self) -> impl Iterator<Item = usize> {
         self.mesh.parts.iter().zip(&self.looks).filter_map(|(_, look)| *look)
     }
 
-    /// The middle of the mesh, world space.
+    /// The center of the mesh's box, in world space.
     pub fn center(&self) -> DVec3 {
         self.world_from_object.transform_point3(self.mesh.bounds().center())
     }
 
-    /// The radius of a sphere around the centre that holds the mesh, in scene units.
+    /// The radius of a sphere around the center that holds the mesh, in scene units.
     pub fn radius(&self) -> f64 {
         let bounds = self.mesh.bounds();
         let (scale, ..) = self.world_from_object.to_scale_rotation_translation();
@@ -67,25 +67,25 @@ impl SetupObject {
 pub struct Setup {
     /// The scene.
     pub scene: Scene,
-    /// The text that the scene was read from, if it was.
+    /// Text that the scene was read from, if any.
     pub source: Option<Arc<SourceMap>>,
     /// Every look that an object wears.
     pub looks: Vec<SetupLook>,
     /// Visible objects.
     pub objects: Vec<SetupObject>,
-    /// The look that is being edited, if one is: its lights are taken as they are now, and the
-    /// others are compiled with their values folded, however alive this one is asked for.
+    /// Look that is being edited, if one is: its lights are taken as they are now, and all other
+    /// looks are compiled with their values folded, whatever liveness is asked for this one.
     pub edited: Option<usize>,
 }
 
 impl Setup {
-    /// How far the centres of the other objects are from one's, in scene units.
+    /// Distances from the object's center to the centers of all other objects, in scene units.
     pub fn others_of(&self, object: &SetupObject) -> IndexMap<ObjectId, f64> {
         let others = self.objects.iter().filter(|other| other.id != object.id);
         others.map(|other| (other.id.clone(), other.center().distance(object.center()))).collect()
     }
 
-    /// Turns every object so that the z axis of its mesh points up, and not y.
+    /// Turns every object so that the z axis of its mesh points up instead of y.
     pub fn stand_up(&mut self) {
         let turn = DMat4::from_rotation_x(-std::f64::consts::FRAC_PI_2);
         for object in &mut self.objects {
@@ -95,8 +95,8 @@ impl Setup {
 }
 
 impl Setup {
-    /// Turns the camera around its target: radians to the right around its up direction, then
-    /// radians up.
+    /// Turns the camera around its target, to the right around its up direction by `yaw`, then up
+    /// by `pitch`. In radians.
     pub fn turn_camera(&mut self, [yaw, pitch]: [f64; 2]) {
         let camera = &mut self.scene.camera;
         let target = DVec3::from(camera.target);
@@ -108,8 +108,8 @@ impl Setup {
         camera.up = (turn * up).to_array();
     }
 
-    /// Turns the illumination frame, and every light in it: radians around the vertical axis, then
-    /// radians up.
+    /// Turns the illumination frame, and every light in it, around the vertical axis by `yaw`, then
+    /// up by `pitch`. In radians.
     pub fn turn_lights(&mut self, [yaw, pitch]: [f64; 2]) {
         let turn = DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(-pitch);
         let turned = turn * DQuat::from_array(self.scene.illumination);
@@ -118,7 +118,7 @@ impl Setup {
     }
 }
 
-/// A turn of the object's mesh around the middle of its bounds, in its own space.
+/// A turn of the object's mesh around the center of its bounds, in object space.
 fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
     let middle = object.mesh.bounds().center();
     DMat4::from_translation(middle) * turn * DMat4::from_translation(-middle)
@@ -128,7 +128,7 @@ fn turn_within(object: &SetupObject, turn: DMat4) -> DMat4 {
 /// in the default scene.
 ///
 /// # Errors
-/// Everything that is wrong with it and with what it names.
+/// All errors of the file and of the files that it names.
 pub fn open(
     path: &Path,
     mesh: Option<&str>,
@@ -158,14 +158,14 @@ pub fn open(
     }
 }
 
-/// What a look opened alone is shown on.
+/// Mesh that a look opened alone is shown on.
 pub const DEFAULT_MESH: &str = "shape:creature";
 
 /// The default scene with one object that wears `look`. Paths of meshes are relative to the working
 /// folder.
 ///
 /// # Errors
-/// Why the mesh cannot be used.
+/// The reasons why the mesh cannot be used.
 pub fn default_setup(
     look: SetupLook,
     mesh: &str,
@@ -184,7 +184,7 @@ pub fn default_setup(
     Ok(Warned::new(Setup { looks: vec![look], objects: vec![object], ..Setup::default() }, notes))
 }
 
-/// World from object space: fit, scale, turn, move.
+/// The matrix from object to world space: fit, scale, turn, move.
 pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
     let fit = if transform.fit { mesh.fit().matrix() } else { DMat4::IDENTITY };
     let rotation = DQuat::from_array(transform.rotate);
@@ -197,8 +197,8 @@ pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
     ) * fit
 }
 
-/// Finds what a scene that was read names: meshes relative to `folder` (`mesh` in place of all of
-/// them) and looks. What is wrong goes to `problems`; what could not be found is left out.
+/// Resolves the names in a scene: meshes relative to `folder` (`mesh` in place of all of them) and
+/// looks. Errors go to `problems`; what could not be found is left out.
 pub fn scene_setup(
     scene: Scene,
     folder: &Path,
@@ -213,18 +213,18 @@ pub fn scene_setup(
     Setup { scene, source: Some(source.clone().into()), looks, objects, edited: None }
 }
 
-/// Where the looks of a scene come from.
+/// Source of the looks of a scene.
 pub trait Wardrobe {
-    /// Whether there is a look of this name, be it a broken one.
+    /// True if there is a look of this name, even a broken one.
     fn has(&self, name: &str) -> bool;
 
-    /// The number of a look among those of the setup; `None` where it cannot be used. What is wrong
-    /// with it goes to `problems`.
+    /// The index of a look among those of the setup; `None` if the look cannot be used. Its errors
+    /// go to `problems`.
     fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize>;
 }
 
-/// Puts the visible objects of a scene where they stand, with their meshes, relative to `folder`,
-/// and their looks. What is wrong goes to `problems`; what could not be found is left out.
+/// Places the visible objects of a scene, with their meshes, relative to `folder`, and their looks.
+/// Errors go to `problems`; what could not be found is left out.
 pub fn place_objects(
     scene: &Scene,
     folder: &Path,
@@ -248,7 +248,7 @@ pub fn place_objects(
         let mesh = match found {
             Ok(mesh) => mesh.tell(problems),
             Err(found) => {
-                // What was given in place of the scene's meshes has no place in the scene.
+                // A mesh that was given in place of the scene's has no place in the scene's text.
                 let place = mesh.is_none().then(|| path_of("mesh"));
                 problems.extend(
                     found
@@ -287,8 +287,8 @@ pub fn look_of<'o>(object: &'o Object, material: &str) -> Option<&'o str> {
     object.looks.get(material).or_else(|| object.looks.get(ANY_MATERIAL)).map(String::as_str)
 }
 
-/// A problem with an object's mesh. Where there is no such mesh, its place is where the scene names
-/// it.
+/// A problem with an object's mesh. Where there is no such mesh, the problem's place is where the
+/// scene names the mesh.
 fn of_object(
     id: &ObjectId,
     mut problem: Diagnostic,
@@ -310,7 +310,8 @@ fn of_object(
     problem
 }
 
-/// Looks that an object names and that are nowhere, also those of materials that its mesh has not.
+/// Errors for looks that an object names and that do not exist, also for materials that its mesh
+/// does not have.
 fn missing_looks(
     id: &ObjectId,
     object: &Object,
@@ -367,12 +368,12 @@ fn material_problems(
     }
 }
 
-/// Whether a path leads to a file, or means an example.
+/// True if a path leads to a file, or names an example.
 fn is_there(path: &Path) -> bool {
     path.is_file() || examples::file(path).is_some()
 }
 
-/// Looks in files, by paths relative to a folder.
+/// Looks read from files, by paths relative to a folder.
 struct LookFiles<'f> {
     folder: &'f Path,
     found: Vec<(PathBuf, SetupLook)>,
@@ -389,7 +390,7 @@ impl Wardrobe for LookFiles<'_> {
             return Some(index);
         }
         if !is_there(&path) {
-            // Told with the object that names it.
+            // The error is reported with the object that names the look.
             return None;
         }
         let loaded = Look::load(&crate::files::Disk, &path);

@@ -1,9 +1,9 @@
-//! What was read of files, shared by all pictures that are made of them.
+//! Store of files that were read, shared by all pictures made of them.
 //!
 //! A window has a dozen planners on as many threads, which show the same meshes, images and HCBTFs.
-//! Each of them holds what its own pictures use, in its [`Assets`](super::Assets); the store knows
-//! where all of that is, and holds nothing itself: what no picture uses any more is gone. Whoever
-//! asks for a file that another is just reading waits for that one.
+//! Each planner holds what its own pictures use, in its [`Assets`](super::Assets); the store knows
+//! where all of these values are, and holds none itself: values that no picture uses any more are
+//! gone. A request for a file that another thread is just reading waits for that thread.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -17,8 +17,8 @@ use crate::diag::{Diagnostic, Warned};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
 
-/// What tells a file from what it was: when it was written, and its length. `None` of what is no
-/// file.
+/// Identity of a file's state: the time of its last change, and its length. `None` where there is
+/// no file.
 pub(super) type FileStamp = Option<(SystemTime, u64)>;
 
 /// Meshes, images and HCBTFs that some picture holds. Clones are handles to the same store.
@@ -33,37 +33,37 @@ struct Shelves {
     reads: AtomicU64,
 }
 
-/// What makes the texture of an HCBTF another one, beside its file's content.
+/// Key of an HCBTF's texture: everything that it depends on beside the file's content.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct HcbtfKey {
     pub(super) path: PathBuf,
     pub(super) options: LayerOptions,
-    /// Whether what rules make is made for few directions alone.
+    /// True if the rules make samples for few directions only.
     pub(super) is_draft: bool,
 }
 
 impl AssetStore {
-    /// A store in which nothing is yet.
+    /// An empty store.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Whether both are handles to the same store.
+    /// True if both are handles to the same store.
     pub fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 
-    /// How often a file was read, or an own shape made, since the store was made.
+    /// Number of times that a file was read, or a built-in shape made, since the store was made.
     pub fn reads(&self) -> u64 {
         self.0.reads.load(Ordering::Relaxed)
     }
 
-    /// How many meshes, images and HCBTFs some picture holds.
+    /// Number of meshes, images and HCBTFs that some picture holds.
     pub fn len(&self) -> usize {
         self.0.meshes.len() + self.0.images.len() + self.0.hcbtfs.len()
     }
 
-    /// Whether no picture holds anything.
+    /// True if no picture holds anything.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -106,7 +106,7 @@ impl AssetStore {
 #[derive(Debug)]
 struct Shelf<K, T>(Mutex<HashMap<K, Slot<T>>>);
 
-/// A value, or nothing while nobody has read it. Who reads holds the lock.
+/// A value, or `None` until it has been read. The reading thread holds the lock.
 type Slot<T> = Arc<Mutex<Option<Entry<T>>>>;
 
 #[derive(Debug)]
@@ -123,7 +123,7 @@ impl<K, T> Default for Shelf<K, T> {
 }
 
 impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
-    /// The value of a file as it is now; `read` where nobody holds it.
+    /// The value of a file as it is now; calls `read` where nobody holds the value.
     fn get<E>(
         &self,
         key: &K,
@@ -145,6 +145,7 @@ impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
 
     fn slot(&self, key: &K) -> Slot<T> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        // Every look-up drops the slots that nobody holds, so that the map does not grow.
         slots.retain(|_, slot| is_held(slot));
         slots.entry(key.clone()).or_default().clone()
     }
@@ -155,7 +156,7 @@ impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
     }
 }
 
-/// Whether somebody holds the value of a slot, or is about to read or has just asked for it.
+/// True if somebody holds the value of a slot, is about to read it, or has just asked for it.
 fn is_held<T>(slot: &Slot<T>) -> bool {
     let is_alive = |entry: &Option<Entry<T>>| {
         entry.as_ref().is_some_and(|entry| entry.value.strong_count() > 0)
@@ -184,7 +185,7 @@ mod tests {
         drop((first, second, changed));
         assert_eq!(shelf.len(), 0, "nobody holds it any more");
         assert_eq!(*get(&shelf, None, 4).value, 4);
-        // What could not be read is tried again.
+        // Reading is tried again after a failure.
         assert_eq!(shelf.get(&"b", None, || Err("no")).unwrap_err(), "no");
         assert_eq!(*shelf.get::<()>(&"b", None, || Ok(5.into())).unwrap().value, 5);
     }

@@ -13,10 +13,10 @@ use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
 
-/// The light that goes around the tile: the one of this name, or the first directional one.
+/// The light that moves around the tile: the light with this name, or the first directional one.
 ///
 /// # Errors
-/// Where there is none that shines along one direction: the grid knows directions alone.
+/// Where no such light shines along one direction: the grid knows directions only.
 pub fn moving_light(setup: &SetupLook, name: Option<&str>) -> Result<LightId, Diagnostic> {
     let lights = &setup.look.lights;
     let is_moving = |kind: LightKind| kind == LightKind::Directional;
@@ -50,11 +50,11 @@ pub fn moving_light(setup: &SetupLook, name: Option<&str>) -> Result<LightId, Di
     }
 }
 
-/// Reads and fills whatever a look names, once for all views of a tile. `progress` counts how far
-/// its HCBTFs are filled, one after the other.
+/// Reads and fills everything that a look names, once for all views of a tile. `progress` counts
+/// the filling of its HCBTFs, one after the other.
 ///
 /// # Errors
-/// Everything that is wrong with the look, and where it is stopped.
+/// All errors of the look, and where the work is stopped.
 pub fn tile_assets(
     setup: &SetupLook,
     library: &Library,
@@ -74,21 +74,21 @@ pub fn tile_assets(
     Ok(assets)
 }
 
-/// The most samples of a texel.
+/// Greatest number of samples of a texel.
 pub const MAX_TILE_SAMPLES: u32 = 64;
 
-/// A tile as one eye sees it under one light. It lies at z = 0 with its middle at the origin, as
-/// wide as 1, u along x and v along y; the camera is far away, its right and up turned from u and v
-/// as the view is from the normal. Other lights than the one that goes around stay where they are.
+/// A tile as one eye sees it under one light. The tile lies at z = 0 with its middle at the origin,
+/// as wide as 1, u along x and v along y; the camera is far away, its right and up turned from u
+/// and v as the view is from the normal. All other lights stay where they are.
 #[derive(Clone, Debug)]
 pub struct TileView {
     size: [u32; 2],
-    /// All that its samples have in common.
+    /// Values that all samples of the tile have in common.
     common: EvalSample,
 }
 
 impl TileView {
-    /// The tile of a look that `light` goes around.
+    /// The tile of a look under the direction of `light` at `address`.
     pub fn new(setup: &SetupLook, grid: &Grid, light: &LightId, address: Address) -> Self {
         let toward_eye = grid.view.vector(address.view);
         let turn = DQuat::from_rotation_arc(DVec3::Z, toward_eye);
@@ -109,10 +109,10 @@ impl TileView {
         Self { size: grid.size, common }
     }
 
-    /// One of `count` samples of a texel, both counted from 0, texels by rows from the top. `count`
-    /// is a power of 2, up to [`MAX_TILE_SAMPLES`]: each column and each row of the `count` that a
-    /// texel is cut into has one sample, in its middle; 1 is the middle of the texel, 4 are the
-    /// samples of a pixel on GPUs.
+    /// Sample `index` of the `count` samples of a texel, both counted from 0, texels by rows from
+    /// the top. `count` is a power of 2, up to [`MAX_TILE_SAMPLES`]: each column and each row of
+    /// the `count` that a texel is cut into has one sample, in its middle; 1 is the middle of the
+    /// texel, 4 are the samples of a pixel on GPUs.
     pub fn sample(&self, texel: usize, index: u32, count: u32) -> EvalSample {
         let [width, height] = self.size;
         let [x, y] = [texel as u32 % width, texel as u32 / width];
@@ -128,8 +128,8 @@ impl TileView {
     }
 }
 
-/// Where in a texel a sample is, 0 to 1 from the upper left: Hammersley's points, their rows
-/// exchanged by halves so that four of them are turned and not on a diagonal.
+/// The position of a sample within a texel, 0 to 1 from the upper left: Hammersley's points, their
+/// rows exchanged by halves so that four of them are turned and not on a diagonal.
 fn within(index: u32, count: u32) -> [f64; 2] {
     let bits = count.trailing_zeros();
     let reversed = if bits == 0 { 0 } else { index.reverse_bits() >> (u32::BITS - bits) };
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn samples_lie_in_rows_and_columns_of_their_own() {
         assert_eq!(within(0, 1), [0.5; 2]);
-        // In sixteenths, as Direct3D and Vulkan have them.
+        // Positions in sixteenths of a texel, as in Direct3D and Vulkan.
         let four: Vec<[f64; 2]> =
             (0..4).map(|index| within(index, 4).map(|at| 16.0 * at)).collect();
         assert_eq!(four, [[2.0, 10.0], [6.0, 2.0], [10.0, 14.0], [14.0, 6.0]]);

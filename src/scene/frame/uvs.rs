@@ -1,4 +1,5 @@
-//! Looks that read texture coordinates, or the tangents that follow them, on meshes that have none.
+//! Warnings for looks that read texture coordinates, or the tangents that follow them, on meshes
+//! that have none.
 
 use std::collections::HashSet;
 
@@ -8,26 +9,26 @@ use crate::diag::{Diagnostic, Warned};
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Special};
 
-/// More nodes than this are counted and not named.
+/// Greatest number of nodes that a message names; further nodes are counted.
 const MOST_NAMED: usize = 3;
 
-/// What a look reads that a mesh without UVs cannot give.
+/// Inputs of a look that a mesh without UVs cannot give.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lack {
-    /// Texture coordinates: they are 0.
+    /// Texture coordinates, which are 0.
     Uvs,
-    /// Tangents alone: they lie level, which may be what is wanted.
+    /// Tangents alone, which lie level; that may be intended.
     Tangents,
 }
 
 impl Lack {
-    /// What a shader lacks on such a mesh; of both the graver.
+    /// The inputs that a shader lacks on such a mesh; the graver one of both.
     pub(super) fn of(shader: &CompiledShader) -> Option<Self> {
         let reads = |lack: &Self| shader.needs.contexts.iter().any(|c| lack.is_of(*c));
         [Self::Uvs, Self::Tangents].into_iter().find(reads)
     }
 
-    /// Whether a context is made from what is lacking.
+    /// True if a context is made from the lacking attribute.
     fn is_of(self, context: Context) -> bool {
         let attribute = match self {
             Self::Uvs => Attribute::Uv,
@@ -62,8 +63,8 @@ fn worn(object: &SetupObject) -> Vec<usize> {
     worn
 }
 
-/// What is told of an object whose mesh has no UVs, where these nodes of its look read what it
-/// lacks.
+/// The diagnostic for an object whose mesh has no UVs, where `readers` are the nodes of its look
+/// that read what the mesh lacks.
 pub(super) fn without_uvs(
     object: &SetupObject,
     look: &SetupLook,
@@ -106,7 +107,7 @@ pub(super) fn without_uvs(
     problem
 }
 
-/// What the message begins with: whose warning it is.
+/// The subject of the message: the mesh and the object that the warning is about.
 fn subject(object: &SetupObject) -> String {
     format!("the mesh `{}` of object `{}`", object.mesh.name, object.id)
 }

@@ -1,17 +1,17 @@
-//! What an exposed parameter may be set to.
+//! Checks of the values that exposed parameters are set to.
 
 use crate::compile::{Live, TypedGraph, TypedSource, typed_value};
 use crate::diag::Diagnostic;
 use crate::document::{LightField, Look, Target, Value};
 use crate::library::Type;
 
-/// As alive as `live`, and at least so that values which are set by name are seen.
+/// The liveness `live`, raised so that values that are set by name are seen.
 pub(super) fn live_for_values(live: &Live, any_set: bool) -> Live {
     if any_set && *live == Live::Keyed { Live::Exposed } else { live.clone() }
 }
 
-/// What is wrong with setting the exposed parameter `name` of `look` to `value`; `None` where
-/// nothing is, or where there is no parameter of that name.
+/// The error of setting the exposed parameter `name` of `look` to `value`; `None` if the value
+/// fits, or if there is no parameter of that name.
 pub fn check_exposed_value(
     look: &Look,
     typed: &TypedGraph,
@@ -27,8 +27,8 @@ pub fn check_exposed_value(
             return typed_value(value, &ty).err().map(wrong);
         }
     };
-    // Words and lights' ids are no inputs of what was typed; setting them compiles the look anew,
-    // which tells.
+    // Words and lights' ids are not inputs of the typed graph; setting them compiles the look anew,
+    // which reports errors.
     let is_it = |id: usize| typed.params[id].path == *node && typed.params[id].port == *port;
     let mut inputs = typed.nodes.iter().flat_map(|node| node.inputs.iter().flatten());
     let input =

@@ -1,4 +1,5 @@
-//! What cannot be seen, and lights that nobody sees: left out before any look is compiled.
+//! Objects that cannot be seen, and lights that are dark: they are left out before any look is
+//! compiled.
 //!
 //! Every test is conservative. An object is off-screen where the eight corners of its mesh's box
 //! lie beyond one and the same side of the view; a light is dark for an object where it is out or
@@ -16,41 +17,43 @@ use crate::document::{LightField, LightKind, Look, Target};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
 
-/// What a planner may leave out because it is not seen.
+/// Parts that a planner may leave out because they are not seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Cull {
-    /// Nothing: what leaving out is held against.
+    /// Nothing is left out: the plans that all others are compared with.
     Nothing,
-    /// Objects. For looks that are being edited, whose lights may change any moment.
+    /// Objects. For looks that are being edited, whose lights may change at any time.
     Objects,
     /// Objects, and lights that are dark.
     #[default]
     All,
 }
 
-/// Where an object stands.
+/// Placement of an object.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
-    /// Of its mesh, object space.
+    /// Bounds of the object's mesh, in object space.
     pub(super) bounds: Bounds,
-    /// The middle of the box, world space.
+    /// Center of the mesh's box, in world space.
     pub(super) center: DVec3,
-    /// Of a sphere around the middle, scene units.
+    /// Radius of a sphere around the center that holds the mesh, in scene units.
     pub(super) radius: f64,
 }
 
-/// The bounds of meshes, computed once each.
+/// Bounds of meshes, each computed once.
 #[derive(Clone, Debug, Default)]
 pub(super) struct KnownBounds(HashMap<usize, (Weak<Mesh>, Bounds)>);
 
 impl KnownBounds {
-    /// Where the objects stand.
+    /// The placements of the objects.
     pub(super) fn place(&mut self, objects: &[SetupObject]) -> Vec<Placed> {
         self.0.retain(|_, (mesh, _)| mesh.strong_count() > 0);
         objects.iter().map(|object| self.placed(object)).collect()
     }
 
     fn placed(&mut self, object: &SetupObject) -> Placed {
+        // The weak handle beside the bounds keeps the mesh's address from being used again, so the
+        // address identifies the mesh.
         let key = Arc::as_ptr(&object.mesh) as usize;
         let fresh = || (Arc::downgrade(&object.mesh), object.mesh.bounds());
         let bounds = self.0.entry(key).or_insert_with(fresh).1;
@@ -63,7 +66,7 @@ impl KnownBounds {
     }
 }
 
-/// Why nothing of an object is seen; `None` where something may be.
+/// The reason why nothing of an object is seen; `None` where something may be seen.
 pub(super) fn hidden(
     object: &SetupObject,
     placed: &Placed,
@@ -83,7 +86,7 @@ pub(super) fn hidden(
         .then_some((Proof::OffScreen, "it lies outside of the picture"))
 }
 
-/// Whether a transform makes a line or a point of everything.
+/// True if a transform flattens everything to a line or a point.
 fn is_line(matrix: DMat4) -> bool {
     let DMat3 { x_axis: x, y_axis: y, z_axis: z } = DMat3::from_mat4(matrix);
     [x.cross(y), y.cross(z), z.cross(x)].iter().all(|area| *area == DVec3::ZERO)
@@ -99,7 +102,8 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
     if corners.iter().any(|corner| !corner.is_finite()) {
         return false;
     }
-    // How far beyond each side; the shader computes in f32, so that "just beyond" is not beyond.
+    // The margin beyond each side allows for the shader's f32: an object just beyond a side may
+    // still be seen.
     let beyond = |side: fn(DVec4) -> f64| {
         corners.iter().all(|&corner| {
             side(corner) > 1e-4 * (corner.w.abs() + corner.truncate().length()) + 1e-12
@@ -161,10 +165,12 @@ fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
     let offset = placed.center - light.position();
     let distance = offset.length();
     let range = light.range();
-    // A little farther, because the shader measures in f32.
+    // The range is taken a little larger, because the shader measures in f32.
     if range > 0.0 && distance - placed.radius > range * 1.0001 + 1e-5 * light.position().length() {
         return Some("everything that wears the look is beyond its range");
     }
+    // The cone is not tested for an object around the light: it lies in every direction from the
+    // light.
     let is_around = distance <= placed.radius * 1.0001;
     if light.kind == LightKind::Spot && !is_around {
         let off_axis = light.aim().angle_between(offset);
@@ -177,7 +183,7 @@ fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
     None
 }
 
-/// The fields alone.
+/// The fields of dark lights, without the reasons.
 pub(super) fn fields(
     dark: &[((LightId, LightField), &'static str)],
 ) -> BTreeSet<(LightId, LightField)> {

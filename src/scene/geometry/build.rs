@@ -1,4 +1,4 @@
-//! From what a file says to what a renderer draws.
+//! Turns a `Soup` as read from a file into a `Mesh` as a renderer draws it.
 
 use std::collections::HashMap;
 
@@ -10,12 +10,12 @@ use super::normals::{make_missing, place, weld};
 use super::soup::{Corner, NONE, Soup};
 use super::tangents::{self, CornerTangents};
 
-/// What was done on the way to the mesh, for the reader's notes.
+/// Counts of what was dropped and made while a mesh was built, for the notes of its reader.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct BuildNotes {
-    /// Triangles without area, which were dropped.
+    /// Number of triangles without area, which were dropped.
     pub degenerate: usize,
-    /// Corners that had no normal.
+    /// Number of corners that had no normal and were given one.
     pub normals: usize,
 }
 
@@ -47,12 +47,13 @@ pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, BuildNotes) {
     (mesh, BuildNotes { degenerate, normals })
 }
 
-/// Scales to unit length in f64, so that tiny and huge normals survive; 0 stays.
+/// Scales a vector to unit length in f64, so that tiny and huge normals survive; 0 stays 0.
 fn normalize(v: [f32; 3]) -> [f32; 3] {
     DVec3::from(v.map(f64::from)).normalize_or_zero().as_vec3().into()
 }
 
-/// Triangles of two equal points, or so thin that their normal is noise.
+/// Drops triangles of two equal points, or so thin that their normal is noise; returns their
+/// number.
 fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
     let keep: Vec<bool> = soup
         .triangles
@@ -72,8 +73,9 @@ fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
     keep.len() - soup.triangles.len()
 }
 
-/// Of a solid only the outside is drawn: at its outlines a GPU may take a sliver for a back, and
-/// would light it from the wrong side.
+/// Settles the sides of materials that leave them open: of a solid only the outside is drawn,
+/// because at its outlines a GPU may take a sliver for a back face and would light it from the
+/// wrong side.
 fn settle_sides(soup: &mut Soup, welded: &[u32]) {
     if soup.materials.iter().all(|material| material.two_sided.is_some()) {
         return;
@@ -89,7 +91,7 @@ fn settle_sides(soup: &mut Soup, welded: &[u32]) {
         .for_each(|material| material.two_sided = material.two_sided.or(Some(!is_solid)));
 }
 
-/// The triangles in the order of their materials' first use, otherwise as in the file.
+/// The soup's triangles in the order of their materials' first use, otherwise as in the file.
 fn by_material(soup: &Soup) -> Vec<u32> {
     let mut rank = vec![NONE; soup.materials.len()];
     let mut next = 0;
@@ -126,25 +128,25 @@ fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
     }
 }
 
-/// What makes a vertex: corners that agree in all of this share one.
+/// Identity of a vertex: corners that agree in all of these indices share one vertex.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 struct Key {
     point: u32,
     normal: u32,
     uv: u32,
-    /// Into [`CornerTangents::tangents`]; [`NONE`] also where the file has one.
+    /// Index into [`CornerTangents::tangents`]; [`NONE`] also where the file has a tangent.
     tangent: u32,
 }
 
-/// Joins corners to vertices.
+/// Joins the corners of triangles to vertices.
 struct Joiner<'a> {
     soup: &'a Soup,
-    /// The first normal and UV of equal value, by index.
+    /// Index of the first normal, or UV, of equal value, by index of normal or UV.
     same_normal: Vec<u32>,
     same_uv: Vec<u32>,
     known: HashMap<Key, u32>,
     vertices: Vec<Key>,
-    /// By triangle of the soup.
+    /// Vertex indices of each triangle of the soup.
     indices: Vec<[u32; 3]>,
 }
 
@@ -165,8 +167,8 @@ impl<'a> Joiner<'a> {
         [self.same_normal[corner.normal as usize], uv]
     }
 
-    /// Gives every corner a vertex. Corners whose UVs say nothing of a tangent take whatever vertex
-    /// their neighbours have, so those come last.
+    /// Gives every corner a vertex. Corners whose UVs determine no tangent take a vertex that a
+    /// neighbor has at the same point, so they come last.
     fn join(&mut self, order: &[u32], made: &CornerTangents) {
         let has_bare = made.of_corner.iter().flatten().any(|&tangent| tangent == NONE);
         for is_bare in [false, true] {
@@ -180,6 +182,8 @@ impl<'a> Joiner<'a> {
                 let key = Key { point: corner.point, normal, uv, tangent };
                 let vertex = self.vertex(key);
                 self.indices[t][k] = vertex;
+                // Corners of the same point, normal and UV that have no tangent find this vertex
+                // later.
                 if has_bare && !is_bare {
                     self.known.entry(Key { tangent: NONE, ..key }).or_insert(vertex);
                 }
@@ -195,7 +199,7 @@ impl<'a> Joiner<'a> {
     }
 }
 
-/// The tangents of the vertices: the file's own, else what the UVs make, else level ones.
+/// The tangents of the vertices: the file's own, else those made from the UVs, else level ones.
 fn vertex_tangents(soup: &Soup, vertices: &[Key], made: &CornerTangents) -> Vec<[f32; 4]> {
     let tangent = |key: &Key| {
         let normal = Vec3::from(soup.normals[key.normal as usize]);
@@ -209,7 +213,7 @@ fn vertex_tangents(soup: &Soup, vertices: &[Key], made: &CornerTangents) -> Vec<
     vertices.iter().map(tangent).collect()
 }
 
-/// The attributes of the vertices, all but the tangents.
+/// The attributes of the vertices, except the tangents.
 fn gather(soup: &Soup, vertices: &[Key]) -> Mesh {
     let uv = |key: &Key| soup.uvs.get(key.uv as usize).copied().unwrap_or_default();
     let color = |key: &Key| soup.colors.get(key.point as usize).copied().unwrap_or([1.0; 4]);

@@ -1,14 +1,14 @@
-//! Whether triangles enclose a solid, so that nobody outside ever sees their backs.
+//! Test for solids: triangles that enclose a volume, so that nobody outside ever sees their backs.
 
 use std::collections::HashMap;
 
 use glam::DVec3;
 
-/// Whether every edge joins exactly two triangles that run along it in opposite directions, and
-/// every connected piece has its front outside. `triangles` index `point`s that are welded where
-/// they are equal.
+/// True if the triangles form solids: every edge joins exactly two triangles that run along the
+/// edge in opposite directions, and every connected piece has its front outside. `triangles` index
+/// `point`s that are welded where they are equal.
 pub(super) fn is_solid(triangles: &[[u32; 3]], point: impl Fn(u32) -> DVec3) -> bool {
-    // By edge: the triangle on each side of it, by direction.
+    // The two triangles at each edge, by the direction in which they run along it.
     let mut edges: HashMap<(u32, u32), [Option<u32>; 2]> =
         HashMap::with_capacity(triangles.len() * 3 / 2);
     for (index, corners) in triangles.iter().enumerate() {
@@ -35,7 +35,7 @@ pub(super) fn is_solid(triangles: &[[u32; 3]], point: impl Fn(u32) -> DVec3) -> 
     !volumes.is_empty() && volumes.values().all(|volume| *volume > 0.0)
 }
 
-/// The representative of a piece; paths are halved on the way.
+/// The representative of a connected piece; paths are halved on the way, which keeps them short.
 fn root(pieces: &mut [u32], mut at: u32) -> u32 {
     while pieces[at as usize] != at {
         pieces[at as usize] = pieces[pieces[at as usize] as usize];
@@ -52,7 +52,7 @@ mod tests {
         [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 
-    /// The points again and again, each time farther along x.
+    /// The points repeated without end, each repeat farther along x.
     fn point(index: u32) -> DVec3 {
         DVec3::from(POINTS[index as usize % 4]) + DVec3::X * 5.0 * f64::from(index / 4)
     }

@@ -1,69 +1,71 @@
-//! What a renderer draws: indexed triangles with every attribute filled in.
+//! The mesh that a renderer draws: indexed triangles with every attribute filled in.
 
 use std::ops::Range;
 
 use glam::{DMat4, DVec3, Vec3};
 
-/// The material of triangles that a file gives none.
+/// Name of the material of triangles without a material in the file.
 pub const DEFAULT_MATERIAL: &str = "default";
 
 /// Indexed triangles, counter-clockwise seen from outside. All attribute lists are equally long.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// What the file calls it, or the file's own name without its ending.
+    /// Name of the mesh in the file, or the file's own name without its ending.
     pub name: String,
-    /// Object space, in the file's units.
+    /// Positions of the vertices, in object space, in the file's units.
     pub positions: Vec<[f32; 3]>,
-    /// Object space, unit length.
+    /// Normals of the vertices, in object space, of unit length.
     pub normals: Vec<[f32; 3]>,
-    /// Object space: `xyz` of unit length, orthogonal to the normal, along growing u; the
-    /// bitangent, along growing v, is `w * cross(normal, tangent)` with `w` of 1 or -1. Without UVs
-    /// a frame that depends on the normal alone, level with the ground (y up).
+    /// Tangents of the vertices, in object space: `xyz` of unit length, orthogonal to the normal,
+    /// along growing u; the bitangent, along growing v, is `w * cross(normal, tangent)` with `w` of
+    /// 1 or -1. Without UVs a frame that depends on the normal alone, level with the ground (y up).
     pub tangents: Vec<[f32; 4]>,
-    /// u to the right and v up, (0, 0) at the lower left corner of the image; zeros where the file
-    /// has none.
+    /// UVs of the vertices: u to the right and v up, (0, 0) at the lower left corner of the image;
+    /// zeros where the file has none.
     pub uvs: Vec<[f32; 2]>,
-    /// Straight RGBA, display-referred (sRGB curve), 0 to 1; white where the file has none.
+    /// Colors of the vertices: straight RGBA, display-referred (sRGB curve), 0 to 1; white where
+    /// the file has none.
     pub colors: Vec<[f32; 4]>,
-    /// Three per triangle.
+    /// Indices of vertices, three per triangle.
     pub indices: Vec<u32>,
     /// Runs of triangles of one material each, in the order in which the file first uses them;
     /// together all of [`Mesh::indices`].
     pub parts: Vec<Part>,
-    /// Whether the file (or the shape) brings UVs.
+    /// True if the file (or the shape) brings UVs.
     pub has_uvs: bool,
-    /// Whether the file brings vertex colors.
+    /// True if the file brings vertex colors.
     pub has_colors: bool,
-    /// Whether every corner's normal comes from the file; otherwise some were made.
+    /// True if every corner's normal comes from the file; otherwise some were made.
     pub has_normals: bool,
 }
 
 /// The triangles of one material.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Part {
-    /// The material's name in the file.
+    /// Name of the material in the file.
     pub material: String,
-    /// Into [`Mesh::indices`]; begin and end are multiples of 3.
+    /// Range of the triangles in [`Mesh::indices`]; begin and end are multiples of 3.
     pub indices: Range<u32>,
-    /// Whether back faces are drawn too.
+    /// True if back faces are drawn too.
     pub two_sided: bool,
-    /// Fragments of lower alpha are cut out; `None` where the material is solid.
+    /// Least alpha of fragments that are drawn, those of lower alpha are cut out; `None` where the
+    /// material is solid.
     pub alpha_cutoff: Option<f32>,
 }
 
-/// The box along the axes that just holds a mesh, and the sphere around the box's centre that does.
+/// The tight axis-aligned box of a mesh, and the least sphere around the mesh with the same center.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
-    /// The least coordinates.
+    /// Least coordinates of the box.
     pub min: DVec3,
-    /// The greatest coordinates.
+    /// Greatest coordinates of the box.
     pub max: DVec3,
-    /// From the box's centre to the farthest vertex.
+    /// Radius of the sphere: the distance from the box's center to the farthest vertex.
     pub radius: f64,
 }
 
 impl Bounds {
-    /// Of some points; all zero where there are none.
+    /// The bounds of points; all zero where there are no points.
     pub fn of(positions: &[[f32; 3]]) -> Self {
         let Some(first) = positions.first() else {
             return Self { min: DVec3::ZERO, max: DVec3::ZERO, radius: 0.0 };
@@ -82,46 +84,47 @@ impl Bounds {
         Self { min, max, radius: farthest.sqrt() }
     }
 
-    /// The middle of the box and of the sphere.
+    /// The center of the box and of the sphere.
     pub fn center(&self) -> DVec3 {
         (self.min + self.max) / 2.0
     }
 
-    /// The box's edges along x, y and z.
+    /// The lengths of the box's edges along x, y and z.
     pub fn size(&self) -> DVec3 {
         self.max - self.min
     }
 }
 
-/// Moves `center` to the origin, then scales: `(p - center) * scale`.
+/// A transform into fitted space: moves `center` to the origin, then scales:
+/// `(p - center) * scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fit {
-    /// What comes to the origin, in object space.
+    /// Point that comes to the origin, in object space.
     pub center: DVec3,
-    /// The same along all axes; above 0.
+    /// Scale, the same along all axes; above 0.
     pub scale: f64,
 }
 
 impl Fit {
-    /// Fitted space from object space.
+    /// The matrix from object space to fitted space.
     pub fn matrix(&self) -> DMat4 {
         DMat4::from_scale(DVec3::splat(self.scale)) * DMat4::from_translation(-self.center)
     }
 }
 
 impl Mesh {
-    /// How many triangles there are.
+    /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.indices.len() / 3
     }
 
-    /// The box and the sphere around it.
+    /// The bounding box and sphere of the mesh.
     pub fn bounds(&self) -> Bounds {
         Bounds::of(&self.positions)
     }
 
-    /// What brings the mesh's bounding sphere to the origin and to radius 1; a single point is only
-    /// moved.
+    /// The transform that brings the mesh's bounding sphere to the origin and to radius 1; a single
+    /// point is only moved.
     pub fn fit(&self) -> Fit {
         let bounds = self.bounds();
         let scale = if bounds.radius > 0.0 { 1.0 / bounds.radius } else { 1.0 };

@@ -1,10 +1,10 @@
-//! Meshes: import, normals, tangents, own shapes.
+//! Meshes: import, normals, tangents, built-in shapes.
 //!
 //! A file's bytes become a `soup::Soup` (points and corners as the file has them: `import/`, one
 //! reader a format); `build` turns the soup into a [`Mesh`] that a GPU can draw: degenerate
 //! triangles dropped, missing normals made (`normals`), corners joined to vertices, tangents made
-//! or kept (`tangents`), triangles sorted by material. The own shapes (`shapes`) go the same way
-//! from formulas.
+//! or kept (`tangents`), triangles sorted by material. The built-in shapes (`shapes`) go the same
+//! way from formulas.
 
 mod build;
 mod closed;

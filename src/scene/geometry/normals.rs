@@ -19,17 +19,18 @@ use glam::DVec3;
 
 use super::soup::{NONE, Soup};
 
-/// Edges that bend by more than this, in radians, separate smooth regions where normals are made.
-/// 60 degrees lies above what a sphere of 8 segments (45) or an icosahedron (41.8) has, and below a
-/// box's edges (90). Measured: at 60 degrees at most 1.8% of a scan's points are split (a bust with
-/// all its damage; a hare 0.2%), at 45 degrees 4.2%, at 35 degrees 8%.
+/// Greatest angle by which an edge may bend within a smooth region where normals are made, in
+/// radians. 60 degrees lies above what a sphere of 8 segments (45) or an icosahedron (41.8) has,
+/// and below a box's edges (90). Measured: at 60 degrees at most 1.8% of a scan's points are split
+/// (a bust with all its damage; a hare 0.2%), at 45 degrees 4.2%, at 35 degrees 8%.
 pub const CREASE_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
-/// At an edge of more triangles than this only neighbours in the list are compared, so that a fan
-/// of a million triangles around one edge takes no quadratic time.
+/// Greatest number of triangles at an edge that are all compared with one another; at an edge of
+/// more only neighbors in the list are, so that a fan of a million triangles around one edge takes
+/// no quadratic time.
 const MAX_COMPARED: usize = 16;
 
-/// For each point the first point that lies at the same place (-0 and 0 are the same).
+/// The index, for each point, of the first point at the same position (-0 and 0 are the same).
 pub(super) fn weld(points: &[[f32; 3]]) -> Vec<u32> {
     let mut first_at: HashMap<[u32; 3], u32> = HashMap::with_capacity(points.len());
     points
@@ -39,20 +40,20 @@ pub(super) fn weld(points: &[[f32; 3]]) -> Vec<u32> {
         .collect()
 }
 
-/// The place of a point in f64.
+/// The position of a point in f64.
 pub(super) fn place(points: &[[f32; 3]], index: u32) -> DVec3 {
     DVec3::from(points[index as usize].map(f64::from))
 }
 
-/// The angle, in radians, of a triangle at the first of its points; 0 where two of them are equal.
+/// The angle of a triangle at its point `at`; 0 where two of the points are equal. In radians.
 pub(super) fn corner_angle(at: DVec3, b: DVec3, c: DVec3) -> f64 {
     let (u, v) = (b - at, c - at);
     f64::atan2(u.cross(v).length(), u.dot(v))
 }
 
-/// Gives every corner that names no normal, or one of length 0, a made one; appends those to
-/// `soup.normals`. `welded` is what [`weld`] gives; triangles must not be degenerate. Returns how
-/// many corners were given one.
+/// Gives a made normal to every corner that names none, or one of length 0, and appends these
+/// normals to `soup.normals`. `welded` is the result of [`weld`]; triangles must not be degenerate.
+/// Returns the number of corners that were given a normal.
 pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -> usize {
     for corner in soup.triangles.iter_mut().flatten() {
         if corner.normal != NONE && soup.normals[corner.normal as usize] == [0.0; 3] {
@@ -94,8 +95,8 @@ pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -
     missing
 }
 
-/// The unit normal of a triangle that is not degenerate, counter-clockwise seen from where it
-/// points.
+/// The unit normal of a triangle that is not degenerate; seen from its tip the triangle runs
+/// counter-clockwise.
 fn face_normal(points: &[[f32; 3]], [a, b, c]: [u32; 3]) -> DVec3 {
     let [a, b, c] = [a, b, c].map(|p| place(points, p));
     (b - a).cross(c - a).normalize_or_zero()
@@ -120,6 +121,7 @@ fn join_over_edges(
         }
     }
     edges.sort_unstable();
+    // The margin keeps edges of exactly the crease angle smooth in spite of rounding.
     let smooth = crease_angle.cos() - 1e-9;
     for run in edges.chunk_by(|a, b| a[..2] == b[..2]) {
         let reach = if run.len() <= MAX_COMPARED { run.len() } else { 2 };
@@ -134,7 +136,7 @@ fn join_over_edges(
     }
 }
 
-/// Disjoint sets of corners.
+/// Disjoint sets of corners (union-find).
 struct Sectors(Vec<u32>);
 
 impl Sectors {
@@ -144,7 +146,7 @@ impl Sectors {
 
     fn root(&mut self, mut corner: usize) -> usize {
         while self.0[corner] as usize != corner {
-            // Halve the way for whoever comes next.
+            // Path halving: the way to the root is half as long for the next search.
             self.0[corner] = self.0[self.0[corner] as usize];
             corner = self.0[corner] as usize;
         }

@@ -1,6 +1,6 @@
-//! What a file says, before it becomes a [`super::Mesh`]: points, and triangles whose corners name
-//! a point, a normal and a UV separately, as OBJ does. Every other format is a special case of
-//! that.
+//! The content of a mesh file, before it becomes a [`super::Mesh`]: points, and triangles whose
+//! corners name a point, a normal and a UV separately, as in OBJ. Every other format is a special
+//! case of that.
 
 use std::collections::HashMap;
 
@@ -9,26 +9,26 @@ use glam::DVec3;
 use super::normals::place;
 use super::triangulate::triangulate;
 
-/// In a [`Corner`]: there is none.
+/// Index in a [`Corner`] that stands for no normal or no UV.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// One corner of a triangle: indices into the lists of a [`Soup`].
+/// A corner of a triangle: indices into the lists of a [`Soup`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Corner {
-    /// Into [`Soup::points`].
+    /// Index into [`Soup::points`].
     pub point: u32,
-    /// Into [`Soup::normals`], or [`NONE`].
+    /// Index into [`Soup::normals`], or [`NONE`].
     pub normal: u32,
-    /// Into [`Soup::uvs`], or [`NONE`].
+    /// Index into [`Soup::uvs`], or [`NONE`].
     pub uv: u32,
 }
 
-/// What a file says of a material, as far as geometry goes.
+/// A material of a file, as far as it concerns geometry.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Material {
     pub name: String,
-    /// Whether both sides are drawn; `None` where nobody says, and only solids have no inside to be
-    /// seen.
+    /// True if both sides are drawn; `None` where the file does not say, which leaves both sides to
+    /// all but solids, whose inside cannot be seen.
     pub two_sided: Option<bool>,
     pub alpha_cutoff: Option<f32>,
 }
@@ -40,40 +40,40 @@ impl Material {
     }
 }
 
-/// Points, corners and materials. Readers have checked every index and every number.
+/// Points, corners and materials of a file. Readers have checked every index and every number.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Soup {
     pub name: String,
     pub points: Vec<[f32; 3]>,
-    /// By point: display-referred straight RGBA; empty where the file has none.
+    /// Color of each point: display-referred straight RGBA; empty where the file has none.
     pub colors: Vec<[f32; 4]>,
-    /// By point, and only where the file has some: a tangent of length 0 is to be made.
+    /// Tangent of each point; empty where the file has none. A tangent of length 0 is to be made.
     pub tangents: Vec<[f32; 4]>,
-    /// Of any length; one of length 0 is to be made.
+    /// Normals, of any length; a normal of length 0 is to be made.
     pub normals: Vec<[f32; 3]>,
     pub uvs: Vec<[f32; 2]>,
-    /// One entry a triangle.
+    /// Corners of each triangle.
     pub triangles: Vec<[Corner; 3]>,
-    /// By triangle, into `materials`.
+    /// Index into `materials` of each triangle.
     pub material_of: Vec<u32>,
     pub materials: Vec<Material>,
-    /// The indices of `materials`, by name, sides and the bits of the cutoff.
+    /// Indices into `materials`, by name, sides and the bits of the cutoff.
     pub known_materials: HashMap<(String, Option<bool>, Option<u32>), u32>,
 }
 
 impl Soup {
-    /// Whether the file has a tangent for a point.
+    /// True if the file has a tangent for a point.
     pub(super) fn has_tangent(&self, point: u32) -> bool {
         self.tangents.get(point as usize).is_some_and(|tangent| tangent[3] != 0.0)
     }
 
-    /// The index of the material of that name, made if there is none.
+    /// The index of the material with that name, which is added if there is none.
     pub(super) fn material(&mut self, name: &str) -> u32 {
         self.same_material(Material::named(name))
     }
 
-    /// The index of the same material, added if there is none. A file may have as many as
-    /// triangles.
+    /// The index of an equal material, which is added if there is none. The look-up is a hash map
+    /// because a file may have as many materials as triangles.
     pub(super) fn same_material(&mut self, material: Material) -> u32 {
         let cutoff = material.alpha_cutoff.map(f32::to_bits);
         let next = self.materials.len() as u32;
@@ -88,8 +88,8 @@ impl Soup {
     }
 }
 
-/// The polygon being read; its lists are kept from one to the next, so that nothing is allocated
-/// for each.
+/// The polygon being read; its lists are reused from one polygon to the next, so that nothing is
+/// allocated for each.
 #[derive(Default)]
 pub(super) struct Polygon {
     pub(super) corners: Vec<Corner>,

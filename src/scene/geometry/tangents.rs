@@ -18,24 +18,25 @@ use glam::{DVec3, Vec3};
 
 use super::soup::{Corner, NONE, Soup};
 
-/// In a group of more triangles than this, opposite directions are not looked for.
+/// Greatest size of a group in which opposite directions are looked for, in triangles.
 const MAX_COMPARED: usize = 512;
 
-/// Directions that lean this far to their mean are not opposite to one another, however they are
-/// rounded.
+/// Least cosine between directions and their mean at which no two of them are opposite, however
+/// they are rounded.
 const SAME_SIDE: f32 = 0.01;
 
-/// The tangents of a soup's corners.
+/// Tangents of a soup's corners.
 #[derive(Debug, Default)]
 pub(super) struct CornerTangents {
-    /// Each different one once: `xyz` of unit length, `w` 1 or, where UVs are mirrored, -1.
+    /// Different tangents, each once: `xyz` of unit length, `w` 1 or, where UVs are mirrored, -1.
     pub(super) tangents: Vec<[f32; 4]>,
-    /// By triangle of the soup, into `tangents`; [`NONE`] where UVs say nothing.
+    /// Indices into `tangents` of the corners of each triangle of the soup; [`NONE`] where UVs
+    /// determine no tangent.
     pub(super) of_corner: Vec<[u32; 3]>,
 }
 
 /// Makes the tangents of all triangles that have UVs and lack tangents of their own. `vertex_of`
-/// says which corners are one vertex; no triangle has two corners at one place.
+/// gives equal numbers to corners that are one vertex; no triangle has two corners at one position.
 pub(super) fn of_corners(soup: &Soup, vertex_of: impl Fn(&Corner) -> [u32; 3]) -> CornerTangents {
     let lacks = |t: &usize| {
         let corners = &soup.triangles[*t];
@@ -72,7 +73,7 @@ pub(super) fn of_corners(soup: &Soup, vertex_of: impl Fn(&Corner) -> [u32; 3]) -
     result
 }
 
-/// A vector that is not 0, at length 1; the reference's test of what is 0.
+/// A vector scaled to length 1, or unchanged if it is 0 by the reference's test.
 fn unit(v: Vec3) -> Vec3 {
     let is_zero = |x: f32| x.abs() <= f32::MIN_POSITIVE;
     if is_zero(v.x) && is_zero(v.y) && is_zero(v.z) { v } else { v * length(v).recip() }
@@ -82,25 +83,25 @@ fn length(v: Vec3) -> f32 {
     dot(v, v).sqrt()
 }
 
-/// The sum in the reference's order, which no vector instruction changes.
+/// The dot product, summed in the reference's order, which no vector instruction changes.
 fn dot(a: Vec3, b: Vec3) -> f32 {
     a.x * b.x + a.y * b.y + a.z * b.z
 }
 
-/// The part of a vector in the plane of a normal, at length 1.
+/// The part of a vector in the plane of a normal, scaled to length 1.
 fn laid_into_plane(v: Vec3, normal: Vec3) -> Vec3 {
     unit(v - normal * dot(normal, v))
 }
 
-/// What a triangle's UVs say.
+/// A triangle's directions of growing UVs.
 #[derive(Clone, Copy)]
 struct Face {
     /// Directions of growing u and v; 0 where the UVs span no area.
     along_u: Vec3,
     along_v: Vec3,
-    /// Whether the UVs run the same way round as the triangle does.
+    /// True if the UVs run the same way round as the triangle does.
     is_preserving: bool,
-    /// Whether the UVs say so little that the triangle takes whatever its neighbours have.
+    /// True if the UVs determine so little that the triangle takes the direction of its neighbors.
     joins_any: bool,
 }
 
@@ -130,9 +131,9 @@ impl Face {
     }
 }
 
-/// By corner: the triangle on the other side of the edge from there to the next corner, or
-/// [`NONE`]. Of several triangles at one edge, those that run along it in opposite directions are
-/// paired in their order.
+/// The neighbor of each corner: the triangle on the other side of the edge from that corner to the
+/// next, or [`NONE`]. Of several triangles at one edge, those that run along it in opposite
+/// directions are paired in their order.
 fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
     // (lower vertex, upper vertex, corner)
     let mut edges: Vec<[u32; 3]> = Vec::with_capacity(vertices.len() * 3);
@@ -147,7 +148,7 @@ fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
     for run in edges.chunk_by(|a, b| a[..2] == b[..2]) {
         let is_upward =
             |corner: u32| vertices[corner as usize / 3][corner as usize % 3] == run[0][0];
-        // Those that wait for one of the other direction: all of them run the same way.
+        // Corners that wait for a partner of the other direction: all of them run the same way.
         let mut first_waiting = 0;
         let mut waiting: Vec<u32> = Vec::new();
         for &[_, _, corner] in run {
@@ -164,22 +165,22 @@ fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
     neighbors
 }
 
-/// One triangle of a group.
+/// A triangle's share in a group.
 struct Member {
     corner: usize,
-    /// Weighted by the corner's angle; 0 for triangles that join any group.
+    /// Direction of growing u, weighted by the corner's angle; 0 for triangles that join any group.
     weighted: Vec3,
     /// Directions of growing u and v in the vertex's plane.
     along: [Vec3; 2],
     joins_any: bool,
 }
 
-/// Takes a corner of the triangles that get tangents, and its tangent.
+/// Receiver of tangents: takes a corner of the triangles that get tangents, and its tangent.
 type Give<'g> = &'g mut dyn FnMut(usize, [f32; 4]);
 
 struct TangentSpace<'a> {
     soup: &'a Soup,
-    /// Of the soup.
+    /// Indices of the soup's triangles that get tangents.
     triangles: &'a [usize],
     vertices: &'a [[u32; 3]],
     faces: Vec<Face>,
@@ -230,7 +231,7 @@ impl TangentSpace<'_> {
         }
     }
 
-    /// The tangents of a group's corners.
+    /// Gives the tangents of a group's corners.
     fn give_tangents(&self, group: &[usize], is_preserving: bool, give: Give<'_>) {
         let normal = self.normal(group[0]);
         let members: Vec<Member> =
@@ -274,14 +275,14 @@ impl TangentSpace<'_> {
             });
             let [after, before] = [after, before].map(|at| laid_into_plane(at - own, normal));
             let cosine = dot(after, before).clamp(-1.0, 1.0);
-            // By the arc cosine of f64, as the reference does.
+            // The arc cosine is that of f64, as in the reference.
             weighted = along[0] * f64::from(cosine).acos() as f32;
         }
         Member { corner, weighted, along, joins_any: face.joins_any }
     }
 }
 
-/// Whether no two of a group's directions are opposite to each other.
+/// True if no two of a group's directions are opposite to each other.
 fn are_on_one_side(members: &[Member]) -> bool {
     (0..2).all(|i| {
         let counted = || members.iter().filter(|member| !member.joins_any);
@@ -290,8 +291,8 @@ fn are_on_one_side(members: &[Member]) -> bool {
     })
 }
 
-/// A tangent as it is where it is orthogonal to the normal, else made so; `None` where rounding or
-/// the UVs leave none.
+/// The tangent made orthogonal to the normal, unchanged where it is so already; `None` where
+/// rounding or the UVs leave no tangent.
 fn upright(tangent: Vec3, normal: Vec3) -> Option<Vec3> {
     if !tangent.is_finite() || (dot(tangent, tangent) - 1.0).abs() > 1e-3 {
         return None;
@@ -303,8 +304,8 @@ fn upright(tangent: Vec3, normal: Vec3) -> Option<Vec3> {
     tangent.reject_from(normal).try_normalize().map(|tangent| tangent.as_vec3())
 }
 
-/// The unit tangent nearest to `wish` that is orthogonal to `normal`; the level one where `wish`
-/// has no such part.
+/// The unit tangent nearest to `wish` that is orthogonal to `normal`, or the level tangent where
+/// `wish` is along the normal.
 pub(super) fn orthogonal(normal: Vec3, wish: Vec3, w: f32) -> [f32; 4] {
     let (n, wish) = (normal.as_dvec3(), wish.as_dvec3().normalize_or_zero());
     let tangent = wish.reject_from(n);
@@ -312,8 +313,8 @@ pub(super) fn orthogonal(normal: Vec3, wish: Vec3, w: f32) -> [f32; 4] {
     tangent.as_vec3().extend(w).to_array()
 }
 
-/// The level frame of a normal: the unit vector orthogonal to it and to y up, to the right of one
-/// who looks at the surface; along x where the normal is y.
+/// The level tangent of a normal: the unit vector orthogonal to the normal and to y up, to the
+/// right of one who looks at the surface; along x where the normal is y.
 fn level(normal: DVec3) -> DVec3 {
     let right = DVec3::Y.cross(normal);
     if right.length_squared() > 1e-10 {

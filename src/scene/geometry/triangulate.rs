@@ -1,10 +1,10 @@
-//! Polygons into triangles: by the better diagonal for quads, a fan for convex polygons, ear
+//! Triangulation of polygons: by the better diagonal for quads, a fan for convex polygons, ear
 //! clipping for the others.
 
 use glam::{DVec2, DVec3};
 
-/// Ear clipping tests at most this many points for each corner; a polygon that needs more
-/// (thousands of corners, most of them reflex) gets a fan for what is left, so that no file takes
+/// Greatest number of points that ear clipping tests for each corner; a polygon that needs more
+/// (thousands of corners, most of them reflex) gets a fan for the rest, so that no file takes
 /// quadratic time.
 const TESTS_PER_CORNER: usize = 256;
 
@@ -26,7 +26,7 @@ pub(super) fn triangulate(points: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
     }
 }
 
-/// Projects along the polygon's mean normal (Newell's method), so that it runs counter-clockwise.
+/// Projects a polygon along its mean normal (Newell's method), so that it runs counter-clockwise.
 fn flatten(points: &[DVec3]) -> Vec<DVec2> {
     let origin = points[0];
     let normal = (0..points.len())
@@ -37,7 +37,7 @@ fn flatten(points: &[DVec3]) -> Vec<DVec2> {
     points.iter().map(|&p| DVec2::new((p - origin).dot(x), (p - origin).dot(y))).collect()
 }
 
-/// Twice the signed area: positive where a, b, c run counter-clockwise.
+/// Twice the signed area of a triangle: positive where a, b, c run counter-clockwise.
 fn area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
@@ -72,7 +72,8 @@ fn polygon(flat: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
         if tests_left == 0 {
             break;
         }
-        // After a whole round without an ear the polygon crosses itself: clip what is there.
+        // After a whole round without an ear the polygon crosses itself: clip the next corner
+        // anyway.
         if refused < n && !is_ear(flat, ear, &reflex) {
             (at, refused) = ((at + 1) % n, refused + 1);
             continue;
@@ -81,8 +82,8 @@ fn polygon(flat: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
         ring.remove(at % n);
         refused = 0;
         let n = ring.len();
-        // Only the neighbours' angles have changed. Going on behind the ear spreads the triangles
-        // around.
+        // Only the neighbors' angles have changed. The search goes on behind the ear, which spreads
+        // the triangles around.
         for i in [(at + n - 1) % n, at % n] {
             let now_reflex = turn(corner(&ring, i)) <= 0.0;
             reflex.retain(|&r| r != ring[i]);
@@ -97,7 +98,7 @@ fn polygon(flat: &[DVec2], triangles: &mut Vec<[u32; 3]>) {
         .extend((1..ring.len() - 1).map(|i| [ring[0], ring[i], ring[i + 1]].map(|i| i as u32)));
 }
 
-/// Whether the corner turns left and no reflex corner lies in its triangle.
+/// True if the corner turns left and no reflex corner lies in its triangle.
 fn is_ear(flat: &[DVec2], [a, b, c]: [usize; 3], reflex: &[usize]) -> bool {
     let (pa, pb, pc) = (flat[a], flat[b], flat[c]);
     area(pa, pb, pc) > 0.0

@@ -1,7 +1,7 @@
-//! Zip files from strangers, read with a bound, and our own, written the same every time.
+//! Zip files: reading of untrusted ones, with bounds, and writing of our own, the same every time.
 //!
-//! The crate `zip` takes memory for as many entries as a file says it has, so what a file says is
-//! looked at before: each place that could be a directory of the archive is held against
+//! The crate `zip` allocates memory for as many entries as a file claims to have, so the claims are
+//! checked before: each place that could be a directory of the archive is held against
 //! [`MAX_ENTRIES`].
 
 use std::io::{Cursor, Read as _, Write as _};
@@ -12,25 +12,26 @@ use zip::{CompressionMethod, DateTime, System, ZipArchive, ZipWriter};
 
 use crate::diag::Diagnostic;
 
-/// More entries than this are refused: a plain zip has no more.
+/// Greatest number of entries of an archive that is read: a plain zip has no more.
 const MAX_ENTRIES: u64 = 65_535;
-/// Everything that is unpacked from one archive, in bytes. Entries can share their packed bytes, so
-/// the size of the file bounds nothing.
+/// Greatest size of everything that is unpacked from one archive, in bytes. Entries can share their
+/// packed bytes, so the size of the file bounds nothing.
 const MAX_UNPACKED: u64 = 2 << 30;
-/// Ends of directories in one file. One is usual; comments can hold some that only look like it.
+/// Greatest number of ends of directories in one file. One is usual; comments can hold some that
+/// only look like an end.
 const MAX_ENDS: usize = 64;
-/// Before the end of a directory, before its larger form, and before each of its entries.
+/// Signature before the end of a directory; below, that before the end's larger form.
 const END: &[u8; 4] = b"PK\x05\x06";
 const LARGE_END: &[u8; 4] = b"PK\x06\x06";
 
-/// A zip file in memory.
+/// A zip file in memory, open for reading.
 pub(super) struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
     left: u64,
 }
 
 impl<'a> Archive<'a> {
-    /// Reads the directory.
+    /// Opens an archive by reading its directory.
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, Diagnostic> {
         if bytes.is_empty() {
             return Err(Diagnostic::error("empty-file", "the file is empty")
@@ -51,22 +52,22 @@ impl<'a> Archive<'a> {
         Ok(Self { zip, left: MAX_UNPACKED })
     }
 
-    /// The names of its entries, but for those that are not UTF-8.
+    /// The names of the entries, except those that are not UTF-8.
     pub(super) fn names(&self) -> impl Iterator<Item = String> + '_ {
         self.zip.file_names().filter_map(|name| Some(name.ok()?.into_owned()))
     }
 
-    /// Whether there is an entry of this name.
+    /// True if there is an entry of this name.
     pub(super) fn has(&self, name: &str) -> bool {
         self.zip.index_for_name(name).is_some()
     }
 
-    /// Whether two entries have one name, so that programs differ in which they take.
+    /// True if two entries have one name, so that programs differ in the entry that they take.
     pub(super) fn has_duplicates(&self) -> bool {
         self.zip.has_duplicate_names()
     }
 
-    /// An entry's bytes, at most `most` of them, whatever the file says of their number.
+    /// The bytes of an entry, at most `most` of them, whatever number the file claims.
     pub(super) fn read(&mut self, name: &str, most: u64) -> Result<Vec<u8>, Diagnostic> {
         let bound = most.min(self.left);
         let too_large = || {
@@ -84,7 +85,7 @@ impl<'a> Archive<'a> {
             return Err(too_large());
         }
         let mut bytes = Vec::new();
-        // One byte beyond the bound tells that there is more.
+        // One byte beyond the bound shows that there are more.
         entry
             .take(bound + 1)
             .read_to_end(&mut bytes)
@@ -94,7 +95,7 @@ impl<'a> Archive<'a> {
     }
 }
 
-/// Refuses files that say they have more entries than can be, before anybody believes them.
+/// Refuses files that claim more entries than possible, before any reader trusts the claim.
 fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
     let too_many = |what: &str| {
         let message = format!("the zip file has more {what}");
@@ -110,8 +111,8 @@ fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
         if bytes[at..].starts_with(END) {
             ends += 1;
         } else if bytes[at..].starts_with(LARGE_END) {
-            // Two counts of entries: on this disk, and in all. What is beyond the file's length was
-            // written by chance.
+            // Two counts of entries: on this disk, and in all. A count beyond the file's length is
+            // no count: these bytes are not a directory.
             let counts = [number(at + 24), number(at + 32)];
             if counts
                 .into_iter()
@@ -125,14 +126,14 @@ fn check_claims(bytes: &[u8]) -> Result<(), Diagnostic> {
     if ends > MAX_ENDS { too_many("than one directory") } else { Ok(()) }
 }
 
-/// What is wrong with an archive as a whole.
+/// The error for an archive that cannot be read as a whole.
 fn broken(error: &ZipError) -> Diagnostic {
     let message = format!("the zip file cannot be read: {}", reason(error));
     Diagnostic::error("hcbtf-archive", message)
         .hint("it may be cut off: copy or save it again, or take a backup")
 }
 
-/// Why one entry cannot be read.
+/// The error for an entry that cannot be read.
 fn unreadable(name: &str, error: &ZipError) -> Diagnostic {
     let hint = match error {
         ZipError::FileNotFound => "put the file back, or take it out of `painted` in manifest.json",
@@ -155,8 +156,8 @@ fn reason(error: &ZipError) -> String {
     }
 }
 
-/// Writes entries in the order given, with the time that zip files begin at and the same attributes
-/// everywhere.
+/// Writer of a zip file: entries come in the order given, with the time that zip files begin at and
+/// the same attributes everywhere, so that equal entries give equal bytes.
 pub(super) struct Writer(ZipWriter<Cursor<Vec<u8>>>);
 
 impl Writer {
@@ -189,7 +190,7 @@ impl Writer {
         Ok(self.0.write_all(bytes)?)
     }
 
-    /// The whole file.
+    /// The bytes of the whole file.
     pub(super) fn finish(self) -> Result<Vec<u8>, ZipError> {
         Ok(self.0.finish()?.into_inner())
     }

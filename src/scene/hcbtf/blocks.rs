@@ -1,20 +1,20 @@
-//! The texture of an HCBTF in compressed blocks (BC7): a byte a texel, with a small loss, where a
-//! device has them.
+//! The texture of an HCBTF in compressed blocks (BC7): one byte a texel, with a small loss, for
+//! devices that support such blocks.
 //!
 //! The texture is one long row of blocks of four by four texels, folded into rows of [`SIDE`] and
-//! layers of as many rows; the last layer comes first, as that is where a texture tells its grid.
-//! In it lie, one after the other:
+//! layers of as many rows; the last layer comes first, because a texture's header is in its last
+//! layer. Its parts are, one after the other:
 //!
-//! - two blocks that tell the grid, in their first texel each;
+//! - two blocks of the header, which describes the grid, in their first texel each;
 //! - for each sample, view after view, the number of the block where its tile begins, in the first
 //!   texel;
 //! - the tiles that differ, for each its levels, the largest first, each row after row of blocks.
-//!   (x, y) is innermost: a block has texels of one tile alone, and what lies beyond the tile's
-//!   edge repeats the last texel before it.
+//!   (x, y) is innermost: a block has texels of one tile only, and texels beyond the tile's edge
+//!   repeat the last texel before it.
 //!
 //! A number is a texel's four bytes, the lowest first. Decoding BC7 is the same to the bit
-//! everywhere, and a block of one color can have any: so numbers and flat paint come back as they
-//! were.
+//! everywhere, and a block of one color can have any color: so numbers and flat paint are read back
+//! unchanged.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -35,28 +35,28 @@ use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::progress::Progress;
 
-/// Blocks of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its
-/// logarithm.
+/// Number of blocks in a row, and of rows in a layer if there are several layers.
+/// `shaders/lib/hcbtf.wgsl` contains its logarithm.
 const SIDE: usize = 512;
-/// Texels along a block.
+/// Edge of a block, in texels.
 const EDGE: usize = 4;
-/// Bytes of a block.
+/// Size of a block, in bytes.
 const BLOCK: usize = 16;
-/// Bytes of its texels.
+/// Size of a block's texels when decoded, in bytes.
 const TEXELS: usize = 4 * EDGE * EDGE;
 
-/// How texels are put down in a texture.
+/// Coding of texels in a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Coding {
-    /// Four bytes each.
+    /// Four bytes a texel.
     #[default]
     Rgba8,
-    /// Sixteen bytes for four by four of them.
+    /// Sixteen bytes for a block of four by four texels.
     Bc7,
 }
 
 impl Coding {
-    /// Bytes of as many texels, of a texture whose sides are whole blocks.
+    /// The size of `texels` texels of a texture whose sides are whole blocks, in bytes.
     pub fn bytes(self, texels: u64) -> u64 {
         match self {
             Self::Rgba8 => texels.saturating_mul(4),
@@ -64,7 +64,7 @@ impl Coding {
         }
     }
 
-    /// Four bytes a texel, of layers of a size in texels, layer after layer.
+    /// The decoded texels, four bytes each, of layers of a size in texels, layer after layer.
     pub fn rgba(self, size: [u32; 2], bytes: &[u8]) -> Cow<'_, [u8]> {
         match self {
             Self::Rgba8 => Cow::Borrowed(bytes),
@@ -73,26 +73,27 @@ impl Coding {
     }
 }
 
-/// What lies where.
+/// Layout of a texture in blocks.
 pub(super) struct Plan {
-    /// For each sample its tile.
+    /// Index of the tile of each sample.
     samples: Vec<u32>,
     tiles: Vec<Arc<Tile>>,
-    /// Of each level.
+    /// Size of each level, in texels.
     sizes: Vec<[u32; 2]>,
 }
 
-/// Blocks of an image.
+/// The number of blocks of an image.
 fn blocks_of([width, height]: [u32; 2]) -> usize {
     width.div_ceil(EDGE as u32) as usize * height.div_ceil(EDGE as u32) as usize
 }
 
-/// The sizes of the levels that are put down.
+/// The sizes of the levels that are stored.
 fn sizes(grid: &Grid, has_levels: bool) -> Vec<[u32; 2]> {
     level_sizes(grid).take(if has_levels { usize::MAX } else { 1 }).collect()
 }
 
-/// Texels of a layer and the number of layers, where no two tiles are alike.
+/// The width and height of a layer in texels, and the number of layers, where no two tiles are
+/// alike.
 pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let tile: usize = sizes(grid, has_levels).into_iter().map(blocks_of).sum();
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
@@ -100,7 +101,8 @@ pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     folded((TOLD as u64).saturating_add(samples).saturating_add(tiles))
 }
 
-/// Blocks as the width and height of layers in texels, and their number.
+/// The width and height of layers in texels, and the number of layers, that hold a number of
+/// blocks.
 fn folded(blocks: u64) -> [u64; 3] {
     let (side, edge) = (SIDE as u64, EDGE as u64);
     let rows = blocks.div_ceil(side);
@@ -121,12 +123,12 @@ impl Plan {
         self.sizes.iter().copied().map(blocks_of).sum()
     }
 
-    /// Texels of a layer and the number of layers.
+    /// The width and height of a layer in texels, and the number of layers.
     pub(super) fn size(&self) -> [u64; 3] {
         folded((TOLD + self.samples.len() + self.tiles.len() * self.blocks_of_tile()) as u64)
     }
 
-    /// Writes it down, with the texels that tell the grid. `progress` counts tiles.
+    /// Writes the texture, with the header that describes the grid. `progress` counts tiles.
     pub(super) fn write(&self, told: [u8; 8], progress: &Progress) -> Result<Layers, NotFilled> {
         progress.begin(self.tiles.len() as u64);
         let encoded = |tile: &Arc<Tile>| {
@@ -162,7 +164,7 @@ impl Plan {
     }
 }
 
-/// A tile's blocks, row after row.
+/// The blocks of a tile, row after row.
 fn encoded(tile: &Tile) -> Vec<u8> {
     let [width, height] = tile.size();
     let mut out = Vec::with_capacity(BLOCK * blocks_of(tile.size()));
@@ -179,14 +181,14 @@ fn encoded(tile: &Tile) -> Vec<u8> {
     out
 }
 
-/// The block of four by four texels.
+/// The block of four by four texels, compressed.
 fn block(texels: &[u8; TEXELS]) -> [u8; BLOCK] {
     let colors: &[[u8; 4]] = texels.as_chunks().0;
     if colors.iter().all(|color| *color == colors[0]) {
         return of_one_color(colors[0]);
     }
     let is_opaque = colors.iter().all(|color| color[3] == u8::MAX);
-    // The slower ones take four times as long and are off by a tenth less.
+    // The slower settings take four times as long, and their error is a tenth less.
     let settings =
         if is_opaque { BC7Settings::opaque_very_fast() } else { BC7Settings::alpha_fast() };
     let mut out = [0; BLOCK];
@@ -195,8 +197,8 @@ fn block(texels: &[u8; TEXELS]) -> [u8; BLOCK] {
     if is_opaque { opaque(out) } else { out }
 }
 
-/// A block of opaque paint that is opaque: the encoder may round alpha to 254 in mode 6, where all
-/// channels of an end have the same last bit. Colors are off by 1 at most for it.
+/// The block of opaque paint, made opaque: the encoder may round alpha to 254 in mode 6, where all
+/// channels of an end have the same last bit. Colors are off by 1 at most for that.
 fn opaque(block: [u8; BLOCK]) -> [u8; BLOCK] {
     const ENDS_OF_ALPHA: u128 = 0x3fff << 49;
     const LAST_BITS: u128 = 3 << 63;
@@ -206,9 +208,9 @@ fn opaque(block: [u8; BLOCK]) -> [u8; BLOCK] {
     }
 }
 
-/// A block whose sixteen texels have one color, whichever: mode 5, with every texel a third
-/// between two ends of seven bits, of which there are some for each of the 256 numbers; alpha has
-/// eight bits.
+/// A block whose sixteen texels have one color, any color: mode 5, with every texel a third of the
+/// way between two ends of seven bits, which exist for each of the 256 values; alpha has eight
+/// bits.
 fn of_one_color(color: [u8; 4]) -> [u8; BLOCK] {
     let mut bits: u128 = 1 << 5;
     let mut at = 8;
@@ -222,7 +224,7 @@ fn of_one_color(color: [u8; 4]) -> [u8; BLOCK] {
         bits |= u128::from(color[3]) << at;
         at += 8;
     }
-    // The first texel's place has one bit, the others' two: all of them are 1.
+    // The index of the first texel has one bit, those of the others two: every index is 1.
     bits |= 1 << at;
     at += 1;
     for _ in 1..EDGE * EDGE {
@@ -232,7 +234,8 @@ fn of_one_color(color: [u8; 4]) -> [u8; BLOCK] {
     bits.to_le_bytes()
 }
 
-/// Two numbers of seven bits between which a number of eight lies at the second of four places.
+/// Two numbers of seven bits such that the second of the four steps between them is the number of
+/// eight bits.
 fn ends(wanted: u8) -> [u8; 2] {
     let near = wanted / 2;
     let whole = |end: u8| u32::from(end << 1 | end >> 6);
@@ -244,7 +247,7 @@ fn ends(wanted: u8) -> [u8; 2] {
     pairs.into_iter().find(is_right).unwrap_or([near, near])
 }
 
-/// What the first two blocks of a layer tell.
+/// The header in the first two blocks of a layer.
 pub(super) fn told(layer: &[u8]) -> Option<[u8; 8]> {
     let mut told = [0; 8];
     for (index, told) in told.as_chunks_mut::<4>().0.iter_mut().enumerate() {
@@ -259,7 +262,7 @@ pub(super) fn told(layer: &[u8]) -> Option<[u8; 8]> {
     Some(told)
 }
 
-/// The texels of blocks, four bytes each, rows from the top, layer after layer.
+/// The decoded texels of blocks, four bytes each, rows from the top, layer after layer.
 fn decoded(size: [u32; 2], bytes: &[u8]) -> Vec<u8> {
     let stride = 4 * size[0] as usize;
     let across = size[0] as usize / EDGE;
@@ -277,8 +280,8 @@ fn decoded(size: [u32; 2], bytes: &[u8]) -> Vec<u8> {
     rgba
 }
 
-/// The HCBTF in such a texture, as it is after its loss; `None` where it does not hold what it
-/// tells of.
+/// The HCBTF in such a texture, as it is after the loss; `None` if the texture does not hold what
+/// its header describes.
 pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcbtf> {
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     let count = layers.bytes.len() / BLOCK;
@@ -298,13 +301,13 @@ pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcb
     let of_tile: usize = sizes(grid, has_levels).into_iter().map(blocks_of).sum();
     let mut tiles: HashMap<usize, Arc<Tile>> = HashMap::new();
     let mut hcbtf = Hcbtf::new(*grid);
-    // As much as a texture holds that has each of them by itself.
+    // Greatest total size of the tiles: that of a texture that stores each tile by itself.
     let mut room = super::MAX_LAYERS_BYTES;
     for address in grid.addresses() {
         let at = number(TOLD + direction_index(grid, address))?;
         if let std::collections::hash_map::Entry::Vacant(entry) = tiles.entry(at) {
             room = room.checked_sub(4 * grid.texels() as u64)?;
-            // What is not there is not made room for.
+            // Memory is allocated only for blocks that exist.
             (at.checked_add(of_tile)? <= count).then_some(())?;
             let [width, height] = grid.size.map(|side| side as usize);
             let across = width.div_ceil(EDGE);
@@ -325,18 +328,18 @@ pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcb
     Some(hcbtf)
 }
 
-/// How far texels are from what was painted, of 255, as seen over black: what is transparent has no
-/// color.
+/// Difference of texels from the painted ones, in 255ths, as seen over black: transparent texels
+/// have no color.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loss {
-    /// The root of the mean of squares, over all channels of all tiles that differ.
+    /// Root mean square over all channels of all tiles that differ.
     pub rms: f64,
-    /// The largest of any channel.
+    /// Largest difference of any channel.
     pub largest: f64,
 }
 
-/// What a texture lost of the tiles that it was made of; nothing, where it has no blocks. Smaller
-/// levels are not looked at.
+/// The loss of a texture against the tiles that it was made of; none if the texture has no blocks.
+/// Smaller levels are not compared.
 pub fn loss<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -400,7 +403,7 @@ mod tests {
         }
     }
 
-    /// Of any colors, whichever mode they are put down in.
+    /// Any colors, in whichever mode they are encoded.
     #[test]
     fn opaque_paint_stays_opaque() {
         let mut random = 7_u64;
@@ -421,7 +424,7 @@ mod tests {
         }
     }
 
-    /// Smooth paint, whose blocks say nearly what it is; of odd sizes and of sizes that are whole
+    /// Smooth paint, whose blocks are nearly exact; of odd sizes and of sizes that are whole
     /// blocks.
     #[test]
     fn what_is_stored_is_nearly_read() {
@@ -481,14 +484,14 @@ mod tests {
         let back = from_layers(&made).unwrap();
         assert_eq!(back.painted.len() as u64, grid.sample_count());
         assert!(back.painted.values().all(|shown| *shown == tile), "flat paint is as it was");
-        // Where a sample's tile begins.
+        // The word where a sample's tile begins.
         let mut lying = made.clone();
         lying.bytes[BLOCK * TOLD..][..BLOCK].copy_from_slice(&of_one_color([0xff; 4]));
         assert!(from_layers(&lying).is_err());
         let mut short = made.clone();
         short.bytes.truncate(32);
         assert!(from_layers(&short).is_err());
-        // Whatever the bytes are, they are read or refused.
+        // Any bytes are read or refused.
         let mut random = 1_u64;
         for _ in 0..200 {
             let mut other = made.clone();

@@ -1,18 +1,18 @@
-//! The texture of an HCBTF with as little memory as it can do with, and without loss: every tile
-//! that differs once, with (x, y) innermost, and as indices into a palette where that is smaller.
+//! The texture of an HCBTF with as little memory as possible without loss: every tile that differs
+//! once, with (x, y) innermost, and as indices into a palette where that is smaller.
 //!
 //! The texture is one long row of words, a texel each, folded into rows of [`SIDE`] and layers of
-//! as many rows; the last layer comes first, as that is where a texture tells its grid. In it lie,
-//! one after the other:
+//! as many rows; the last layer comes first, because a texture's header is in its last layer. Its
+//! parts are, one after the other:
 //!
-//! - two words that tell the grid, as in every texture (`layers.rs`);
-//! - for each sample, view after view, where the record of its tile begins;
-//! - the records: for each level of a tile, where its texels begin and where its palette does, or 0
-//!   for none;
+//! - two words of the header, which describes the grid, as in every texture (`layers.rs`);
+//! - for each sample, view after view, the word where the record of its tile begins;
+//! - the records: for each level of a tile, the word where its texels begin and the word where its
+//!   palette begins, or 0 for none;
 //! - the palettes, a color a word, which many tiles share;
 //! - the texels of each level, row after row: a color a word, or four indices.
 //!
-//! A number is a word's four bytes, the lowest first. Levels that are equal lie there once, too.
+//! A number is a word's four bytes, the lowest first. Levels that are equal are stored once, too.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -26,25 +26,25 @@ use super::layers::{Layers, TOLD, direction, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
-/// Words of a row, and rows of a layer where there are several. `shaders/lib/hcbtf.wgsl` knows its
-/// logarithm.
+/// Number of words in a row, and of rows in a layer if there are several layers.
+/// `shaders/lib/hcbtf.wgsl` contains its logarithm.
 pub(super) const SIDE: usize = 2048;
-/// Colors that an index of a byte tells apart.
+/// Greatest number of colors in a palette, which an index of a byte can distinguish.
 const MOST_COLORS: usize = 256;
-/// As many of the newest palettes are tried before a new one is begun.
+/// Number of the newest palettes that are tried before a new one is begun.
 const TRIED: usize = 8;
 
-/// What lies where.
+/// Layout of a compact texture.
 pub(super) struct Plan {
-    /// For each sample its tile.
+    /// Index of the tile of each sample.
     samples: Vec<u32>,
-    /// For each tile and level its piece.
+    /// Index of the piece of each level, by tile.
     levels: Vec<Vec<u32>>,
     pieces: Vec<Piece>,
     palettes: Vec<IndexSet<[u8; 4]>>,
 }
 
-/// The texels of a level of a tile.
+/// Texels of a level of a tile.
 struct Piece {
     texels: Arc<Tile>,
     palette: Option<usize>,
@@ -57,7 +57,8 @@ impl Piece {
     }
 }
 
-/// Texels of a layer and the number of layers, without making them.
+/// The width and height of a layer in texels, and the number of layers, computed without making the
+/// layers.
 pub(super) fn size<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -66,7 +67,8 @@ pub(super) fn size<'a>(
     Plan::new(grid, tile, has_levels).size()
 }
 
-/// The same where no two tiles are alike and none has a palette.
+/// The width and height of a layer, and the number of layers, where no two tiles are alike and none
+/// has a palette.
 pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let count = if has_levels { usize::MAX } else { 1 };
     let texels = level_sizes(grid).take(count).map(|size| u64::from(size[0]) * u64::from(size[1]));
@@ -79,15 +81,15 @@ pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     )
 }
 
-/// Words as the width and height of layers, and their number.
+/// The width and height of layers, and their number, that hold a number of words.
 fn folded(words: u64) -> [u64; 3] {
     let side = SIDE as u64;
     let rows = words.div_ceil(side);
     [words.min(side), rows.min(side), rows.div_ceil(side)]
 }
 
-/// For each sample, view after view, which of the tiles that differ it has; and those. A sample
-/// without a tile is transparent black.
+/// The index of each sample's tile among the tiles that differ, view after view; and those tiles. A
+/// sample without a tile is transparent black.
 pub(super) fn distinct<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -136,24 +138,24 @@ impl Plan {
         Self { samples, levels, pieces, palettes: palettes.all }
     }
 
-    /// Words of all of it.
+    /// The number of words of the whole texture.
     fn words(&self) -> usize {
         let colors: usize = self.palettes.iter().map(IndexSet::len).sum();
         let texels: usize = self.pieces.iter().map(Piece::words).sum();
         TOLD + self.samples.len() + self.records() + colors + texels
     }
 
-    /// Words of the records.
+    /// The number of words of the records.
     fn records(&self) -> usize {
         2 * self.levels.iter().map(Vec::len).sum::<usize>()
     }
 
-    /// Texels of a layer and the number of layers.
+    /// The width and height of a layer in texels, and the number of layers.
     pub(super) fn size(&self) -> [u64; 3] {
         folded(self.words() as u64)
     }
 
-    /// Writes it down, with the words that tell the grid.
+    /// Writes the texture, with the header that describes the grid.
     pub(super) fn write(&self, told: [u8; 8]) -> Layers {
         let [width, height, count] = self.size();
         let records_at = TOLD + self.samples.len();
@@ -210,14 +212,15 @@ impl Plan {
     }
 }
 
-/// Palettes as they grow.
+/// Palettes while pieces are added to them.
 #[derive(Default)]
 struct Palettes {
     all: Vec<IndexSet<[u8; 4]>>,
 }
 
 impl Palettes {
-    /// The palette that a piece is put down with; `None` where its own colors take less room.
+    /// The palette for a piece, extended by its colors; `None` if the piece takes less room without
+    /// one.
     fn of(&mut self, texels: &Tile) -> Option<usize> {
         let mut own = IndexSet::new();
         for color in colors(texels) {
@@ -248,8 +251,8 @@ fn colors(tile: &Tile) -> impl Iterator<Item = &[u8; 4]> {
     tile.bytes().as_chunks().0.iter()
 }
 
-/// The HCBTF in a compact texture's words, without those that tell the grid; `None` where it does
-/// not hold what it tells of, or tells of more than there may be.
+/// The HCBTF in a compact texture's words, which begin with the header; `None` if the texture does
+/// not hold what its header describes, or if the header describes more samples than allowed.
 pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     if samples > MAX_SAMPLES || samples >= words.len() as u64 / 4 {
@@ -259,7 +262,7 @@ pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
     let number = |index: usize| Some(u32::from_le_bytes(word(index)?) as usize);
     let mut tiles: HashMap<usize, Arc<Tile>> = HashMap::new();
     let mut hcbtf = Hcbtf::new(*grid);
-    // As much as a texture holds that has each of them by itself.
+    // Greatest total size of the tiles: that of a texture that stores each tile by itself.
     let mut room = super::MAX_LAYERS_BYTES;
     for address in grid.addresses() {
         let record = number(TOLD + direction_index(grid, address))?;
@@ -270,7 +273,7 @@ pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
                 0 => word(texels + index),
                 _ => word(palette + word(texels + index / 4)?[index % 4] as usize),
             };
-            // What is not there is not made room for.
+            // Memory is allocated only for texels that exist.
             texel(grid.texels() - 1)?;
             let rgba: Option<Vec<[u8; 4]>> = (0..grid.texels()).map(texel).collect();
             entry.insert(Arc::new(Tile::new(grid.size, rgba?.into_flattened())?));
@@ -287,7 +290,7 @@ mod tests {
     use crate::hcbtf::{LayerOptions, from_layers, ktx2, stored};
     use crate::progress::Progress;
 
-    /// Five large tiles of many colors, one of two colors for all that is left: more than one
+    /// Five large tiles of many colors, one of two colors for all other samples: more than one
     /// layer.
     #[test]
     fn what_is_stored_is_read() {
@@ -322,7 +325,7 @@ mod tests {
         assert!(grid.addresses().all(|address| back.painted(address) == of(address)));
     }
 
-    /// Tiles of few colors take a quarter, and the words that say which.
+    /// Tiles of few colors take a quarter, and the words that identify tiles and palettes.
     #[test]
     fn tiles_of_few_colors_share_a_palette() {
         let directions = Directions { theta: 3, phi: 8 };
@@ -357,7 +360,7 @@ mod tests {
         let options = LayerOptions { storage: Storage::Compact, ..LayerOptions::default() };
         let made = stored(&grid, |_| Some(&tile), options, &Progress::new()).unwrap();
         assert_eq!(from_layers(&made).unwrap().painted.len() as u64, grid.sample_count());
-        // Where a sample's record begins, and where its texels and its palette do.
+        // The words where a sample's record begins, and where its texels and its palette begin.
         for word in [2, 2 + 36, 2 + 36 + 1] {
             let mut lying = made.clone();
             lying.bytes[4 * word..4 * word + 4].copy_from_slice(&u32::MAX.to_le_bytes());

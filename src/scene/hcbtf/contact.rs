@@ -14,7 +14,7 @@ use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf};
 use crate::progress::Progress;
 
-/// The widest gap between tiles, in texels.
+/// Greatest gap between tiles, in texels.
 pub const MAX_GAP: u32 = 256;
 
 /// Width and height of a grid's contact sheet, in texels.
@@ -40,7 +40,7 @@ pub fn size(grid: &Grid, gap: u32) -> Result<[u32; 2], String> {
     }
 }
 
-/// Where a sample's tile begins.
+/// The upper left corner of a sample's tile on the sheet, in texels.
 fn place(grid: &Grid, address: Address, gap: u32) -> [usize; 2] {
     let step = |index: u64, tile: u32| index as usize * (tile + gap) as usize;
     [
@@ -73,12 +73,12 @@ pub fn export(
     Ok(picture)
 }
 
-/// An HCBTF from a PNG of its contact sheet; `name` is what diagnostics call the file. Tiles that
+/// An HCBTF from a PNG of its contact sheet; `name` is the file's name in diagnostics. Tiles that
 /// are transparent black all over are left empty. `progress` counts samples.
 ///
 /// # Errors
-/// Where it is no PNG, or not of the size that the grid and the gap ask for, and where it is
-/// stopped.
+/// Where the file is no PNG, or not of the size that the grid and the gap require, and where the
+/// work is stopped.
 pub fn read(
     png: &[u8],
     grid: Grid,

@@ -1,5 +1,5 @@
-//! What an `.hcbtf` file shows of itself before it is opened: its thumbnail, how finely it is
-//! divided, and how much of it is painted. No sample is read.
+//! Covers of `.hcbtf` files, shown before a file is opened: its thumbnail, its grid, and the number
+//! of painted samples. No sample is read.
 
 use std::path::Path;
 
@@ -10,24 +10,25 @@ use super::picture::{MAX_PNG_EXTRAS, Picture, decode};
 use super::report::Report;
 use crate::document::Grid;
 
-/// Larger files are not read for their covers, in bytes: many of them may be asked for at once.
+/// Greatest size of a file that is read for its cover, in bytes: many covers may be asked for at
+/// once.
 const MOST_BYTES: u64 = 64 << 20;
-/// Larger thumbnails are not shown, in texels along a side: ours have 256 at most.
+/// Greatest side of a thumbnail that is shown, in texels: Chiaro's have 256 at most.
 const MOST_SIDE: u32 = 1024;
 
-/// What a file shows of itself.
+/// Cover of an `.hcbtf` file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cover {
-    /// How finely it is divided.
+    /// Grid of the HCBTF.
     pub grid: Grid,
-    /// How many samples are painted.
+    /// Number of painted samples.
     pub painted: usize,
-    /// The thumbnail, where there is one that can be shown.
+    /// Thumbnail, if there is one that can be shown.
     pub picture: Option<Picture>,
 }
 
-/// The cover of the `.hcbtf` file at `path`; `None` where it is none, is damaged, or is larger than
-/// 64 MiB.
+/// The cover of the `.hcbtf` file at `path`; `None` if the file is not an `.hcbtf`, is damaged, or
+/// is larger than 64 MiB.
 pub fn cover(path: &Path) -> Option<Cover> {
     if std::fs::metadata(path).is_ok_and(|file| file.len() > MOST_BYTES) {
         return None;

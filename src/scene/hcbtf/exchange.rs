@@ -1,5 +1,5 @@
-//! HCBTFs in the forms of other programs: what the command line and the window import and export is
-//! the same.
+//! Exchange of HCBTFs with other programs: one import and one export for the command line and the
+//! window.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use crate::figures::{bytes, count};
 use crate::files::{FileSet, write_atomic};
 use crate::progress::Progress;
 
-/// How samples lie in other programs' files.
+/// Form of samples in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Form {
     /// The thesis's flattened texture, as a PNG.
@@ -22,16 +22,16 @@ pub enum Form {
     Folder,
     /// One PNG: views across, lights down.
     Contact,
-    /// The texture that shaders look up.
+    /// The texture that shaders look up, as a KTX2 file.
     Ktx2,
 }
 
 impl Form {
-    /// All of them.
+    /// All forms.
     pub const ALL: [Self; 4] = [Self::Folder, Self::Contact, Self::Sheet, Self::Ktx2];
 
-    /// What a path is taken for where nobody says: a folder for a folder, a KTX2 file for a
-    /// texture, all else for a sheet.
+    /// The form that is assumed for a path if none is given: a folder for a folder, a KTX2 file for
+    /// a texture, a sheet for anything else.
     pub fn guessed(path: &Path) -> Self {
         let is_ktx2 = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
         match is_ktx2 {
@@ -43,8 +43,8 @@ impl Form {
 }
 
 /// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between
-/// tiles on a contact sheet. A folder that Chiaro wrote tells all of its grid. Where nothing can be
-/// told it is as it was, and importing tells what is wrong.
+/// tiles on a contact sheet. A folder that Chiaro wrote contains its whole grid. Where the size
+/// cannot be determined the grid is returned unchanged, and importing reports the error.
 pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
     let size_of =
         |path: &Path| image::image_dimensions(path).ok().map(|(width, height)| [width, height]);
@@ -64,20 +64,20 @@ pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
             let down = u64::from(view.phi) * (u64::from(light.phi) + 2);
             [per(width, u64::from(view.theta) * u64::from(light.theta)), per(height, down)]
         }),
-        // It tells its own.
+        // A KTX2 file contains its grid.
         Form::Ktx2 => None,
     };
     let fitted = size.map(|size| Grid { size, ..grid });
     fitted.filter(|grid| grid.check().is_ok()).unwrap_or(grid)
 }
 
-/// Whether what is there tells its grid, its rules and whether it repeats: a folder that Chiaro
+/// True if the files at `from` contain the grid, the rules and the tiling: a folder that Chiaro
 /// wrote.
 pub fn tells_all(from: &Path, form: Form) -> bool {
     form == Form::Folder && folder::told_grid(from).is_some()
 }
 
-/// The PNG of a folder that comes first by its name.
+/// The first PNG of a folder by name.
 fn first_image(folder: &Path) -> Option<PathBuf> {
     let files = std::fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());
     files
@@ -85,12 +85,12 @@ fn first_image(folder: &Path) -> Option<PathBuf> {
         .min()
 }
 
-/// An HCBTF of what other programs made, with what was odd about it. `gap` is between the tiles of
-/// a contact sheet, in texels. A KTX2 file and a folder that Chiaro wrote tell their grid
-/// themselves. `progress` counts samples.
+/// An HCBTF from files of other programs, with warnings about them. `gap` is between the tiles of a
+/// contact sheet, in texels. A KTX2 file and a folder that Chiaro wrote contain their grid.
+/// `progress` counts samples.
 ///
 /// # Errors
-/// Everything that keeps the files from being used, and where it is stopped.
+/// All errors that keep the files from being used, and where the work is stopped.
 pub fn import(
     from: &Path,
     form: Form,
@@ -105,7 +105,7 @@ pub fn import(
         Form::Sheet => sheet::read(&bytes()?, grid, &name, progress),
         Form::Contact => contact::read(&bytes()?, grid, gap, &name, progress),
         Form::Ktx2 => {
-            // All of its samples come at once.
+            // All samples of a texture come at once.
             progress.begin(2);
             let texture = ktx2::read(&bytes()?, &name).map_err(|problem| vec![problem])?;
             progress.add(1);
@@ -119,23 +119,23 @@ pub fn import(
     }
 }
 
-/// How samples are written, where the form leaves a choice.
+/// Options of writing samples, where the form leaves a choice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Manner {
-    /// Which of them; sheets and textures hold every sample, whatever this says.
+    /// Samples that are written; sheets and textures hold every sample in any case.
     pub which: SampleChoice,
-    /// Texels between the tiles of a contact sheet.
+    /// Gap between the tiles of a contact sheet, in texels.
     pub gap: u32,
-    /// How a texture lies.
+    /// Storage of a texture.
     pub storage: Storage,
 }
 
-/// Writes what is filled in a form to `path`: a file, or a folder, which is made where there is
-/// none. `progress` counts the images of a folder, and the tiles that are compressed. Returns what
-/// there is to say about it.
+/// Writes the filled samples in a form to `path`: a file, or a folder, which is made if there is
+/// none. `progress` counts the images of a folder, and the tiles that are compressed. Returns a
+/// summary for the user.
 ///
 /// # Errors
-/// Where it would be too large, cannot be written, or is stopped.
+/// Where the result would be too large, cannot be written, or the work is stopped.
 pub fn export(
     filled: &FilledSamples,
     form: Form,
@@ -154,8 +154,8 @@ pub fn export(
     Ok(None)
 }
 
-/// What an export in this form would replace, or lie beside: the file, or what a folder holds of an
-/// earlier export.
+/// The files that an export in this form would replace, or lie beside: the file, or the files of an
+/// earlier export in a folder.
 pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
     match form {
         Form::Folder => folder::exported(path),
@@ -164,7 +164,7 @@ pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
     }
 }
 
-/// A problem that comes alone.
+/// The list of one problem.
 #[expect(
     clippy::boxed_local,
     reason = "it is handed to map_err, of results whose errors are boxed"
@@ -194,8 +194,8 @@ fn export_texture(
     Ok(said)
 }
 
-/// All of a folder comes at once, its listing last, and what it holds of an earlier export goes:
-/// none of those images are taken for those of this one.
+/// Writes a folder. All its files appear at once, the listing last, and the files of an earlier
+/// export are removed, so that none of those images are taken for images of this export.
 fn export_folder(
     filled: &FilledSamples,
     which: SampleChoice,

@@ -1,7 +1,7 @@
 //! The `.hcbtf` file: a zip with [`manifest`], a PNG for each painted sample, and a thumbnail.
 //!
-//! Only what is painted lies in it, and the rules; what the rules fill is derived again, so a file
-//! stays small and a rule can be changed years later.
+//! The file holds only the painted samples and the rules; samples that the rules fill are derived
+//! again, so a file stays small and a rule can be changed years later.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::Path;
@@ -20,10 +20,10 @@ use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Hcbtf, Rule, Tile};
 use crate::files::{self, ReadError};
 
-/// The longer side of a thumbnail, in texels.
+/// Longer side of a thumbnail, in texels.
 const THUMBNAIL_SIDE: u32 = 256;
 
-/// Reads the file at `path`.
+/// Reads the `.hcbtf` file at `path`.
 ///
 /// # Errors
 /// As [`read`], and where the file cannot be read.
@@ -36,7 +36,7 @@ pub fn load(path: &Path) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
 /// an [example](crate::examples).
 ///
 /// # Errors
-/// Why it cannot be read, with its name.
+/// The reason why the file cannot be read, with its name.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
     let fail = |code, message: String, hint: &str| {
         Box::new(Diagnostic::error(code, message).in_file(path.display().to_string()).hint(hint))
@@ -57,11 +57,11 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
     })
 }
 
-/// Reads an `.hcbtf` file, with warnings about what is odd in it. `name` is what diagnostics call
-/// the file.
+/// Reads an `.hcbtf` file, with warnings about its oddities. `name` is the file's name in
+/// diagnostics.
 ///
 /// # Errors
-/// Everything that keeps the file from being used, up to a bound: nothing of it is taken then,
+/// All errors that keep the file from being used, up to a bound: no part of the file is taken then,
 /// since saving it would lose the rest.
 pub fn read(bytes: &[u8], name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
@@ -115,7 +115,7 @@ fn too_much(bytes: u64) -> Diagnostic {
         .hint("take a coarser grid, or fill by rules what is painted now")
 }
 
-/// Tells of PNGs that the manifest does not name: somebody put them there and expects to see them.
+/// Warns of PNGs that the manifest does not name: somebody put them there and expects to see them.
 fn told_of_strays(archive: &Archive<'_>, painted: &[Listed], report: &mut Report) {
     if archive.has_duplicates() {
         let message = "the zip file has two entries of one name; the last is taken";
@@ -133,7 +133,7 @@ fn told_of_strays(archive: &Archive<'_>, painted: &[Listed], report: &mut Report
     }
 }
 
-/// Reads all painted samples, as many as can be.
+/// Reads all painted samples, as many as can be read.
 fn samples(
     archive: &mut Archive<'_>,
     painted: Vec<Listed>,
@@ -150,7 +150,7 @@ fn samples(
             report.add(Diagnostic::error("duplicate-sample", message).hint(hint));
             continue;
         }
-        // A file may be named twice; it is unpacked, and told of, once.
+        // A file may be named twice; it is unpacked, and reported on, once.
         let tile =
             tiles.entry(file.clone()).or_insert_with(|| sample(archive, &file, size, report));
         if let Some(tile) = tile {
@@ -172,7 +172,7 @@ fn sample(
     tile.map(Arc::new)
 }
 
-/// A sample's texels from its PNG; `what` is what the report calls it.
+/// The texels of a sample from its PNG; `what` is the name of the sample in reports.
 pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) -> Option<Tile> {
     let accept = |[width, height]: [u32; 2]| {
         let message = || {
@@ -199,7 +199,7 @@ pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) 
     }
 }
 
-/// Tells of rules that copy a sample that nobody painted.
+/// Warns of rules that copy a sample that is not painted.
 pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
     for (index, rule) in hcbtf.rules.iter().enumerate() {
         let needed = match rule {
@@ -221,8 +221,8 @@ pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
 /// The bytes of the file: equal for equal HCBTFs, on every machine.
 ///
 /// # Errors
-/// What keeps it from being read again, as a tile of another size or more than the bounds of this
-/// module.
+/// The reasons why the file could not be read again, such as a tile of another size or more than
+/// the bounds of this module.
 pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
     check(hcbtf)?;
     let cannot = |why: String| {
@@ -257,7 +257,7 @@ fn pack(
     writer.finish()
 }
 
-/// Whether what is written could be read again.
+/// Checks that the file could be read again.
 fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
     let fail = |code, message: String| Err(Box::new(Diagnostic::error(code, message)));
     hcbtf.grid.check().or_else(|why| fail("hcbtf-grid", why))?;
@@ -293,7 +293,8 @@ fn check(hcbtf: &Hcbtf) -> Result<(), Box<Diagnostic>> {
     if bytes > MAX_PAINTED_BYTES { Err(Box::new(too_much(bytes))) } else { Ok(()) }
 }
 
-/// The sample that is seen and lit most nearly along the normal, made smaller where it is large.
+/// The painted sample that is viewed and lit most nearly along the normal, made smaller where it is
+/// large.
 fn thumbnail(hcbtf: &Hcbtf) -> Option<Tile> {
     let nearest = |address: &Address| (address.view.theta + address.light.theta, *address);
     let tile =
@@ -303,7 +304,7 @@ fn thumbnail(hcbtf: &Hcbtf) -> Option<Tile> {
     Some(shrunk(tile, factor))
 }
 
-/// Means of `factor` x `factor` texels, weighted by alpha.
+/// The tile made smaller: means of `factor` x `factor` texels, weighted by alpha.
 fn shrunk(tile: &Tile, factor: u32) -> Tile {
     let [width, height] = tile.size();
     let size = [width.div_ceil(factor), height.div_ceil(factor)];

@@ -1,12 +1,12 @@
 //! A folder of images, one a sample.
 //!
-//! A name says where the sample belongs: `l2.3_v1.4.png` is seen with the light at ring 2, step 3,
+//! The name of a file gives its sample: `l2.3_v1.4.png` is seen with the light at ring 2, step 3,
 //! and the view at ring 1, step 4. Or files are numbered (`brick-0001.png`), in the order of
 //! [`Grid::addresses`]: the views one after the other, and for each all lights. Numbers begin at 0
-//! where one of them is 0, and at 1 otherwise.
+//! if one of them is 0, and at 1 otherwise.
 //!
-//! Folders that Chiaro wrote have `hcbtf.json` beside the images, which tells the grid and the
-//! rest; of others somebody must say what grid they are of.
+//! Folders that Chiaro wrote have `hcbtf.json` beside the images, which contains the grid and the
+//! other fields; for other folders the user must give the grid.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -24,12 +24,12 @@ use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
 use crate::figures::count;
 use crate::progress::Progress;
 
-/// The name of a sample's image.
+/// The name of the file of a sample's image.
 pub fn file_name(Address { light, view }: Address) -> String {
     format!("l{light}_v{view}.png")
 }
 
-/// The sample that a name says, whether or not a grid has it.
+/// The address in a file's name, whether or not a grid contains it.
 pub fn parse_name(name: &str) -> Option<Address> {
     let (light, view) = stem(name)?.strip_prefix('l')?.split_once("_v")?;
     let direction = |text: &str| {
@@ -54,8 +54,8 @@ fn number(name: &str) -> Option<u64> {
     stem.get(digits..)?.parse().ok()
 }
 
-/// Reads a folder; other files than PNGs and `hcbtf.json`, and folders in it, are left alone. Where
-/// there is an `hcbtf.json`, the grid is the one that it tells, whatever `grid` says.
+/// Reads a folder; files other than PNGs and `hcbtf.json`, and folders in it, are ignored. The grid
+/// in an `hcbtf.json` takes precedence over `grid`.
 ///
 /// # Errors
 /// As [`import`], and where the folder cannot be read.
@@ -82,13 +82,13 @@ pub fn load(
     )
 }
 
-/// The grid that the `hcbtf.json` of a folder tells, where there is one.
+/// The grid in the `hcbtf.json` of a folder, if there is one.
 pub(super) fn told_grid(folder: &Path) -> Option<Grid> {
     let bytes = read_bytes(&folder.join(listing::NAME)).ok()?;
     listed(&bytes, &mut Report::new("")).map(|listing| listing.grid)
 }
 
-/// What an `hcbtf.json` says.
+/// The content of an `hcbtf.json`.
 fn listed(bytes: &[u8], report: &mut Report) -> Option<Listing> {
     if bytes.len() as u64 > listing::MAX_BYTES {
         let message =
@@ -99,11 +99,11 @@ fn listed(bytes: &[u8], report: &mut Report) -> Option<Listing> {
     listing::parse(bytes, report)
 }
 
-/// An HCBTF from images, of which `read` gives the bytes by name; `folder` is what diagnostics call
-/// them together. `progress` counts them.
+/// An HCBTF from images, whose bytes `read` gives by name; `folder` is the name of all of them
+/// together in diagnostics. `progress` counts images.
 ///
 /// # Errors
-/// Everything that keeps them from being used, up to a bound, and where it is stopped.
+/// All errors that keep the images from being used, up to a bound, and where the work is stopped.
 pub fn import(
     names: Vec<String>,
     read: &dyn Fn(&str) -> Result<Vec<u8>, String>,
@@ -148,7 +148,7 @@ fn import_into(
             continue;
         }
         painted.push((address, Arc::new(tile)));
-        // Of those that were filled any number may be painted by now.
+        // Of the images that rules filled, any number may have been painted since the export.
         check_count(painted.len(), &grid, report)?;
     }
     if progress.is_stopped() {
@@ -185,8 +185,8 @@ fn check_count(painted: usize, grid: &Grid, report: &mut Report) -> Option<()> {
     None
 }
 
-/// What there is to say of images that seem to be of another grid: numbered ones that are not as
-/// many as its samples, and named ones that are all of a smaller grid.
+/// The warning about images that seem to be of another grid: numbered ones whose number differs
+/// from that of its samples, and named ones that are all samples of a smaller grid.
 fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnostic> {
     let found = placed.len() as u64;
     let told = |grid: &Grid| {
@@ -225,7 +225,7 @@ fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnosti
         view: spanned(|address| address.view),
         ..*grid
     };
-    // A few that happen to be all of a tiny grid are no hint.
+    // A few images that happen to be all samples of a tiny grid are no hint.
     let is_whole = |of: Directions| of.theta == 1 || of.phi >= 3;
     let is_smaller = smaller.sample_count() < grid.sample_count()
         && smaller.sample_count() == found
@@ -241,7 +241,7 @@ fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnosti
     problem(message, &told(&smaller))
 }
 
-/// Which file holds which sample.
+/// The file of each sample.
 fn placed<'a>(
     names: &'a [String],
     grid: &Grid,
@@ -257,7 +257,7 @@ fn placed<'a>(
         let numbers: Vec<Option<u64>> = names.iter().map(|name| number(name)).collect();
         let first = u64::from(!numbers.contains(&Some(0)));
         let counts = usize::try_from(grid.sample_count()).unwrap_or(usize::MAX);
-        // Only as far as is asked for: a grid can have billions of samples.
+        // Only as many addresses as there are numbers: a grid can have billions of samples.
         let largest = numbers
             .iter()
             .flatten()
@@ -301,7 +301,7 @@ fn placed<'a>(
     Some(placed)
 }
 
-/// The name and the text of the file that tells what the images of [`export`] cannot.
+/// The name and the text of the file that holds the fields that the images of [`export`] cannot.
 ///
 /// # Errors
 /// Where the rules cannot be written.
@@ -316,7 +316,8 @@ pub fn listing(
     Ok((listing::NAME, text))
 }
 
-/// What a folder holds of an export: its `hcbtf.json`, and images that are named as samples.
+/// The paths of an earlier export's files in a folder: its `hcbtf.json`, and images that are named
+/// as samples.
 pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let is_ours = |name: &str| name == listing::NAME || parse_name(name).is_some();

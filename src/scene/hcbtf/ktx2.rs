@@ -1,8 +1,8 @@
-//! The texture of an HCBTF as a KTX2 file (Khronos, KTX File Format 2.0): what engines load beside
+//! The texture of an HCBTF as a KTX2 file (Khronos, KTX File Format 2.0), which engines load beside
 //! an exported shader.
 //!
-//! It is one level of an array of RGBA8 or BC7 layers as [`Layers`] describes them; its first row
-//! is at the top.
+//! The file has one level of an array of RGBA8 or BC7 layers as [`Layers`] describes them; its
+//! first row is at the top.
 
 use super::blocks::Coding;
 use super::layers::{Layers, MAX_LAYERS_BYTES};
@@ -10,13 +10,14 @@ use crate::diag::Diagnostic;
 
 const IDENTIFIER: [u8; 12] =
     [0xab, b'K', b'T', b'X', b' ', b'2', b'0', 0xbb, b'\r', b'\n', 0x1a, b'\n'];
-/// `VK_FORMAT_R8G8B8A8_UNORM`.
+/// Code of `VK_FORMAT_R8G8B8A8_UNORM`.
 const RGBA8: u32 = 37;
-/// `VK_FORMAT_BC7_UNORM_BLOCK`.
+/// Code of `VK_FORMAT_BC7_UNORM_BLOCK`.
 const BC7: u32 = 145;
-/// Identifier, nine numbers, where four parts lie, and where the one level lies.
+/// Length of the header, in bytes: identifier, nine numbers, places of four parts, and place of the
+/// one level.
 const HEADER: usize = 12 + 9 * 4 + 4 * 4 + 2 * 8 + 3 * 8;
-/// Keys in the order that the format asks for.
+/// Keys and values of the file, in the order that the format asks for.
 const KEYS: [(&str, &str); 2] =
     [("KTXorientation", "rd"), ("KTXwriter", concat!("Chiaro ", env!("CARGO_PKG_VERSION")))];
 
@@ -80,11 +81,11 @@ fn keys() -> Vec<u8> {
     out
 }
 
-/// Reads what [`write()`] writes; `name` is the file's, for messages.
+/// Reads a file of [`write()`]; `name` is the file's, for messages.
 ///
 /// # Errors
-/// `bad-ktx2`: the file is no KTX2, is cut short, or holds something else than one level of
-/// RGBA8 or BC7 layers.
+/// `bad-ktx2`: the file is no KTX2, is cut short, or holds something else than one level of RGBA8
+/// or BC7 layers.
 pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
     let wrong = |message: &str| {
         Diagnostic::error("bad-ktx2", message.to_owned()).in_file(name).hint(
@@ -144,7 +145,7 @@ mod tests {
         assert_eq!(read(&write(&small()), "a.ktx2").unwrap(), small());
     }
 
-    /// What somebody else's reader of the format makes of it.
+    /// Reads the file by another program's reader of the format.
     #[test]
     fn a_reader_of_the_format_agrees() {
         let bytes = write(&small());
@@ -185,7 +186,7 @@ mod tests {
         for at in 0..48 {
             let mut changed = whole.clone();
             changed[at] ^= 0x41;
-            // The bytes of a channel are not needed to read it.
+            // The bytes of a channel are not needed to read the file.
             let is_read = read(&changed, "a.ktx2").is_ok();
             assert_eq!(is_read, (16..20).contains(&at), "byte {at}");
         }

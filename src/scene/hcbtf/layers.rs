@@ -1,15 +1,15 @@
-//! The texture that shaders look an HCBTF up in.
+//! The texture in which shaders look up an HCBTF.
 //!
-//! One layer holds one view. In it every texel of the tile is a small block of its lights: thetas
-//! along x, phis along y, with a copy of the last phi above the first and of the first below the
-//! last, so that one bilinear tap blends four lights (the inner layout of thesis A.3, with a layer
-//! for each view instead of one flat texture, which no GPU could hold for larger tiles). Smaller
-//! levels of the tile stand to the right of it, each below the one before. The first two texels of
-//! one more layer tell the grid, so that a shader needs nothing beside the texture. Views that are
-//! equal may share a layer; the texels after those two then tell whose is whose.
-//! `shaders/lib/hcbtf.wgsl` reads this.
+//! Each layer holds one view: every texel of the tile is a small block of its lights, thetas along
+//! x, phis along y, with a copy of the last phi above the first and of the first below the last, so
+//! that one bilinear tap blends four lights (the inner layout of thesis A.3, with a layer for each
+//! view instead of one flat texture, which no GPU could hold for larger tiles). Smaller levels of
+//! the tile stand to the right of the tile, each below the one before. The first two texels of one
+//! more layer are the header, which describes the grid, so that a shader needs nothing beside the
+//! texture. Views that are equal may share a layer; the texels after the header then give the layer
+//! of each view. `shaders/lib/hcbtf.wgsl` reads this layout.
 //!
-//! [`compact`](super::compact) and [`blocks`] are the other ways, for less memory.
+//! [`compact`](super::compact) and [`blocks`] are the other layouts, for less memory.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -24,54 +24,54 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Storage, Tile};
 use crate::progress::Progress;
 
-/// What the texture is to hold beside the samples.
+/// Options of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LayerOptions {
-    /// Smaller levels of the tile, for surfaces that are far away.
+    /// True for a texture with smaller levels of the tile, for surfaces that are far away.
     pub has_levels: bool,
-    /// Whether shaders are to decode blended colors to linear light.
+    /// True if shaders are to decode blended colors to linear light.
     pub is_decoded: bool,
-    /// How it lies there.
+    /// Storage of the texture.
     pub storage: Storage,
 }
 
-/// The texture: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
+/// A texture: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layers {
-    /// Texels of a layer.
+    /// Width and height of a layer, in texels.
     pub size: [u32; 2],
-    /// One for each view that differs, and one that tells the grid; or as many as the other
-    /// storages take.
+    /// Number of layers. One for each view that differs, and one for the header; or as many as the
+    /// other storages take.
     pub count: u32,
-    /// How texels are put down.
+    /// Coding of the texels.
     pub coding: Coding,
-    /// Texels, or blocks of them.
+    /// Texels, or blocks of texels.
     pub bytes: Vec<u8>,
 }
 
 impl Layers {
-    /// Four bytes a texel.
+    /// The decoded texels, four bytes each.
     pub fn rgba(&self) -> Cow<'_, [u8]> {
         self.coding.rgba(self.size, &self.bytes)
     }
 }
 
-/// The most memory that a texture may take, in bytes; one of blocks when it is decoded, as where a
-/// device has none.
+/// Greatest memory that a texture may take, in bytes; for one of blocks, decoded, as on devices
+/// that do not support blocks.
 pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
-/// The fewest texels along a layer: the last one tells the grid in two.
+/// Least width of a layer, because the header of the last layer takes two texels.
 const FEWEST: u64 = 2;
-/// As many texels tell the grid.
+/// Number of texels of the header, which describes the grid.
 pub(super) const TOLD: usize = 2;
-/// Among the flags: views share layers.
+/// Flag of the header: views share layers.
 pub(super) const SHARED: u8 = 4;
-/// Among the flags: the storage is compact, or of blocks.
+/// Flag of the header: the storage is compact, or of blocks.
 const COMPACT: u8 = 8;
-/// Among the flags: the storage is of blocks.
+/// Flag of the header: the storage is of blocks.
 const BLOCKS: u8 = 16;
 
-/// Texels of a layer and the number of layers, before anything is made. They are as large as the
-/// grid asks, which may be more than there is memory, or than a GPU takes.
+/// The width and height of a layer in texels, and the number of layers, before anything is made.
+/// They follow from the grid alone, and may be more than there is memory for, or than a GPU allows.
 pub fn layers_size(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let block = [u64::from(grid.light.theta), u64::from(grid.light.phi) + 2];
     let [width, height] = grid.size.map(u64::from);
@@ -86,15 +86,15 @@ pub fn layers_size(grid: &Grid, has_levels: bool) -> [u64; 3] {
     [size[0].max(FEWEST), size[1], grid.view.count() as u64 + 1]
 }
 
-/// The same in bytes.
+/// The size of the layers, in bytes.
 pub fn layers_bytes(grid: &Grid, has_levels: bool) -> u64 {
     layers_size(grid, has_levels).into_iter().fold(4, u64::saturating_mul)
 }
 
-/// The same where a texture may be so large.
+/// The size of the layers, checked against the bound, in bytes.
 ///
 /// # Errors
-/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`].
+/// `too-large`: the layers would take more than [`MAX_LAYERS_BYTES`].
 pub fn check_layers(grid: &Grid, has_levels: bool) -> Result<u64, Diagnostic> {
     check_bytes(layers_bytes(grid, has_levels))
 }
@@ -113,7 +113,8 @@ fn check_bytes(bytes: u64) -> Result<u64, Diagnostic> {
     Err(Diagnostic::error("too-large", message).hint(hint))
 }
 
-/// Texels of a layer and the number of layers that [`stored`] gives, without making them.
+/// The width and height of a layer in texels, and the number of layers, of a texture of [`stored`],
+/// computed without making it.
 pub fn stored_size<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -127,12 +128,13 @@ pub fn stored_size<'a>(
     }
 }
 
-/// Makes the texture from the samples' tiles, with what is equal in it once, as far as the storage
+/// Makes the texture from the samples' tiles, with equal parts stored once, as far as the storage
 /// can; a sample without a tile is transparent black. `progress` counts the tiles that are
 /// compressed; the other storages take no time.
 ///
 /// # Errors
-/// `too-large`: it would take more than [`MAX_LAYERS_BYTES`]. `stopped`: somebody stopped it.
+/// `too-large`: the texture would take more than [`MAX_LAYERS_BYTES`]. `stopped`: the work was
+/// stopped.
 pub fn stored<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -163,9 +165,9 @@ pub fn stored<'a>(
     }
 }
 
-/// Makes the texture from the samples' tiles, quick and with a layer for each view, so that a
-/// sample is always in the same place: for what is being painted. The caller has seen that there is
-/// room ([`check_layers`]).
+/// Makes the texture from the samples' tiles, quickly and with a layer for each view, so that a
+/// sample is always at the same place: for an HCBTF that is being painted. The caller has checked
+/// the size ([`check_layers`]).
 pub fn layers<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -218,11 +220,11 @@ fn layers_of<'a>(
     }
 }
 
-/// The HCBTF that a texture was made of: what its rules filled counts as painted, and a sample that
-/// is transparent black all over as empty.
+/// The HCBTF that a texture was made of: samples that its rules filled count as painted, and a
+/// sample that is transparent black all over as empty.
 ///
 /// # Errors
-/// `hcbtf-layers`: the texture does not tell a grid, or has not the size of the grid that it tells.
+/// `hcbtf-layers`: the header describes no grid, or the texture does not have the size of its grid.
 pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     let wrong = |message: &str| {
         Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file")
@@ -283,7 +285,7 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
         return Err(wrong("the texture has not the size of the grid that it tells"));
     };
     let mut hcbtf = Hcbtf::new(grid);
-    // What views share is made once.
+    // A tile that views share is made once.
     let mut tiles: HashMap<(usize, Direction), Arc<Tile>> = HashMap::new();
     for address in grid.addresses() {
         let layer =
@@ -305,15 +307,15 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     Ok(hcbtf)
 }
 
-/// A sample as painted, but one that is transparent black all over.
+/// Adds a sample as painted, unless the tile is transparent black all over.
 pub(super) fn paint(hcbtf: &mut Hcbtf, address: Address, tile: &Arc<Tile>) {
     if tile.bytes().iter().any(|byte| *byte != 0) {
         hcbtf.painted.insert(address, tile.clone());
     }
 }
 
-/// The two texels that tell the grid: the tile's sides with twelve bits each and the flags; then
-/// rings and steps of lights and of views.
+/// The header of two texels: the tile's sides with twelve bits each and the flags; then rings and
+/// steps of lights and of views.
 fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     let [width, height] = grid.size;
     let compact = match options.storage {
@@ -328,19 +330,20 @@ fn header(grid: &Grid, options: LayerOptions) -> [u8; 8] {
     [width as u8, height as u8, high as u8, flags, angles[0], angles[1], angles[2], angles[3]]
 }
 
-/// The direction of that number: ring by ring.
+/// The direction with the number `index`, counted ring by ring.
 pub(super) fn direction(index: usize, steps: u32) -> Direction {
     let index = index as u32;
     Direction { theta: index / steps.max(1), phi: index % steps.max(1) }
 }
 
-/// Which sample it is, view after view.
+/// The index of a sample, counted view after view.
 pub(super) fn direction_index(grid: &Grid, address: Address) -> usize {
     let of = |steps: u32, at: Direction| (at.theta * steps + at.phi) as usize;
     of(grid.view.phi, address.view) * grid.light.count() + of(grid.light.phi, address.light)
 }
 
-/// What the layer that begins so tells, if it is long enough: in two texels, or in two blocks.
+/// The header at the beginning of a layer, in two texels or in two blocks; `None` if the layer is
+/// too short.
 fn told(coding: Coding, layer: &[u8]) -> Option<[u8; 8]> {
     match coding {
         Coding::Rgba8 => layer.first_chunk().copied(),
@@ -356,13 +359,14 @@ pub(super) struct Layer<'a> {
 }
 
 impl Layer<'_> {
-    /// Puts each texel of a tile where its block has this light, and where that is copied to.
+    /// Writes each texel of a tile to the place of this light in its block, and to the copies of
+    /// that place.
     pub(super) fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {
         let [width, height] = tile.size();
         self.put_part(tile, [0, 0, width, height], light, origin);
     }
 
-    /// The same with a part of it alone: x, y, width and height in texels of the tile.
+    /// Writes a part of a tile: x, y, width and height in texels of the tile.
     pub(super) fn put_part(
         &mut self,
         tile: &Tile,
@@ -458,7 +462,7 @@ mod tests {
             lying.bytes[at] ^= 0x15;
             assert!(from_layers(&lying).is_err(), "byte {byte}");
         }
-        // The whole tile in one texel stands at the top right.
+        // The whole tile in one texel is at the top right.
         let mean = (0..6)
             .map(|texel| f64::from(hashed(Address::new([2, 1], [1, 3]), texel)[0]))
             .sum::<f64>()
@@ -475,7 +479,7 @@ mod tests {
         };
         let tiles: Vec<Arc<Tile>> =
             (0..3).map(|n| Arc::new(Tile::filled(grid.size, [n, 2, 3, 255]))).collect();
-        // The same whatever the phi of the view.
+        // The tile is the same for every phi of the view.
         let of = |address: Address| tiles.get(address.view.theta as usize);
         let made = stored(
             &grid,
@@ -492,7 +496,8 @@ mod tests {
         let mut lying = made;
         lying.bytes[told + 4 * 2] = 3;
         assert!(from_layers(&lying).is_err(), "the first view's layer is no view's");
-        // Where there is no room to tell of it, each has its own.
+        // Where the header's layer has no room for the layers of views, each view has its own
+        // layer.
         let small = Grid {
             size: [1, 1],
             light: Directions { theta: 1, phi: 1 },

@@ -14,7 +14,7 @@ pub(super) fn level_sizes(grid: &Grid) -> impl Iterator<Item = [u32; 2]> {
     })
 }
 
-/// The smaller levels of all these tiles, each made once, by the tile's place in memory.
+/// The smaller levels of all these tiles, each made once, by the tile's address in memory.
 pub(super) fn levels_of_all<'a>(
     tiles: impl Iterator<Item = &'a Arc<Tile>>,
 ) -> HashMap<*const Tile, Vec<Tile>> {
@@ -31,7 +31,8 @@ pub(super) fn levels_of(tile: &Tile) -> Vec<Tile> {
     std::iter::successors(halved(tile), halved).collect()
 }
 
-/// A tile half as large, each texel the mean of what it covers; what is transparent does not tint.
+/// A tile half as large, each texel the mean of the texels that it covers; transparent texels do
+/// not tint.
 fn halved(tile: &Tile) -> Tile {
     let [width, height] = tile.size();
     let size = [width, height].map(|side| (side / 2).max(1));
@@ -61,7 +62,8 @@ fn halved(tile: &Tile) -> Tile {
     Tile::new(size, rgba).unwrap_or_else(|| Tile::filled(size, [0; 4]))
 }
 
-/// Which texels of `many` the texel `index` of `few` covers, and how much of each.
+/// The texels of `many` that the texel `index` of `few` covers, each with the share that is
+/// covered.
 fn covered(index: u32, many: u32, few: u32) -> Vec<(i64, f64)> {
     let wide = f64::from(many) / f64::from(few);
     let (from, to) = (f64::from(index) * wide, f64::from(index + 1) * wide);

@@ -1,9 +1,10 @@
-//! `hcbtf.json`: what the images of a folder cannot say, beside them.
+//! `hcbtf.json`, the listing beside the images of a folder, with the fields that images cannot
+//! hold.
 //!
-//! It has the fields of an `.hcbtf` file's manifest (grid, tiling, rules), and lists the images
-//! that rules filled with a digest of each. What is not listed, or was painted over since, is
-//! painted; the rest is left to the rules. So a folder comes back as what was exported, and an
-//! image that somebody changed or added in another program comes back as painted.
+//! The listing has the fields of an `.hcbtf` file's manifest (grid, tiling, rules), and lists the
+//! images that rules filled with a digest of each. An image that is not listed, or was painted over
+//! since, is painted; the others are left to the rules. So a folder is read back as it was
+//! exported, and an image that somebody changed or added in another program as painted.
 
 use std::collections::HashMap;
 
@@ -16,33 +17,34 @@ use super::report::Report;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Rule, Tile};
 
-/// Its name in the folder.
+/// Name of the listing in the folder.
 pub(super) const NAME: &str = "hcbtf.json";
-/// A longer one is refused: the most samples that can be filled need less.
+/// Greatest length of a listing that is read, in bytes: the most samples that can be filled need
+/// less.
 pub(super) const MAX_BYTES: u64 = 64 << 20;
 
-/// What it says.
+/// Content of a listing.
 pub(super) struct Listing {
     pub(super) grid: Grid,
     pub(super) is_tiling: bool,
     pub(super) rules: Vec<Rule>,
-    /// Of each image that rules filled, the digest of its tile.
+    /// Digest of the tile of each image that rules filled.
     filled: HashMap<String, u64>,
 }
 
 impl Listing {
-    /// Whether an image is what rules filled it with.
+    /// True if an image still is what rules filled it with.
     pub(super) fn is_filled(&self, file: &str, tile: &Tile) -> bool {
         self.filled.get(file).is_some_and(|digest| *digest == tile.digest())
     }
 
-    /// Whether rules filled an image when it was written, whatever became of it since.
+    /// True if rules filled an image when it was written, whatever has become of it since.
     pub(super) fn was_filled(&self, file: &str) -> bool {
         self.filled.contains_key(file)
     }
 }
 
-/// Its text, for these samples.
+/// The text of the listing for these samples.
 pub(super) fn text(
     filled: &FilledSamples,
     which: SampleChoice,
@@ -50,7 +52,7 @@ pub(super) fn text(
     let taken = filled.iter().filter(|(_, _, provenance)| {
         which.has(provenance) && !SampleChoice::Painted.has(provenance)
     });
-    // Many samples share a tile.
+    // Many samples share a tile, so each tile's digest is computed once.
     let digests: Vec<u64> = filled.tiles().iter().map(|tile| tile.digest()).collect();
     let lines: Vec<String> = taken
         .filter_map(|(address, _, _)| {
@@ -64,7 +66,7 @@ pub(super) fn text(
     Ok(format!("{head}  \"filled\": {lines}\n}}\n"))
 }
 
-/// Reads one; everything that is wrong goes to the report.
+/// Reads a listing; all errors go to the report.
 pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Listing> {
     report.reads(NAME);
     let fields = manifest::fields(
@@ -112,7 +114,7 @@ mod tests {
         let light = Directions { theta: 2, phi: 3 };
         let mut hcbtf = Hcbtf::new(Grid { size: [2, 2], light, view: light });
         hcbtf.is_tiling = false;
-        // The third is transparent all over, and painted all the same.
+        // The third sample is transparent all over, and painted nevertheless.
         for (light, color) in
             [([0, 0], [200, 10, 10, 255]), ([1, 1], [0, 40, 90, 128]), ([1, 2], [0; 4])]
         {
@@ -144,8 +146,8 @@ mod tests {
             )
         };
         assert_eq!(import(&files).unwrap(), hcbtf.clone().into());
-        // An image that another program wrote anew, other below its transparent texels, is the
-        // same; another color is not.
+        // An image that another program rewrote, with other colors in its transparent texels, is
+        // the same; a visible change of color makes another image.
         let address = Address::new([1, 0], [0, 0]);
         let file = file_name(address);
         let tile = filled.tile(address).unwrap();

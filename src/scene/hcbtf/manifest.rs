@@ -1,4 +1,4 @@
-//! `manifest.json`: what an `.hcbtf` file holds, and where.
+//! `manifest.json`: the contents of an `.hcbtf` file, and their places in the archive.
 
 use std::fmt::Write as _;
 
@@ -9,16 +9,17 @@ use super::{MAX_PAINTED, MAX_RULES, VERSION, folder};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::{Address, Directions, Grid, Hcbtf, Rule};
 
-/// The manifest's name in the archive.
+/// Name of the manifest in the archive.
 pub(super) const NAME: &str = "manifest.json";
-/// The folder of the samples in the archive.
+/// Folder of the samples in the archive.
 pub(super) const SAMPLES: &str = "samples/";
-/// The thumbnail's name in the archive.
+/// Name of the thumbnail in the archive.
 pub(super) const THUMBNAIL: &str = "thumbnail.png";
-/// A longer manifest is refused: [`MAX_PAINTED`] samples need about half of it.
+/// Greatest length of a manifest that is read, in bytes: [`MAX_PAINTED`] samples need about half of
+/// it.
 pub(super) const MAX_MANIFEST_BYTES: u64 = 8 << 20;
 
-/// What the manifest says.
+/// Content of a manifest.
 pub(super) struct Manifest {
     pub(super) grid: Grid,
     pub(super) is_tiling: bool,
@@ -26,11 +27,11 @@ pub(super) struct Manifest {
     pub(super) painted: Vec<Listed>,
 }
 
-/// One painted sample.
+/// A painted sample in the manifest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Listed {
     pub(super) address: Address,
-    /// The entry of the archive that holds it.
+    /// Entry of the archive that holds the sample.
     pub(super) file: String,
 }
 
@@ -59,7 +60,7 @@ pub(super) fn text(hcbtf: &Hcbtf) -> Result<String, serde_json::Error> {
     Ok(text)
 }
 
-/// Its beginning, up to the rules.
+/// The beginning of the manifest's text, up to the rules.
 pub(super) fn head(
     grid: &Grid,
     is_tiling: bool,
@@ -86,7 +87,7 @@ fn list(items: &[String]) -> String {
     }
 }
 
-/// Reads a manifest; everything that is wrong goes to the report.
+/// Reads a manifest; all errors go to the report.
 pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Manifest> {
     report.reads(NAME);
     let fields =
@@ -101,8 +102,8 @@ pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Manifest> {
     Some(Manifest { grid, is_tiling, rules, painted })
 }
 
-/// The fields of a JSON text that says that it is of an HCBTF; those that are not `known` are told
-/// of.
+/// The fields of a JSON text that identifies itself as one of an HCBTF; fields that are not `known`
+/// are reported.
 pub(super) fn fields(
     text: &[u8],
     known: &[&str],
@@ -130,7 +131,7 @@ pub(super) fn fields(
     Some(fields)
 }
 
-/// The grid, whether it repeats, and the rules.
+/// The grid, the tiling, and the rules.
 pub(super) fn parse_head(
     fields: &Map<String, Value>,
     report: &mut Report,
@@ -150,7 +151,7 @@ pub(super) fn parse_head(
     Some((grid, is_tiling, rules))
 }
 
-/// Says what is wrong at a place of the manifest.
+/// Reports an error at a place of the manifest.
 fn wrong<T>(report: &mut Report, code: &'static str, path: &str, message: &str) -> Option<T> {
     let problem = Diagnostic::error(code, format!("`{}`: {message}", report.part()));
     report.add(if path.is_empty() { problem } else { problem.json_path(path) });
@@ -196,7 +197,7 @@ fn unknown_fields(fields: &Map<String, Value>, path: &str, known: &[&str], repor
     }
 }
 
-/// The items of a list of at most `most`; none where the field is missing.
+/// The items of a list of at most `most` items; none if the field is missing.
 fn items<'a>(
     fields: &'a Map<String, Value>,
     name: &str,
@@ -233,10 +234,11 @@ fn grid(value: Option<&Value>, report: &mut Report) -> Option<Grid> {
     checked.map_or_else(|why| wrong(report, "hcbtf-grid", "grid", &why), Some)
 }
 
-/// Reads a list of rules, as `chiaro hcbtf rules` shows them; `name` is what diagnostics call it.
+/// Reads a list of rules, as `chiaro hcbtf rules` shows them; `name` is the name of the list in
+/// diagnostics.
 ///
 /// # Errors
-/// Everything that is wrong with it, up to a bound.
+/// All errors of the list, up to a bound.
 pub fn read_rules(text: &str, grid: &Grid, name: &str) -> Result<Vec<Rule>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     report.reads("rules");
@@ -329,7 +331,8 @@ fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Opti
         })
     };
     let (light, view) = (pair("light")?, pair("view")?);
-    // Checked as it was written: a step beyond the last is a mistake at the normal too.
+    // The address is checked as it was written: a step beyond the last is a mistake at the normal
+    // too.
     let outside = [(light, grid.light, "light"), (view, grid.view, "view")]
         .into_iter()
         .find(|(pair, directions, _)| pair[0] >= directions.theta || pair[1] >= directions.phi);
@@ -351,7 +354,7 @@ fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Opti
     Some(Listed { address: Address::new(light, view), file: file.to_owned() })
 }
 
-/// Whether a path is anything but names below the archive's root.
+/// True if a path is anything but names below the archive's root.
 fn leads_outside(path: &str) -> bool {
     path.contains(['\\', ':', '\0']) || path.split('/').any(|part| matches!(part, "" | "." | ".."))
 }

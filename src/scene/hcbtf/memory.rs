@@ -1,4 +1,4 @@
-//! What the texture of an HCBTF takes, before it is made, and whether a device can hold it.
+//! Size of the texture of an HCBTF, before it is made, and the limits of devices.
 
 use std::sync::Arc;
 
@@ -9,38 +9,38 @@ use super::layers::{MAX_LAYERS_BYTES, check_layers, layers_size, stored_size};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Storage, Tile};
 
-/// How large a device's textures may be.
+/// Limits of a device for textures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Limits {
-    /// Texels along a side.
+    /// Greatest side, in texels.
     pub side: u64,
-    /// Layers of an array.
+    /// Greatest number of layers of an array.
     pub layers: u64,
-    /// Whether there are textures of compressed blocks; elsewhere they are decoded.
+    /// True if the device supports textures of compressed blocks; elsewhere they are decoded.
     pub has_blocks: bool,
 }
 
 impl Limits {
-    /// What every device has that WebGPU runs on.
+    /// Limits of every device that WebGPU runs on.
     pub const GUARANTEED: Self = Self { side: 8192, layers: 256, has_blocks: false };
 }
 
-/// What textures are made for.
+/// A device that textures are made for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Device {
-    /// What it is called.
+    /// Name of the device.
     pub name: String,
-    /// How large its textures may be.
+    /// Limits of its textures.
     pub limits: Limits,
 }
 
 impl Device {
-    /// Stands in where there is none: what every device has.
+    /// The device of the limits that every device has, which stands in where there is none.
     pub fn guaranteed() -> Self {
         Self { name: "what WebGPU guarantees".to_owned(), limits: Limits::GUARANTEED }
     }
 
-    /// Whether it can hold a texture, and whether every GPU can.
+    /// A phrase that tells whether the device can hold a texture, and whether every GPU can.
     pub fn word(&self, need: &Need) -> &'static str {
         match (need.fits(self.limits), need.fits(Limits::GUARANTEED)) {
             (true, true) => "fits every GPU",
@@ -49,11 +49,11 @@ impl Device {
         }
     }
 
-    /// Whether all samples of a grid can be filled, and be painted on with this device: what is
-    /// painted has a layer for each view, quick and at least without smaller levels.
+    /// Checks that all samples of a grid can be filled, and be painted on with this device: an
+    /// HCBTF that is painted has a layer for each view, quick and at least without smaller levels.
     ///
     /// # Errors
-    /// What is too large, and what to take less of.
+    /// The size that is too large, and the number to reduce.
     pub fn check_painted(&self, grid: &Grid) -> Result<(), Diagnostic> {
         grid.check().map_err(|why| Diagnostic::error("hcbtf-grid", why))?;
         let (samples, bytes) = (grid.sample_count(), filled_at_most(grid));
@@ -87,25 +87,25 @@ impl Device {
     }
 }
 
-/// What one storage takes.
+/// Size that one storage takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
-    /// Which.
+    /// The storage.
     pub storage: Storage,
-    /// Whether smaller levels of the tile are in it, as smooth lookups read them.
+    /// True if the texture has smaller levels of the tile, as smooth lookups read them.
     pub has_levels: bool,
-    /// Texels of a layer, and layers.
+    /// Width and height of a layer in texels, and the number of layers.
     pub size: [u64; 3],
 }
 
 impl Need {
-    /// In bytes, where a device has what it asks for.
+    /// The size in bytes, on a device that supports the storage's coding.
     pub fn bytes(&self) -> u64 {
         let coding = if self.storage == Storage::Blocks { Coding::Bc7 } else { Coding::Rgba8 };
         coding.bytes(self.texels())
     }
 
-    /// In bytes on a device of these limits.
+    /// The size in bytes on a device of these limits.
     pub fn bytes_on(&self, limits: Limits) -> u64 {
         if limits.has_blocks { self.bytes() } else { Coding::Rgba8.bytes(self.texels()) }
     }
@@ -114,7 +114,7 @@ impl Need {
         self.size.into_iter().fold(1, u64::saturating_mul)
     }
 
-    /// Whether a device of these limits can hold it, and Chiaro makes one so large.
+    /// True if a device of these limits can hold the texture, and Chiaro makes one so large.
     pub fn fits(&self, limits: Limits) -> bool {
         let [width, height, layers] = self.size;
         let bytes = Coding::Rgba8.bytes(self.texels());
@@ -122,12 +122,13 @@ impl Need {
     }
 }
 
-/// What each storage takes, with and without smaller levels, for these tiles.
+/// The size of each storage, with and without smaller levels, for these tiles.
 pub fn needs<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Vec<Need> {
     each(|storage, has_levels| stored_size(grid, &tile, has_levels, storage))
 }
 
-/// What each takes at most, whatever is painted: no two tiles alike, and each of many colors.
+/// The greatest size of each storage, whatever is painted: no two tiles alike, and each of many
+/// colors.
 pub fn needs_at_most(grid: &Grid) -> Vec<Need> {
     each(|storage, has_levels| match storage {
         Storage::Quick => layers_size(grid, has_levels),
@@ -157,7 +158,7 @@ mod tests {
         let device = Device::guaranteed();
         assert_eq!(device.check_painted(&Grid::THESIS), Ok(()));
         let why = |grid: Grid| device.check_painted(&grid).unwrap_err();
-        // 17 x 15 views and the layer that tells the grid are exactly what every device has.
+        // 17 x 15 views and the layer of the header are exactly what every device has.
         assert_eq!(device.check_painted(&grid(8, few, directions(17, 15))), Ok(()));
         let views = why(grid(8, few, directions(16, 16)));
         assert!(views.message.contains("257 layers for 256 views"), "{}", views.message);

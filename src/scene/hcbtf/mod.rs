@@ -1,13 +1,13 @@
-//! Hand-painted 6D textures (HCBTFs): how their files are read and written, how rules fill what is
-//! not painted, and how all of it becomes the texture that shaders look up.
+//! Hand-painted 6D textures (HCBTFs): reading and writing of their files, the rules that fill
+//! samples that are not painted, and the texture that shaders look up.
 //!
 //! [`load`] and [`read`] take an `.hcbtf` file, [`write()`] gives its bytes. [`fill`](fill::fill)
-//! runs the rules and gives a [`FilledSamples`]: a tile and its [`Provenance`] for every sample of the
-//! grid, which is what shaders look up. [`sheet`], [`folder`] and [`contact`] exchange samples with
-//! other programs: the thesis's flattened texture, a folder of images, and one picture with all
-//! samples side by side; [`exchange`] has all of them by one name each. docs/format.md documents
-//! all of them. [`paint`] is the brush. [`stored`] lays the filled tiles out as the texture of a
-//! shader, [`needs`] tells beforehand what that takes, and [`ktx2`] writes it as a file for other
+//! runs the rules and gives a [`FilledSamples`]: a tile and its [`Provenance`] for every sample of
+//! the grid, which is what shaders look up. [`sheet`], [`folder`] and [`contact`] exchange samples
+//! with other programs: the thesis's flattened texture, a folder of images, and one picture with
+//! all samples side by side; [`exchange`] covers all of these forms. docs/format.md documents them.
+//! [`paint`] is the brush. [`stored`] lays the filled tiles out as the texture of a shader,
+//! [`needs`] computes the size beforehand, and [`ktx2`] writes the texture as a file for other
 //! engines.
 //!
 //! Files are not trusted: sizes are bounded before memory is taken for them ([`MAX_FILE_BYTES`],
@@ -57,26 +57,26 @@ pub use picture::Picture;
 pub use repaint::{Region, repaint};
 pub use synthesize::{Synthesis, synthesize, synthesize_filled};
 
-/// The version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.
+/// Version of `.hcbtf` files that this Chiaro writes, and the newest that it reads.
 pub const VERSION: u32 = 1;
-/// Files longer than this are refused.
+/// Greatest length of a file that is read, in bytes.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
-/// Painted samples that take more than this, four bytes a texel, are refused; so are larger sheets.
+/// Greatest size of painted samples, four bytes a texel, and of sheets, in bytes.
 pub const MAX_PAINTED_BYTES: u64 = Hcbtf::MAX_PAINTED_BYTES;
-/// More painted samples than this are refused in one file: a plain zip has no more entries.
+/// Greatest number of painted samples in one file: a plain zip has no more entries.
 pub const MAX_PAINTED: usize = Hcbtf::MAX_PAINTED;
-/// More rules than this are refused in one file.
+/// Greatest number of rules in one file.
 pub const MAX_RULES: usize = Hcbtf::MAX_RULES;
 
-/// Whether a file can hold every sample of a grid as painted.
+/// Checks that a file can hold every sample of a grid as painted.
 ///
 /// # Errors
-/// `too-large`, with what to take less of.
+/// `too-large`, with the numbers to reduce.
 pub fn check_all_painted(grid: &Grid) -> Result<(), Diagnostic> {
     check_painted(grid, grid.sample_count())
 }
 
-/// Whether a file can hold so many painted samples.
+/// Checks that a file can hold that many painted samples.
 fn check_painted(grid: &Grid, count: u64) -> Result<(), Diagnostic> {
     if count <= MAX_PAINTED as u64
         && count.saturating_mul(grid.texels() as u64 * 4) <= MAX_PAINTED_BYTES

@@ -1,7 +1,6 @@
-//! Numbers that look like chance and are the same on every machine, and noise that repeats with the
-//! tile.
+//! Pseudorandom numbers that are the same on every machine, and noise that repeats with the tile.
 
-/// A well mixed number of another: a step of splitmix64 (Steele, Lea and Flood 2014).
+/// A well mixed number from another: a step of splitmix64 (Steele, Lea and Flood 2014).
 pub(super) fn mixed(number: u64) -> u64 {
     let mut mixed = number.wrapping_add(0x9e37_79b9_7f4a_7c15);
     mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -9,24 +8,24 @@ pub(super) fn mixed(number: u64) -> u64 {
     mixed ^ (mixed >> 31)
 }
 
-/// A well mixed number of a seed and two coordinates.
+/// A well mixed number from a seed and two coordinates.
 pub(super) fn hash(seed: u32, x: i64, y: i64) -> u64 {
     let seed = u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     [x as u64, y as u64].into_iter().fold(seed, |hash, part| mixed(hash ^ part))
 }
 
-/// A number in [0, 1) of a seed and two coordinates.
+/// A number in [0, 1) from a seed and two coordinates.
 pub(super) fn chance(seed: u32, x: i64, y: i64) -> f32 {
     (hash(seed, x, y) >> 40) as f32 / (1 << 24) as f32
 }
 
-/// Three more numbers in [0, 1) of one hash.
+/// Three more numbers in [0, 1) from one hash.
 pub(super) fn chances(hash: u64) -> [f32; 3] {
     [0, 21, 42].map(|shift| ((hash >> shift) & 0x1f_ffff) as f32 / (1 << 21) as f32)
 }
 
-/// Smooth noise in [0, 1] with `cells` bumps along the tile's sides, at a place of the tile in [0,
-/// 1).
+/// Smooth noise in [0, 1] with `cells` bumps along the tile's sides, at a position on the tile in
+/// [0, 1).
 pub(super) fn smooth(seed: u32, cells: [u32; 2], place: [f32; 2]) -> f32 {
     let [(x, fx), (y, fy)] = [0, 1].map(|axis| {
         let at = place[axis] * cells[axis] as f32;
@@ -52,7 +51,7 @@ pub(super) fn rough(seed: u32, cells: [u32; 2], octaves: u32, place: [f32; 2]) -
     if all > 0.0 { sum / all } else { 0.5 }
 }
 
-/// 0 below `low`, 1 above `high`, smooth between.
+/// A smooth ramp: 0 below `low`, 1 above `high`, smooth between.
 pub(super) fn ramp(low: f32, high: f32, x: f32) -> f32 {
     let at = ((x - low) / (high - low).max(1e-6)).clamp(0.0, 1.0);
     at * at * (3.0 - 2.0 * at)

@@ -1,4 +1,4 @@
-//! Pictures as they come from and go to PNG files.
+//! Pictures, and their conversion from and to PNG files.
 
 use std::io::Cursor;
 
@@ -11,9 +11,10 @@ use super::MAX_PAINTED_BYTES;
 use crate::diag::Diagnostic;
 use crate::document::Tile;
 
-/// What a PNG may hold beside its texels: profiles and notes that painting programs leave in it.
+/// Greatest size of profiles and notes that a PNG may hold beside its texels, in bytes; painting
+/// programs leave such data in it.
 pub(super) const MAX_PNG_EXTRAS: u64 = 16 << 20;
-/// How a PNG begins: its signature, then the length and the name of its first chunk.
+/// Beginning of a PNG: its signature, then the length and the name of its first chunk.
 const PNG_START: &[u8; 16] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 
 /// A picture: straight RGBA, 8 bits a channel, rows from the top.
@@ -21,7 +22,7 @@ const PNG_START: &[u8; 16] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 pub struct Picture {
     /// Width and height in texels.
     pub size: [u32; 2],
-    /// Four bytes a texel.
+    /// Texels, four bytes each.
     pub rgba: Vec<u8>,
 }
 
@@ -31,7 +32,7 @@ impl std::fmt::Debug for Picture {
     }
 }
 
-/// A picture that was decoded, and whether its file held more than 8 bits a channel.
+/// A decoded picture; `had_16_bits` is true if its file held more than 8 bits a channel.
 #[derive(Debug)]
 pub(super) struct Decoded {
     pub(super) picture: Picture,
@@ -39,10 +40,10 @@ pub(super) struct Decoded {
 }
 
 impl Picture {
-    /// A transparent one.
+    /// A transparent picture.
     ///
     /// # Errors
-    /// Where it would take more than [`MAX_PAINTED_BYTES`]; the message says how much.
+    /// Where the picture would take more than [`MAX_PAINTED_BYTES`]; the message gives the size.
     pub(super) fn transparent(size: [u32; 2], what: &str) -> Result<Self, Box<Diagnostic>> {
         let bytes = u64::from(size[0]) * u64::from(size[1]) * 4;
         if bytes > MAX_PAINTED_BYTES {
@@ -60,10 +61,10 @@ impl Picture {
         Ok(Self { size, rgba: vec![0; bytes as usize] })
     }
 
-    /// The PNG of it: RGBA, 8 bits a channel. Equal pictures give equal bytes.
+    /// The picture as PNG: RGBA, 8 bits a channel. Equal pictures give equal bytes.
     ///
     /// # Errors
-    /// Why it cannot be encoded, which only a picture without texels brings about.
+    /// The reason why the picture cannot be encoded; only a picture without texels cannot.
     pub fn to_png(&self) -> Result<Vec<u8>, Box<Diagnostic>> {
         encode(self.size, &self.rgba).map_err(|why| {
             Box::new(Diagnostic::error(
@@ -73,13 +74,13 @@ impl Picture {
         })
     }
 
-    /// The four bytes of a texel, as one number to compare.
+    /// The four bytes of a texel.
     pub(super) fn texel(&self, x: usize, y: usize) -> [u8; 4] {
         let at = 4 * (y * self.size[0] as usize + x);
         self.rgba.get(at..at + 4).and_then(|bytes| bytes.try_into().ok()).unwrap_or_default()
     }
 
-    /// A part of it.
+    /// The tile of a size at a place of the picture.
     pub(super) fn cut(&self, [left, top]: [usize; 2], size: [u32; 2]) -> Option<Tile> {
         let (width, stride) = (4 * size[0] as usize, 4 * self.size[0] as usize);
         let mut rgba = Vec::with_capacity(width * size[1] as usize);
@@ -90,7 +91,7 @@ impl Picture {
         Tile::new(size, rgba)
     }
 
-    /// Puts a tile in.
+    /// Writes a tile into the picture at a place.
     pub(super) fn paste(&mut self, [left, top]: [usize; 2], tile: &Tile) {
         let (width, stride) = (4 * tile.size()[0] as usize, 4 * self.size[0] as usize);
         for (y, row) in tile.bytes().chunks_exact(width).enumerate() {
@@ -102,8 +103,7 @@ impl Picture {
     }
 }
 
-/// Decodes a PNG of any color type. `accept` is asked about its size before memory is taken for
-/// it.
+/// Decodes a PNG of any color type. `accept` is asked about its size before memory is allocated.
 pub(super) fn decode(
     png: &[u8],
     accept: impl FnOnce([u32; 2]) -> Result<(), String>,

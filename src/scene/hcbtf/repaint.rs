@@ -1,4 +1,4 @@
-//! One sample put anew into the texture that shaders look up: a stroke changes a few texels of a
+//! Update of one sample in the texture that shaders look up: a stroke changes a few texels of a
 //! tile, and the texture of all tiles may be hundreds of mebibytes.
 
 use super::layers::{Layer, LayerOptions, layers_size};
@@ -8,17 +8,17 @@ use crate::document::{Address, Direction, Directions, Grid, Tile};
 /// A rectangle of a layer, in texels of the texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Region {
-    /// Which layer.
+    /// Index of the layer.
     pub layer: u32,
-    /// Its upper left corner.
+    /// Upper left corner.
     pub at: [u32; 2],
-    /// Its width and height.
+    /// Width and height.
     pub size: [u32; 2],
 }
 
-/// Puts a part of a sample's tile (x, y, width and height in its texels) into a texture that
-/// [`layers`](super::layers()) made of the same grid with the same options. Returns what may be
-/// another now.
+/// Writes a part of a sample's tile (x, y, width and height in its texels) into a texture that
+/// [`layers`](super::layers()) made of the same grid with the same options. Returns the regions
+/// that may have changed.
 pub fn repaint(
     rgba: &mut [u8],
     grid: &Grid,
@@ -58,7 +58,7 @@ pub fn repaint(
     regions
 }
 
-/// Everywhere that a direction is kept: the normal at every step around it.
+/// All places where a direction is stored: the normal is stored at every step around it.
 fn copies(directions: Directions, direction: Direction) -> impl Iterator<Item = Direction> {
     let steps = match direction.canonical() {
         Direction { theta: 0, .. } => 0..directions.phi,

@@ -1,15 +1,15 @@
-//! Collects what is to be said of one file, all of it up to a bound.
+//! Collector of the diagnostics of one file, up to a bound.
 
 use super::NotFilled;
 use crate::diag::{Diagnostic, Warned};
 
-/// How many problems of one file are told; the others are counted.
+/// Greatest number of problems of one file that are told; further ones are counted.
 const MAX_TOLD: usize = 20;
 
 /// The diagnostics of one file.
 pub(super) struct Report {
     file: String,
-    /// What of it is read.
+    /// Part of the file that is being read.
     part: &'static str,
     told: Vec<Diagnostic>,
     untold: usize,
@@ -21,17 +21,18 @@ impl Report {
         Self { file: file.to_owned(), part: "", told: Vec::new(), untold: 0, has_errors: false }
     }
 
-    /// From here on that part of the file is read: an entry of an archive, a file of a folder.
+    /// Sets the part of the file that is read from here on: an entry of an archive, a file of a
+    /// folder.
     pub(super) fn reads(&mut self, part: &'static str) {
         self.part = part;
     }
 
-    /// What is read.
+    /// The part of the file that is being read.
     pub(super) fn part(&self) -> &'static str {
         self.part
     }
 
-    /// Adds a diagnostic of this file. The first error is told however much was said before it.
+    /// Adds a diagnostic of this file. The first error is told even beyond the bound.
     pub(super) fn add(&mut self, problem: Diagnostic) {
         let is_first_error = problem.is_error() && !self.has_errors;
         self.has_errors |= problem.is_error();
@@ -42,18 +43,18 @@ impl Report {
         }
     }
 
-    /// Somebody has stopped it: nothing else is worth telling.
+    /// Notes that the work was stopped: no other problem is worth telling.
     pub(super) fn stop(&mut self) {
         self.told.clear();
         self.add(NotFilled::Stopped.into());
     }
 
-    /// Whether the file cannot be used.
+    /// True if the file cannot be used.
     pub(super) fn has_errors(&self) -> bool {
         self.has_errors
     }
 
-    /// Everything that was said, as the error that it is where something is wrong.
+    /// The result of reading: the value with all warnings, or all diagnostics if there is an error.
     pub(super) fn finish<T>(mut self, value: Option<T>) -> Result<Warned<T>, Vec<Diagnostic>> {
         if self.untold > 0 {
             let message = format!("there are {} more problems, which are not listed", self.untold);

@@ -1,4 +1,4 @@
-//! Views that look alike share a layer of the texture.
+//! Sharing of layers between views that look alike.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -6,16 +6,17 @@ use std::sync::Arc;
 use super::layers::{Layers, SHARED, TOLD, direction, layers_size};
 use crate::document::{Address, Grid, Tile};
 
-/// Which views differ, and which of those each view is like.
+/// Views that differ, and the index among them for each view.
 pub(super) struct Views {
-    /// The first of each kind.
+    /// First view of each group of equal views.
     pub(super) differ: Vec<usize>,
-    /// Of each view, which of those it is like.
+    /// Index into `differ` of each view.
     pub(super) layer: Vec<u32>,
 }
 
-/// Finds the views whose samples have the same tiles. Where the layer that tells the grid has no
-/// room for whose is whose, which is where a layer has hardly a texel, all of them differ.
+/// Finds the views whose samples have the same tiles. If the header's layer has no room for the
+/// index of each view, which happens where a layer has hardly a texel, all views count as
+/// different.
 pub(super) fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Views {
     let count = grid.view.count();
     let [width, height, _] = layers_size(grid, false);
@@ -40,13 +41,13 @@ pub(super) fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Ti
     views
 }
 
-/// Texels of a layer and the number of layers, where views share.
+/// The width and height of a layer in texels, and the number of layers, where views share.
 pub(super) fn shared_size(grid: &Grid, views: &Views, has_levels: bool) -> [u64; 3] {
     let [width, height, _] = layers_size(grid, has_levels);
     [width, height, views.differ.len() as u64 + 1]
 }
 
-/// Writes which layer each view has, and that it is written.
+/// Writes the layer of each view, and the flag that the layers of views are written.
 pub(super) fn write_shares(layers: &mut Layers, layer_of: &[u32]) {
     let told = 4 * (layers.size[0] * layers.size[1]) as usize * (layers.count as usize - 1);
     layers.bytes[told + 3] |= SHARED;

@@ -10,9 +10,8 @@
 //!
 //! The rows at phi_i + 1 = 0 and Pi + 1 are padding, copies of the last and the first step, so that
 //! hardware interpolates across the seam. At theta = 0 every step around the normal holds a copy of
-//! the one sample there. (Section 10.2 and the heading of figure 23 tell it with light and view
-//! exchanged; the shader of A.3, which ran, does it like this.) iy counts a tile's rows from the
-//! top.
+//! the one sample there. (Section 10.2 and the heading of figure 23 exchange light and view; the
+//! shader of A.3, which ran, uses this order.) iy counts a tile's rows from the top.
 
 use std::sync::Arc;
 
@@ -27,7 +26,8 @@ use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 use crate::progress::Progress;
 
-/// Width and height of a grid's sheet, in texels; as large as numbers go for a grid that cannot be.
+/// The width and height of a grid's sheet, in texels; saturated at the greatest number for grids
+/// that are too large.
 pub fn size(grid: &Grid) -> [u32; 2] {
     let times = |numbers: [u32; 3]| numbers.into_iter().fold(1_u32, u32::saturating_mul);
     [
@@ -46,7 +46,7 @@ pub fn export(filled: &FilledSamples) -> Result<Picture, Box<Diagnostic>> {
     let (width, stride) = (4 * grid.size[0] as usize, 4 * sheet.size[0] as usize);
     sheet.rgba.par_chunks_exact_mut(stride).enumerate().for_each(|(y, row)| {
         let place = Row::of(&grid, y);
-        // One row of each tile that meets in this one; texels of one ix lie beside each other.
+        // A row of each tile that this row of the sheet interleaves; texels of one ix are adjacent.
         let rows: Vec<&[u8]> = place
             .addresses(&grid)
             .filter_map(|address| {
@@ -62,18 +62,18 @@ pub fn export(filled: &FilledSamples) -> Result<Picture, Box<Diagnostic>> {
     Ok(sheet)
 }
 
-/// What a texel of the sheet holds.
+/// Content of a texel of the sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SheetTexel {
-    /// The sample that it is of, as it is kept.
+    /// Address of the sample, in canonical form.
     pub address: Address,
-    /// Which texel of that tile, from its upper left corner.
+    /// Texel of the sample's tile, from its upper left corner.
     pub texel: [u32; 2],
-    /// Whether it is a copy: padding, or one of the steps around the normal but the first.
+    /// True for a copy: padding, or a step around the normal other than the first.
     pub is_copy: bool,
 }
 
-/// What the sheet of a grid holds at a place, in texels from its upper left corner; `None` outside.
+/// The content of a grid's sheet at a place, in texels from its upper left corner; `None` outside.
 pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<SheetTexel> {
     let [ix, theta_r, theta_i] = column(grid, x)?;
     let ([iy, phi_r, phi_i], is_padding) = row(grid, y)?;
@@ -83,16 +83,16 @@ pub fn held(grid: &Grid, [x, y]: [u32; 2]) -> Option<SheetTexel> {
     Some(SheetTexel { address, texel: [ix, iy], is_copy: is_padding || address != written })
 }
 
-/// What a column of the sheet holds: the texel's column in the tile, the ring of the view, and that
-/// of the light.
+/// The content of a column of the sheet: the texel's column in the tile, the ring of the view, and
+/// that of the light.
 pub fn column(grid: &Grid, x: u32) -> Option<[u32; 3]> {
     let across = grid.view.theta * grid.light.theta;
     let within = x.checked_rem(across)?;
     (x < size(grid)[0]).then(|| [x / across, within / grid.light.theta, within % grid.light.theta])
 }
 
-/// What a row of the sheet holds: the texel's row in the tile, the step of the view, and that of
-/// the light; and whether it is padding.
+/// The content of a row of the sheet: the texel's row in the tile, the step of the view, and that
+/// of the light; true for padding.
 pub fn row(grid: &Grid, y: u32) -> Option<([u32; 3], bool)> {
     let is_inside = y < size(grid)[1];
     is_inside.then(|| {
@@ -101,7 +101,7 @@ pub fn row(grid: &Grid, y: u32) -> Option<([u32; 3], bool)> {
     })
 }
 
-/// What a row of the sheet holds.
+/// Content of a row of the sheet.
 struct Row {
     iy: usize,
     phi_r: u32,
@@ -123,7 +123,7 @@ impl Row {
         }
     }
 
-    /// The samples whose texels lie beside each other, from the left.
+    /// The samples whose texels are adjacent in the row, from the left.
     fn addresses(&self, grid: &Grid) -> impl Iterator<Item = Address> + use<> {
         let (lights, phi_i, phi_r) = (grid.light.theta, self.phi_i, self.phi_r);
         (0..grid.view.theta).flat_map(move |theta_r| {
@@ -136,7 +136,7 @@ impl Row {
     }
 }
 
-/// Where the texel (ix, iy) of a sample lies in the sheet.
+/// The place of the texel (ix, iy) of a sample in the sheet.
 pub fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]) -> [usize; 2] {
     let padded = grid.light.phi + 2;
     let across = (grid.view.theta * grid.light.theta) as usize;
@@ -146,10 +146,10 @@ pub fn place(grid: &Grid, Address { light, view }: Address, [ix, iy]: [usize; 2]
     [ix * across + column, iy * down + row]
 }
 
-/// An HCBTF from a PNG of its sheet; `name` is what diagnostics call the file.
+/// An HCBTF from a PNG of its sheet; `name` is the file's name in diagnostics.
 ///
 /// # Errors
-/// Where it is no PNG, or not of the size that the grid asks for.
+/// Where the file is no PNG, or not of the size that the grid requires.
 pub fn read(
     png: &[u8],
     grid: Grid,
@@ -193,12 +193,11 @@ fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
     if bytes > MAX_PAINTED_BYTES { Err(too_large()) } else { Ok(()) }
 }
 
-/// An HCBTF from its sheet: every sample is painted then, but for those that are transparent black
-/// all over, which are left empty. Copies that differ from what they copy are told of, and not
-/// taken.
+/// An HCBTF from its sheet: every sample is painted, except those that are transparent black all
+/// over, which are left empty. Copies that differ from their originals are reported, and not taken.
 ///
 /// # Errors
-/// Where the sheet's size is not what the grid asks for.
+/// Where the sheet does not have the size that the grid requires.
 pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let mut report = Report::new(name);
     let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
@@ -249,14 +248,14 @@ fn import_into(
     Some(gathered(grid, painted))
 }
 
-/// A tile, but for one that is transparent black all over: pictures of many samples have no other
-/// way to leave one empty.
+/// A tile, or `None` if it is transparent black all over: pictures of many samples have no other
+/// way to leave a sample empty.
 pub(super) fn painted(size: [u32; 2], rgba: Vec<u8>) -> Option<Arc<Tile>> {
     let is_empty = rgba.iter().all(|byte| *byte == 0);
     if is_empty { None } else { Tile::new(size, rgba).map(Arc::new) }
 }
 
-/// An HCBTF of painted samples, those that are equal kept once.
+/// An HCBTF of painted samples, with equal tiles stored once.
 pub(super) fn gathered(grid: Grid, painted: Vec<(Address, Arc<Tile>)>) -> Hcbtf {
     let (addresses, tiles): (Vec<Address>, Vec<Arc<Tile>>) = painted.into_iter().unzip();
     let (tiles, places) = shared(tiles);
@@ -269,11 +268,11 @@ pub(super) fn gathered(grid: Grid, painted: Vec<(Address, Arc<Tile>)>) -> Hcbtf 
     hcbtf
 }
 
-/// Texels that differ from what they should be copies of.
+/// Count of texels that differ from the texels that they should be copies of.
 #[derive(Clone, Copy, Default)]
 struct Differing {
     count: u64,
-    /// The first, by rows: y and x.
+    /// Position of the first, by rows: y and x.
     first: Option<[usize; 2]>,
 }
 
@@ -289,7 +288,7 @@ impl Differing {
     }
 }
 
-/// Holds all copies against what they copy: padding rows, lights at the normal, views at the
+/// Compares all copies with their originals: padding rows, lights at the normal, views at the
 /// normal.
 fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
     let [width, height] = sheet.size.map(|side| side as usize);
@@ -310,7 +309,8 @@ fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
                 }
                 continue;
             }
-            // Each against the copy at step 0, by its light and by its view apart.
+            // Each texel is compared with the copy at step 0, by its light and by its view
+            // separately.
             let light = Address { light: own.light.canonical(), ..own };
             let view = Address { view: own.view.canonical(), ..own };
             for (found, copied) in found[1..].iter_mut().zip([light, view]) {

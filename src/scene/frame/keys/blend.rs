@@ -1,5 +1,5 @@
-//! Values under weights: numbers, vectors and colors are summed, directions turned; words and
-//! switches have no between.
+//! Blending of values under weights: numbers, vectors and colors are summed, directions turned;
+//! words and switches cannot be blended.
 
 use std::collections::HashMap;
 
@@ -8,13 +8,13 @@ use glam::DVec3;
 use crate::directions::{blend_direction, blend_number};
 use crate::document::{DirectionKeys, LightQuantity, Target, Value};
 
-/// Whether a target is a direction, and so is turned where numbers are blended.
+/// True if a target is a direction, which is turned where numbers are blended.
 pub fn is_direction(target: &Target) -> bool {
     target.light_field().is_some_and(|field| field.quantity() == LightQuantity::Direction)
 }
 
 /// The weighted sum of numbers, vectors or colors; `None` where they are of different shapes, or
-/// words.
+/// are words.
 pub(super) fn blend(values: &[&Value], weights: &[f64], is_direction: bool) -> Option<Value> {
     let rows: Option<Vec<Vec<f64>>> = values.iter().map(|value| numbers_of(value)).collect();
     let mut rows = rows?;
@@ -48,8 +48,8 @@ pub(super) fn numbers_of(value: &Value) -> Option<Vec<f64>> {
     }
 }
 
-/// Lays the keyed values under `weights` into `values`; `base` gives what a target has without
-/// keys.
+/// Blends the keyed values under `weights` into `values`; `base` gives the value of a target
+/// without keys.
 pub(super) fn blend_keys(
     keys: &DirectionKeys,
     weights: &[f64],

@@ -1,5 +1,5 @@
-//! What decides between the keys of a set: a light's direction, a number of the scene, or a wire of
-//! the look.
+//! Drivers, which decide between the keys of a set: a light's direction, a number of the scene, or
+//! a wire of the look.
 
 use glam::DVec3;
 use indexmap::IndexMap;
@@ -9,28 +9,29 @@ use crate::compile::{CompiledShader, HostProgram, LightValues, Param};
 use crate::document::{Driver, Light, LightKind};
 use crate::ids::LightId;
 
-/// What computes the wires that drive keys: the look's module, or one that was made of an earlier
-/// state of its values.
+/// Program of the wires that drive keys: that of the look's module, or of a module compiled from an
+/// earlier state of the look's values.
 #[derive(Clone, Copy, Debug)]
 pub struct Wires<'a> {
-    /// The module's host program.
+    /// Host program of the module.
     pub host: &'a HostProgram,
-    /// The inputs that it reads.
+    /// Inputs that the host program reads.
     pub params: &'a [Param],
 }
 
 impl<'a> Wires<'a> {
-    /// Those of a module.
+    /// The wires of a module.
     pub fn of(shader: &'a CompiledShader) -> Self {
         Self { host: &shader.host, params: &shader.params }
     }
 }
 
-/// As far as an object that is not there counts as being, scene units; wires count within so much
-/// of 0.
+/// Distance at which a missing object counts, in scene units; also the bound of the magnitude of
+/// wires.
 pub(super) const FAR_AWAY: f64 = 1e6;
 
-/// What a driver is at a moment; a wire is computed by the module that has it, and is 0 here.
+/// The value of a driver for an object at a time; 0 for a wire, which is computed by the module
+/// that has it.
 pub fn driver_value(
     driver: &Driver,
     lights: &IndexMap<LightId, Light>,
@@ -52,7 +53,7 @@ pub fn driver_value(
     }
 }
 
-/// Unit, from the object's centre toward a light, world space.
+/// The unit direction from the object's center toward a light, in world space.
 pub(super) fn toward_light(light: &Light, inputs: &RigInputs<'_>) -> DVec3 {
     let resolved = LightValues::new(light, inputs.illumination, inputs.camera_from_world);
     match light.kind {

@@ -1,4 +1,4 @@
-//! The fields of a light by name, as keys and files say them.
+//! Fields of a light by name, as keys and files name them.
 
 use std::collections::HashMap;
 
@@ -8,7 +8,7 @@ use super::blend::numbers_of;
 use crate::document::{Light, LightField, Target, Value};
 use crate::ids::LightId;
 
-/// A field of a light by name; `None` where there is none of that name.
+/// The value of the light's field `field`; `None` where there is none of that name.
 pub fn light_field(light: &Light, field: &str) -> Option<Value> {
     LightField::named(field).map(|field| field.get(light))
 }
@@ -23,7 +23,7 @@ pub(super) fn set_lights(lights: &mut IndexMap<LightId, Light>, values: &HashMap
     }
 }
 
-/// Sets a field of a light by name; a value of another shape changes nothing.
+/// Sets the light's field `field`; a value of another shape changes nothing.
 pub fn set_light_field(light: &mut Light, field: &str, value: &Value) {
     if let (Some(field), Some(numbers)) = (LightField::named(field), numbers_of(value)) {
         field.set(light, &numbers);

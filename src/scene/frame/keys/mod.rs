@@ -1,12 +1,12 @@
-//! Values at a time and under a direction: what keys make of a look's values.
+//! Values at a time and under a direction: the result of a look's keys.
 //!
-//! An object's values come from, each over the one before: the document, the scene's overrides of
-//! exposed parameters, time keys, direction keys (BADF eq. 9). Words and switches move in time
-//! only, and change what is compiled.
+//! An object's values come from these sources, each over the one before: the document, the scene's
+//! overrides of exposed parameters, time keys, direction keys (BADF eq. 9). Words and switches move
+//! in time only, and change what is compiled.
 //!
-//! [`Rig`] is where they come together; what it asks lies in rooms of its own: tracks in [`time`],
-//! the blend of values under weights in [`blend`], what decides in [`driver`], and a light's fields
-//! by name in [`light`].
+//! [`Rig`] joins the sources; its parts are modules of their own: tracks in [`time`], the blend of
+//! values under weights in [`blend`], drivers in [`driver`], and a light's fields by name in
+//! [`light`].
 
 mod blend;
 mod driver;
@@ -31,56 +31,56 @@ pub use params::ParamTable;
 pub use rig::Rig;
 pub use time::{at_time, structural_look};
 
-/// What decides between keys for one object: where and when it is shaded.
+/// Inputs that decide between keys for one object: the object's surroundings and the time.
 #[derive(Clone, Copy, Debug)]
 pub struct RigInputs<'a> {
-    /// Seconds.
+    /// Time, in seconds.
     pub time: f64,
-    /// World from illumination frame.
+    /// Rotation from the illumination frame to world space.
     pub illumination: DQuat,
-    /// Camera from world.
+    /// Rotation from world space to camera axes.
     pub camera_from_world: DMat3,
-    /// Unit, from the object toward the viewer, world space.
+    /// Unit direction from the object toward the viewer, in world space.
     pub view: DVec3,
-    /// The object's centre, world space.
+    /// Center of the object, in world space.
     pub center: DVec3,
-    /// From the eye to the object's centre, scene units.
+    /// Distance from the eye to the object's center, in scene units.
     pub distance: f64,
-    /// The object's front, its z axis, world space; any length.
+    /// Front of the object, its z axis, in world space; any length.
     pub front: DVec3,
-    /// How far the centres of other objects are from this one's, scene units.
+    /// Distances of other objects' centers from this object's, in scene units.
     pub near: &'a IndexMap<ObjectId, f64>,
     /// Values of exposed parameters by name.
     pub exposed: &'a Values,
-    /// Lights in place of the look's own.
+    /// Lights that replace the look's own.
     pub lights: &'a IndexMap<LightId, Light>,
-    /// Width and height in pixels.
+    /// Width and height of the picture, in pixels.
     pub viewport: [f64; 2],
-    /// Frames since the start of the time range.
+    /// Number of frames since the start of the time range.
     pub frame: f64,
-    /// Counts objects from 0.
+    /// Number of the object in the scene, counted from 0.
     pub object_id: f64,
 }
 
-/// A look's values for one object at one moment.
+/// A look's values for one object at one time.
 #[derive(Clone, Debug, Default)]
 pub struct ObjectValues {
-    /// By parameter of the compiled shader.
+    /// Values by parameter of the compiled shader.
     pub params: HashMap<ParamId, Value>,
-    /// In world space.
+    /// Lights, in world space.
     pub lights: IndexMap<LightId, LightValues>,
-    /// As [`KeyedValues::decided`].
+    /// Directions and weights that decided, as in [`KeyedValues::decided`].
     pub decided: Vec<(DVec3, Vec<f64>)>,
 }
 
-/// What keys and exposed parameters make of a look at a moment.
+/// Values that keys and exposed parameters give to a look at a time.
 #[derive(Clone, Debug, Default)]
 pub struct KeyedValues {
-    /// By target: whatever anything sets.
+    /// Values of all targets that anything sets.
     pub values: HashMap<Target, Value>,
-    /// The lights as they are then.
+    /// Lights as they are at that time.
     pub lights: IndexMap<LightId, Light>,
-    /// For each set of direction keys the direction that decides, or the drivers' values, and the
-    /// weight of each of its keys.
+    /// Direction that decides, or the drivers' values, and the weight of each key, for each set of
+    /// direction keys.
     pub decided: Vec<(DVec3, Vec<f64>)>,
 }

@@ -1,11 +1,11 @@
-//! A compiled shader's parameters by their place in the look.
+//! Table of a compiled shader's parameters by their place in the look.
 
 use std::collections::HashMap;
 
 use crate::compile::{Param, ParamId};
 use crate::ids::{NodePath, PortName};
 
-/// Finds parameters by place.
+/// Parameters by node and port.
 #[derive(Clone, Debug, Default)]
 pub struct ParamTable(HashMap<(NodePath, PortName), ParamId>);
 
@@ -21,7 +21,7 @@ impl ParamTable {
         )
     }
 
-    /// The parameter of an input.
+    /// The parameter of the input `port` of `node`.
     pub fn find(&self, node: &NodePath, port: &PortName) -> Option<ParamId> {
         self.0.get(&(node.clone(), port.clone())).copied()
     }

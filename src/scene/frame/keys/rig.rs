@@ -1,4 +1,4 @@
-//! A look's keys made ready: what they and exposed parameters come to at a moment.
+//! Solved keys of a look, and their values at a time.
 
 use std::collections::HashMap;
 
@@ -19,7 +19,7 @@ use crate::document::{
 };
 use crate::ids::{LightId, NodePath, PortName};
 
-/// A look's keys with their weights solved, ready for any number of objects and moments.
+/// A look's keys with their weights solved, ready for any number of objects and times.
 #[derive(Clone, Debug)]
 pub struct Rig {
     lights: IndexMap<LightId, Light>,
@@ -30,7 +30,7 @@ pub struct Rig {
 }
 
 impl Rig {
-    /// Solves the direction keys of `look`. Diagnostics tell of keys that are merged or lie too
+    /// Solves the direction keys of `look`. Diagnostics warn of keys that are merged or lie too
     /// close.
     pub fn new(look: &Look) -> Warned<Self> {
         let mut problems = Vec::new();
@@ -84,7 +84,7 @@ impl Rig {
         Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).value))
     }
 
-    /// The values at a moment, of a module with these parameters.
+    /// The values at a time, for a module with the parameters `params`.
     ///
     /// # Errors
     /// A node of the project that runs without end, where it drives keys.
@@ -115,8 +115,9 @@ impl Rig {
         })
     }
 
-    /// Everything that keys and exposed parameters set at a moment, and what decided. `base` gives
-    /// what an input has without keys. Without `wires` what they drive counts as 0.
+    /// The values that keys and exposed parameters set at a time, and the directions that decided.
+    /// `base` gives the value of an input without keys. Without `wires` the wires that drive keys
+    /// count as 0.
     ///
     /// # Errors
     /// A node of the project that runs without end, where it drives keys.
@@ -169,12 +170,13 @@ impl Rig {
     /// The sets of keys in the order in which they take effect.
     fn order(&self, wires: Option<Wires<'_>>) -> Vec<usize> {
         let known = wires.map(|wires| &wires.host.key_order);
-        // A module of an earlier state may know other sets.
+        // A module of an earlier state of the look may know other sets.
         let known = known.filter(|order| order.len() == self.directions.len());
         known.cloned().unwrap_or_else(|| (0..self.directions.len()).collect())
     }
 
-    /// Puts the values of wires among the drivers of a set, by what the sets before it have made.
+    /// Writes the values of wires into the drivers of a set, computed from the values that the sets
+    /// before have made.
     fn drive(
         &self,
         by: &KeyDirection,
@@ -238,8 +240,8 @@ impl Rig {
     }
 }
 
-/// What is known while a set is driven: values that are set, lights, and what inputs have without
-/// keys.
+/// State while a set is driven: values that are set, lights, and a function that gives the values
+/// of inputs without keys.
 type Known<'a> = (
     &'a HashMap<Target, Value>,
     &'a IndexMap<LightId, Light>,
@@ -296,7 +298,8 @@ mod tests {
         };
         let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
         let first = Rig::new(&look_with(&[x, z], 1.0)).value;
-        // Other values, other places, one more key, one less: always as if it were made anew.
+        // Other values, other places, one key more, one key less: the result always equals that of
+        // a new rig.
         for look in [
             look_with(&[x, z], 3.0),
             look_with(&[z, x], 1.0),

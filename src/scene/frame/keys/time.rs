@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use super::blend::blend;
 use crate::document::{Interpolation, Look, Target, TimeKey, Value, Values};
 
-/// The value of a track at a time; `None` for an empty one. Before the first key and after the
-/// last, theirs holds.
+/// The value of a track at a time; `None` for an empty track. Before the first key and after the
+/// last, that key's value holds.
 pub fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value> {
     let next = keys.partition_point(|key| key.time <= time);
     let Some(before) = next.checked_sub(1).map(|index| &keys[index]) else {
@@ -23,15 +23,15 @@ pub fn at_time(keys: &[TimeKey], time: f64, is_direction: bool) -> Option<Value>
     Some(mix(&before.value, &after.value, t, is_direction))
 }
 
-/// Between two values; what has no between (words, switches, curves) holds the first until the
-/// second.
+/// The value between two keys' values; values that cannot be blended (words, switches, curves) hold
+/// the first until the second.
 fn mix(a: &Value, b: &Value, t: f64, is_direction: bool) -> Value {
     let weights = [1.0 - t, t];
     blend(&[a, b], &weights, is_direction).unwrap_or_else(|| a.clone())
 }
 
-/// The look with the words and switches that its time keys and `exposed` values set: what is
-/// compiled then.
+/// The look with the words and switches that its time keys and `exposed` values set at that time:
+/// the state that is compiled.
 pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'l, Look> {
     let timed = look
         .time_keys
@@ -42,8 +42,8 @@ pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'
     for (target, value) in set.chain(timed) {
         let Target::Input { node, port } = target else { continue };
         let is_word = matches!(&value, Value::Text(_)) && value.color().is_none();
-        // Inside a definition a value belongs to every use of it, so only the look's own nodes can
-        // be set.
+        // Inside a definition a value belongs to every use of the definition, so only the look's
+        // own nodes can be set.
         if let (true, [id]) = (is_word, node.ids())
             && let Some(node) = changed.to_mut().graph.nodes.get_mut(id)
         {

@@ -1,4 +1,4 @@
-//! What is drawn: the parts of visible objects, each with its modules and their values.
+//! Draws: the parts of visible objects, each with its modules and their values.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -22,32 +22,32 @@ use crate::geometry::Part;
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
 
-/// One part of an object with all that its draw is made of.
+/// A part of an object with everything that its draw is made of.
 struct PartDraw<'a> {
     scene: &'a PlacedScene<'a>,
     visible: VisibleObject<'a>,
     part: &'a Part,
     setup: &'a SetupLook,
-    /// The look with the words that it has now.
+    /// The look with the words that it has at the time of the picture.
     look: &'a Look,
     shaders: &'a LookShaders,
-    /// How far other objects are, scene units.
+    /// Distances of other objects, in scene units.
     near: &'a IndexMap<ObjectId, f64>,
-    /// Lights in place of the look's own.
+    /// Lights that replace the look's own.
     lights: &'a IndexMap<LightId, Light>,
 }
 
-/// What the keys and values of a look come to for a draw.
+/// Values of a look's uniforms for a draw.
 #[derive(Default)]
 struct DrawValues {
     uniforms: HashMap<Stage, Uniform>,
     decided: Vec<(DVec3, Vec<f64>)>,
-    /// Whether the look cuts parts of its surface away.
+    /// True if the look cuts parts of its surface away.
     cuts: bool,
 }
 
 impl Planner {
-    /// The draws of visible objects from back to front, with the modules of these stages before the
+    /// The draws of visible objects from back to front, with the modules of `stages` before the
     /// look's own.
     pub(super) fn draws(
         &mut self,
@@ -127,14 +127,15 @@ impl PartDraw<'_> {
             decided: values.decided,
             images,
             images_before,
-            // From within, a solid is seen from behind, and so it is through what a look cuts away.
+            // A solid is seen from behind by an eye within, and through parts that a look cuts
+            // away.
             two_sided: part.two_sided || values.cuts || view.eye.distance(center) < object.radius(),
             is_mirrored: object.world_from_object.determinant() < 0.0,
             distance: view.backward.dot(view.eye - center),
         })
     }
 
-    /// Where and when the object is shaded.
+    /// The surroundings of the object and the time, which decide between keys.
     fn rig_inputs(&self) -> RigInputs<'_> {
         let PlacedScene { setup, options, view, placed, .. } = self.scene;
         let VisibleObject { number, object } = self.visible;
@@ -157,7 +158,7 @@ impl PartDraw<'_> {
         }
     }
 
-    /// The uniforms of the look's module and of those before it.
+    /// The uniforms of the look's module and of the modules before it.
     fn values(
         &self,
         before: &BTreeMap<Stage, Arc<CompiledShader>>,
@@ -194,8 +195,8 @@ impl PartDraw<'_> {
     }
 }
 
-/// The parameters with what the document says now: a live module was compiled from an earlier state
-/// of its values.
+/// The parameters with the values that the document has now: a live module was compiled from an
+/// earlier state of the values.
 fn current_params(look: &Look, params: &[Param]) -> Vec<Param> {
     params
         .iter()

@@ -25,7 +25,7 @@ pub(in crate::frame) fn images(
                 ImageShape::Hcbtf { .. } => Arc::new(plain_hcbtf(color)),
             };
             if image.path.is_empty() {
-                // None chosen yet: white, so that what it tints stays as it is.
+                // No image is chosen yet: white leaves what the image tints unchanged.
                 return plain([255; 4]);
             }
             let read = match image.shape {

@@ -1,4 +1,4 @@
-//! What a look's modules are kept by: a hash of everything that they depend on.
+//! Keys under which a look's modules are kept: a hash of everything that the modules depend on.
 
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -7,7 +7,8 @@ use crate::compile::Live;
 use crate::document::{Graph, LightField, Look, Value};
 use crate::ids::LightId;
 
-/// What a look's module depends on: all of it, or while everything is live what is no uniform.
+/// The hash of everything that a look's module depends on: the whole look, or, while everything is
+/// live, the parts that are not uniforms.
 pub(super) fn look_key(
     look: &Look,
     live: &Live,
@@ -40,7 +41,7 @@ fn hash_graph(graph: &Graph, hasher: &mut DefaultHasher) {
     for (id, node) in &graph.nodes {
         (id, &node.kind, &node.name, node.tier).hash(hasher);
         for (port, value) in &node.values {
-            // Words decide what is compiled; hex colors are colors.
+            // Words decide what is compiled; texts that are hex colors are values.
             if let (Value::Text(text), None) = (value, value.color()) {
                 (port, text).hash(hasher);
             }

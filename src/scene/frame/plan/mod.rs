@@ -1,9 +1,9 @@
-//! The frame plan: what a renderer executes.
+//! The frame plan, which a renderer executes.
 //!
-//! [`Planner::plan`] makes one in phases, each in a room of its own: `placement` places objects
-//! and camera and leaves out what is not seen, `variants` compiles every module of every look that
-//! is wanted, `passes` joins the passes that anybody reads, `draws` computes each object's
-//! uniforms. `omissions` tells what was left out, and `images` reads what modules sample.
+//! [`Planner::plan`] makes a plan in phases, each in a module of its own: `placement` places
+//! objects and camera and leaves out what is not seen, `variants` compiles every module of every
+//! look that is wanted, `passes` joins the passes that anything reads, `draws` computes each
+//! object's uniforms. `omissions` lists what was left out, and `images` reads what modules sample.
 
 mod draws;
 mod images;
@@ -33,77 +33,79 @@ use crate::library::{PassId, Stage};
 pub(super) use images::images;
 pub use planner::Planner;
 
-/// What a picture is asked for.
+/// Options of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanOptions {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Samples a pixel: 1 or 4.
+    /// Number of samples a pixel: 1 or 4.
     pub samples: u32,
-    /// Seconds.
+    /// Time, in seconds.
     pub time: f64,
 }
 
 /// A pass with its reason.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Pass {
-    /// Which one.
+    /// The pass.
     #[serde(rename = "kind")]
     pub id: PassId,
-    /// Why it is in the plan.
+    /// Reason why the pass is in the plan.
     pub reason: String,
-    /// Of everything that it reads: the same hash gives the same result.
+    /// Hash of everything that the pass reads: the same hash gives the same result.
     pub input_hash: u64,
 }
 
-/// Something that the plan does without.
+/// An effect that the plan does without.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Dropped {
-    /// What.
+    /// Name of the effect.
     pub what: String,
-    /// Why it is not needed.
+    /// Reason why the effect is not needed.
     pub why: String,
-    /// What kind of thing it is.
+    /// Kind of the effect.
     pub kind: EffectKind,
-    /// What proves that nothing is lost.
+    /// Proof that nothing is lost.
     pub proof: Proof,
-    /// The look that it belongs to, by name.
+    /// Name of the look that the effect belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub look: Option<String>,
-    /// What it would cost, as far as that is known.
+    /// Cost that the effect would have, as far as known.
     pub cost: EffectCost,
 }
 
-/// One part of an object, to be drawn.
+/// A part of an object, to be drawn.
 #[derive(Clone, Debug)]
 pub struct Draw {
     /// The object.
     pub object: ObjectId,
-    /// Its mesh.
+    /// Mesh of the object.
     pub mesh: Arc<Mesh>,
-    /// Which of its indices.
+    /// Range of the mesh's indices that are drawn.
     pub indices: Range<u32>,
-    /// What the look is called.
+    /// Name of the look.
     pub look_name: String,
-    /// The look.
+    /// Module of the look.
     pub look: Arc<CompiledShader>,
-    /// The look's modules of passes before it, by stage.
+    /// Modules of the look for passes before it, by stage.
     pub before: BTreeMap<Stage, Arc<CompiledShader>>,
     /// The `Object` uniform.
     pub object_uniform: Uniform,
-    /// The `Look` uniform; one for each module, by stage.
+    /// The `Look` uniforms, one for each module, by stage.
     pub look_uniforms: HashMap<Stage, Uniform>,
-    /// For each set of the look's direction keys what decides, and the weight of each of its keys.
+    /// Direction that decides, and the weight of each key, for each set of the look's direction
+    /// keys.
     pub decided: Vec<(DVec3, Vec<f64>)>,
-    /// The images of the look's module, in the order of its needs.
+    /// Images of the look's module, in the order of its needs.
     pub images: Vec<Arc<Image>>,
-    /// The same of the modules before it.
+    /// Images of the modules before the look's own, in the order of their needs, by stage.
     pub images_before: BTreeMap<Stage, Vec<Arc<Image>>>,
-    /// Whether back faces are drawn.
+    /// True if back faces are drawn.
     pub two_sided: bool,
-    /// Whether the object's transform mirrors it, so that triangles run the other way around.
+    /// True if the object's transform mirrors it, so that triangles run the other way around.
     pub is_mirrored: bool,
-    /// From the eye, for drawing what is transparent from back to front.
+    /// Distance from the eye along the line of sight, for drawing transparent parts from back to
+    /// front.
     pub distance: f64,
 }
 
@@ -113,12 +115,12 @@ impl Draw {
         if stage == Stage::Draw { Some(&self.look) } else { self.before.get(&stage) }
     }
 
-    /// Every module, the look's own first.
+    /// All modules, the look's own first.
     pub fn modules(&self) -> impl Iterator<Item = &Arc<CompiledShader>> {
         std::iter::once(&self.look).chain(self.before.values())
     }
 
-    /// The images of one of its modules, in the order of the module's needs.
+    /// The images of the module of `stage`, in the order of the module's needs.
     pub fn images_of(&self, stage: Stage) -> &[Arc<Image>] {
         match self.images_before.get(&stage) {
             Some(images) => images,
@@ -128,34 +130,35 @@ impl Draw {
     }
 }
 
-/// Everything a renderer needs for one picture.
+/// A plan with everything that a renderer needs for one picture.
 #[derive(Clone, Debug)]
 pub struct FramePlan {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Samples a pixel.
+    /// Number of samples a pixel.
     pub samples: u32,
-    /// Straight RGBA behind everything; `None` for transparent.
+    /// Color behind everything, straight RGBA; `None` for transparent.
     pub backdrop: Option<[f64; 4]>,
     /// The camera.
     pub view: View,
-    /// Back to front.
+    /// Draws, back to front.
     pub draws: Vec<Draw>,
-    /// In order.
+    /// Passes, in the order in which they run.
     pub passes: Vec<Pass>,
-    /// What was left out.
+    /// Effects that were left out.
     pub dropped: Vec<Dropped>,
 }
 
 impl FramePlan {
-    /// How far its passes look around in what meshes are drawn into, in pixels.
+    /// The distance to which the plan's passes look around in images that meshes are drawn into, in
+    /// pixels.
     pub fn reach(&self) -> usize {
         let steps = self.passes.iter().map(|pass| pass.id.reach()).max().unwrap_or_default();
         (steps * self.view.step_pixels()) as usize
     }
 
-    /// How many pixels its passes look around beyond a pixel in what `pass` makes: what must be
-    /// known there for the picture to be whole at that pixel.
+    /// The distance around a pixel within which the plan's passes read the result of `pass`, which
+    /// must be known there for the picture to be whole at that pixel. In pixels.
     ///
     /// Quads are whole, and at an outline a pass may take a neighbour for its pixel, so that each
     /// reads one more.

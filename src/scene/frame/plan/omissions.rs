@@ -1,4 +1,4 @@
-//! What a plan does without: dark and unread lights, and looks that say the same as another.
+//! Omissions of a plan: dark and unread lights, and looks that equal another.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use crate::frame::effects::EffectKind;
 use crate::frame::setup::Setup;
 use crate::ids::LightId;
 
-/// Lists the lights of a look that its module does not read, and those that are dark.
+/// Lists the lights of a look that its module does not read, and the lights that are dark.
 pub(super) fn push_lights(
     dropped: &mut Vec<Dropped>,
     look: &Look,
@@ -40,7 +40,7 @@ pub(super) fn push_lights(
     }
 }
 
-/// Lists the looks that are compiled once with another.
+/// Lists the looks that are compiled together with an equal look.
 pub(super) fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, variants: &Variants) {
     let mut known: HashMap<u64, usize> = HashMap::new();
     let mut sorted: Vec<_> =
@@ -64,7 +64,7 @@ pub(super) fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, varian
     }
 }
 
-/// A look as sentences name it.
+/// The name of a look as sentences quote it.
 pub(super) fn quoted(name: &str) -> String {
     if name.is_empty() { "a look".to_owned() } else { format!("the look \"{name}\"") }
 }

@@ -1,4 +1,4 @@
-//! Which passes run before the picture, and why.
+//! Passes that run before the picture, and the reasons for them.
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -14,10 +14,11 @@ use crate::frame::cost::{self, EffectCost};
 use crate::frame::effects::EffectKind;
 use crate::library::{Context, PassId, Stage};
 
-/// The passes that are wanted, in the order of their table, with the reasons.
+/// Passes that are wanted, in the order of their table, with the reasons.
 pub(super) struct WantedPasses(BTreeMap<PassId, String>);
 
-/// Looks as visible objects wear them: who reads a context first is the reason for its pass.
+/// Looks as visible objects wear them: the first that reads a context is the reason for the
+/// context's pass.
 pub(super) struct ContextReaders<'a> {
     pub(super) scene: &'a PlacedScene<'a>,
     pub(super) visible: &'a [VisibleObject<'a>],
@@ -26,7 +27,8 @@ pub(super) struct ContextReaders<'a> {
 }
 
 impl ContextReaders<'_> {
-    /// Why a context is wanted, where any look reads it; `what` is what people call it.
+    /// The reason why a context is wanted, if any look reads it; `what` is the context's name for
+    /// people.
     fn reason(&self, context: Context, what: &str) -> Option<String> {
         self.visible.iter().find_map(|VisibleObject { number, object }| {
             let reads = |look: usize| {
@@ -42,11 +44,12 @@ impl ContextReaders<'_> {
 }
 
 impl WantedPasses {
-    /// What `readers` read, and what that is made from. Looks of different tiers may want curvature
-    /// in different ways, side by side.
+    /// The passes that `readers` read, and those that they are made from. Looks of different tiers
+    /// may want curvature in different ways, side by side.
     pub(super) fn new(readers: &ContextReaders<'_>) -> Self {
         let mut wanted = BTreeMap::from([(PassId::LOOK, "it is the picture".to_owned())]);
-        // From the last to the first, so that whoever reads a pass is known before it.
+        // Passes are visited from the last to the first, so that the readers of a pass are known
+        // before it.
         for pass in PassId::all().rev() {
             let mut served = Context::all().filter(|context| context.pass() == Some(pass));
             let own = served.find_map(|context| readers.reason(context, pass.row().purpose));
@@ -74,7 +77,8 @@ impl WantedPasses {
             .collect()
     }
 
-    /// What draws meshes and is not wanted, with all that would be made from it.
+    /// Lists the passes over meshes that are not wanted, with everything that would be made from
+    /// them.
     pub(super) fn push_unwanted(&self, dropped: &mut Vec<Dropped>, options: &PlanOptions) {
         let unwanted = PassId::all().filter(|pass| !pass.is_screen() && !self.0.contains_key(pass));
         dropped.extend(unwanted.map(|pass| Dropped {
@@ -87,7 +91,7 @@ impl WantedPasses {
         }));
     }
 
-    /// The passes in order, each with the hash of what it reads.
+    /// The passes in order, each with the hash of everything that it reads.
     pub(super) fn planned(self, draws: &[Draw], view: &View, options: &PlanOptions) -> Vec<Pass> {
         let mut passes: Vec<Pass> = Vec::with_capacity(self.0.len());
         for (id, reason) in self.0 {
@@ -95,7 +99,7 @@ impl WantedPasses {
             if let Some(stage) = id.stage() {
                 hash_of(draws, view, options, stage).hash(&mut hasher);
             }
-            // The look reads what the passes before it drew, whichever they are.
+            // The look reads the results of all passes before it, whichever they are.
             let is_read = |before: &&Pass| id == PassId::LOOK || id.reads(before.id);
             let read = passes.iter().filter(is_read);
             read.for_each(|before| (before.id, before.input_hash).hash(&mut hasher));
@@ -105,7 +109,7 @@ impl WantedPasses {
     }
 }
 
-/// What a pass and the first that reads it would hold.
+/// The memory that a pass and the first pass that reads it would hold.
 fn unwanted_cost(pass: PassId, options: &PlanOptions) -> EffectCost {
     let reader = PassId::all().find(|reader| reader.reads(pass));
     cost::of_passes(std::iter::once(pass).chain(reader), options)

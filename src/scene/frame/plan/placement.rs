@@ -1,4 +1,4 @@
-//! Where objects and camera are, and what of it is seen.
+//! Placement of objects and camera, and the objects that are seen.
 
 use std::borrow::Cow;
 
@@ -24,9 +24,9 @@ pub(super) struct PlacedScene<'a> {
     pub(super) setup: &'a Setup,
     pub(super) library: &'a Library,
     pub(super) options: &'a PlanOptions,
-    /// How alive each look is to be.
+    /// Kind of liveness of each look.
     pub(super) lives: Vec<Live>,
-    /// Where each object stands.
+    /// Placement of each object.
     pub(super) placed: Vec<Placed>,
     pub(super) view: View,
 }
@@ -39,8 +39,8 @@ pub(super) struct VisibleObject<'a> {
 }
 
 impl PlacedScene<'_> {
-    /// Lights in place of those that a look was compiled with: the scene's, and of a look that is
-    /// being edited its own as they are now.
+    /// Lights that replace those that a look was compiled with: the scene's lights, and for a look
+    /// that is being edited its own lights as they are now.
     pub(super) fn lights(&self, look: usize) -> Cow<'_, IndexMap<LightId, Light>> {
         let setup = self.setup;
         if setup.edited != Some(look) {
@@ -53,7 +53,7 @@ impl PlacedScene<'_> {
 }
 
 impl Planner {
-    /// Places objects and camera.
+    /// Places the objects and the camera.
     pub(super) fn place<'a>(
         &mut self,
         setup: &'a Setup,
@@ -98,7 +98,8 @@ impl Planner {
     }
 }
 
-/// How alive each look is to be: those whose objects set values by name are seen to change.
+/// The liveness of each look: looks whose objects set values by name are live for these values at
+/// least.
 fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
     let sets_values = |look: usize| {
         setup

@@ -1,4 +1,4 @@
-//! Makes frame plans.
+//! The planner, which makes frame plans.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
@@ -18,50 +18,49 @@ use crate::frame::visibility::{Cull, KnownBounds};
 use crate::ids::NodePath;
 use crate::library::Library;
 
-/// Makes frame plans, keeping what was compiled and read.
+/// Maker of frame plans, which keeps compiled looks and assets that were read.
 #[derive(Debug, Default)]
 pub struct Planner {
-    /// Meshes and images.
+    /// Reader of meshes and images.
     pub assets: Assets,
-    /// What is left out because it is not seen.
+    /// Parts that are left out because they are not seen.
     pub cull: Cull,
-    /// What was odd, but stopped nothing.
+    /// Warnings: oddities that stopped nothing.
     pub warnings: Vec<Diagnostic>,
     pub(super) bounds: KnownBounds,
-    /// Compiled looks by what they were compiled from.
+    /// Compiled looks, by the hash of what they were compiled from.
     pub(super) shaders: HashMap<u64, LookShaders>,
-    /// Those that the last plan used.
+    /// Keys of the compiled looks that the last plan used.
     pub(super) used: HashSet<u64>,
-    /// The nodes of compiled looks that read UVs or tangents, where a mesh has no UVs.
+    /// Nodes of compiled looks that read UVs or tangents, for meshes without UVs.
     pub(super) uv_readers: HashMap<u64, Vec<NodePath>>,
-    /// Whether looks are compiled as they are written: nothing folded, merged or removed.
+    /// True if looks are compiled as they are written: nothing folded, merged or removed.
     pub(super) unspecialized: bool,
 }
 
 impl Planner {
-    /// A planner with assets that were read already.
+    /// A planner with a reader that may have read assets already.
     pub fn new(assets: Assets) -> Self {
         Self { assets, ..Self::default() }
     }
 
-    /// A planner for the reference: what it compiles is as the looks are written, with nothing
-    /// folded or removed. Its plans are to be asked for with [`Live::All`], so that every value
-    /// comes in f64.
+    /// A planner for the reference: looks are compiled as they are written, with nothing folded or
+    /// removed. Its plans are to be asked for with [`Live::All`], so that every value comes in f64.
     pub fn for_truth(assets: Assets) -> Self {
         Self { assets, unspecialized: true, cull: Cull::Objects, ..Self::default() }
     }
 
-    /// The same, leaving out `cull`.
+    /// The planner, changed to leave out `cull`.
     #[must_use]
     pub fn culling(self, cull: Cull) -> Self {
         Self { cull, ..self }
     }
 
-    /// Gives a look's module that was compiled elsewhere (on another thread, say), for the next
-    /// plans of this look. The same module again takes on the look's keys.
+    /// Provides a look's module that was compiled elsewhere (on another thread, say), for the next
+    /// plans of this look. A module that is known already takes on the look's keys.
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
         let key = look_key(look, live, false, &BTreeSet::new());
-        // Keys change without the module: what was made beside it serves on.
+        // Keys change without the module: the modules made beside it are still valid.
         let known =
             self.shaders.values_mut().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw)).map(
                 |shaders| {
@@ -74,8 +73,8 @@ impl Planner {
             self.warnings = problems;
             LookShaders::new(draw, rig)
         });
-        // One look is being edited at a time: what was compiled for its earlier states goes, the
-        // other looks stay.
+        // Only one look is edited at a time: modules compiled for its earlier states are dropped,
+        // those of other looks stay.
         self.shaders.retain(|key, _| self.used.contains(key));
         self.shaders.insert(key, shaders);
     }
@@ -83,7 +82,7 @@ impl Planner {
     /// Plans one picture of `setup`.
     ///
     /// # Errors
-    /// Everything that keeps a look from being compiled or an image from being read.
+    /// All errors that keep a look from being compiled or an image from being read.
     pub fn plan(
         &mut self,
         setup: &Setup,

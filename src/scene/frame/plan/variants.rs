@@ -1,4 +1,4 @@
-//! Every module of every look that is wanted, compiled.
+//! Variants of looks: every module of every look that is wanted, compiled.
 //!
 //! One look is compiled in several variants where objects set its words, where it is cut out by
 //! alpha, or where different lights are dark for the objects that wear it.
@@ -28,9 +28,9 @@ pub(super) type Variants = HashMap<(usize, usize), LookVariant>;
 
 /// A variant of a look, as an object wears it.
 pub(super) struct LookVariant {
-    /// What its modules are kept by.
+    /// Key under which the variant's modules are kept.
     pub(super) key: u64,
-    /// Whether a part of the object is cut out by alpha.
+    /// True if a part of the object is cut out by alpha.
     cutout: bool,
     /// Fields of lights that are known to be 0.
     dark: BTreeSet<(LightId, LightField)>,
@@ -43,7 +43,7 @@ pub(super) struct LookShaders {
     /// The modules of passes before the look.
     pub(super) before: HashMap<Stage, Arc<CompiledShader>>,
     pub(super) rig: Rig,
-    /// Which parameters each module reads.
+    /// Tables of the parameters that each module reads.
     pub(super) tables: HashMap<Stage, ParamTable>,
 }
 
@@ -56,7 +56,7 @@ impl LookShaders {
 }
 
 impl Planner {
-    /// Compiles what visible objects wear, and keeps what only others wore no longer.
+    /// Compiles the looks that visible objects wear, and drops looks that only other objects wore.
     pub(super) fn compile_looks(
         &mut self,
         scene: &PlacedScene<'_>,
@@ -130,7 +130,7 @@ impl Planner {
     }
 
     fn dark(&self, scene: &PlacedScene<'_>, look: &Look, live: &Live, number: usize) -> DarkLights {
-        // What may be edited any moment is never taken for what it is now.
+        // Values that may be edited at any time are never assumed to stay as they are.
         if self.cull != Cull::All || !matches!(live, Live::Keyed | Live::Exposed) {
             return Vec::new();
         }
@@ -163,13 +163,13 @@ impl Planner {
     }
 }
 
-/// Problems with their places in the look's document.
+/// The problems, with their places in the look's document.
 fn located(look: &SetupLook, mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     look.source.locate_all(&mut problems);
     problems
 }
 
-/// Whether a part of the object that wears this look is cut out by alpha.
+/// True if a part of the object that wears this look is cut out by alpha.
 fn has_cutout(object: &SetupObject, look: usize) -> bool {
     object
         .mesh

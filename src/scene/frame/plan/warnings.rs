@@ -1,4 +1,4 @@
-//! What is odd about a scene, and stops nothing.
+//! Warnings about oddities of a scene that stop nothing.
 
 use std::collections::BTreeSet;
 
@@ -12,7 +12,7 @@ use crate::frame::uvs::{self, Lack};
 use crate::ids::ObjectId;
 
 impl Planner {
-    /// Tells what is odd about the visible objects and their looks.
+    /// Collects the warnings about the visible objects and their looks.
     pub(super) fn warn(
         &mut self,
         scene: &PlacedScene<'_>,
@@ -27,8 +27,8 @@ impl Planner {
         }
     }
 
-    /// Tells of objects whose looks read UVs, or the tangents along them, that their meshes do not
-    /// have.
+    /// Warns of objects whose looks read UVs, or the tangents along them, where the meshes have no
+    /// UVs.
     fn warn_of_uvs(
         &mut self,
         scene: &PlacedScene<'_>,
@@ -57,7 +57,7 @@ impl Planner {
         }
     }
 
-    /// Tells of keys by the distance to an object that is not in the scene.
+    /// Warns of keys that go by the distance to an object that is not in the scene.
     fn warn_of_missing(&mut self, setup: &Setup, look: &SetupLook, own: &ObjectId) {
         for (index, set) in look.look.direction_keys.iter().enumerate() {
             let KeyDirection::Drivers(drivers) = &set.by else { continue };

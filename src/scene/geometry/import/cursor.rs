@@ -1,6 +1,6 @@
-//! Reads numbers from bytes, never past their end.
+//! Reader of numbers from bytes, which never reads past their end.
 
-/// Bytes not yet read.
+/// Bytes that are not yet read, and their byte order.
 #[derive(Clone, Copy)]
 pub(super) struct Cursor<'a> {
     rest: &'a [u8],
@@ -16,7 +16,7 @@ impl<'a> Cursor<'a> {
         Self { rest: bytes, big_endian: true }
     }
 
-    /// How many bytes are left.
+    /// Number of bytes left to read.
     pub(super) fn left(&self) -> usize {
         self.rest.len()
     }
@@ -28,7 +28,7 @@ impl<'a> Cursor<'a> {
         Some(taken)
     }
 
-    /// The next number of a type.
+    /// The next number, of type `kind`.
     pub(super) fn number(&mut self, kind: Number) -> Option<f64> {
         let mut bytes = [0; 8];
         let taken = self.take(kind.size())?;
@@ -49,19 +49,19 @@ impl<'a> Cursor<'a> {
         })
     }
 
-    /// The next u32.
+    /// The next `u32`.
     pub(super) fn u32(&mut self) -> Option<u32> {
         self.number(Number::U32).map(|n| n as u32)
     }
 
-    /// The next three f32.
+    /// The next three `f32`.
     pub(super) fn vec3(&mut self) -> Option<[f32; 3]> {
         let mut next = || self.number(Number::F32).map(|n| n as f32);
         Some([next()?, next()?, next()?])
     }
 }
 
-/// The types of numbers that files hold.
+/// Types of the numbers in mesh files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Number {
     I8,
@@ -75,7 +75,7 @@ pub(super) enum Number {
 }
 
 impl Number {
-    /// In bytes.
+    /// Size of a number, in bytes.
     pub(super) fn size(self) -> usize {
         match self {
             Self::I8 | Self::U8 => 1,

@@ -1,9 +1,9 @@
-//! Files into meshes: [`import`] takes bytes and a name, so that it also works where there are no
-//! paths; [`load`] reads the bytes from a path.
+//! Import of mesh files: [`import`] takes bytes and a name, so that it also works where there are
+//! no paths; [`load`] reads the bytes from a path.
 //!
-//! One reader a format gives a [`Soup`]; all of them check lengths against [`MAX_FILE_BYTES`],
-//! [`MAX_VERTICES`], [`MAX_TRIANGLES`] and what is left of the file before they allocate, and
-//! report through [`Report`].
+//! Each format has one reader, which gives a [`Soup`]. All readers check lengths against
+//! [`MAX_FILE_BYTES`], [`MAX_VERTICES`], [`MAX_TRIANGLES`] and the bytes left in the file before
+//! they allocate, and report through [`Report`].
 
 mod cursor;
 mod gltf;
@@ -22,20 +22,22 @@ use super::soup::Soup;
 use crate::diag::{Diagnostic, Warned};
 use crate::files;
 
-/// Files (and the buffers beside a glTF) longer than this are refused.
+/// Greatest length of a file (or of a buffer beside a glTF) that is read, in bytes; longer ones are
+/// refused.
 pub const MAX_FILE_BYTES: u64 = 1 << 30;
-/// Files of more points, normals or UVs than this are refused.
+/// Greatest number of points, of normals and of UVs in a file; files of more are refused.
 pub const MAX_VERTICES: usize = 1 << 24;
-/// Files of more triangles than this are refused.
+/// Greatest number of triangles in a file; files of more are refused.
 pub const MAX_TRIANGLES: usize = 1 << 24;
 
-/// Radii outside this range are refused: squares and cubes of coordinates must fit an f32.
+/// Radii of meshes that are accepted: squares and cubes of coordinates must fit an f32.
 const RADII: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
-/// Gives the bytes of a file that a glTF names, relative to it; the error says why there are none.
+/// Reader of the files that a glTF names, by their names relative to it; the error says why a file
+/// cannot be read.
 pub type Siblings<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
-/// For [`import`] where no file can lie beside.
+/// The `Siblings` of a file that no other file can lie beside, for [`import`].
 ///
 /// # Errors
 /// Always.
@@ -61,7 +63,7 @@ pub fn import(
     Ok(Warned::new(mesh, report.into_list()))
 }
 
-/// [`import`]s the file at `path`; files that a glTF names are read from its folder.
+/// [`import`]s the file at `path`; files that a glTF names are read from the same folder.
 ///
 /// # Errors
 /// As [`import`], and where the file cannot be read.
@@ -117,7 +119,7 @@ fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> So
     soup
 }
 
-/// What is wrong with a file whose first bytes say that no reader can have it.
+/// The error for a file whose first bytes show that no reader can read it.
 fn foreign(bytes: &[u8], ending: &str) -> Option<Diagnostic> {
     if bytes.starts_with(b"DRACO") {
         let message = "the mesh is compressed with Draco, which cannot be read";
@@ -132,7 +134,7 @@ fn foreign(bytes: &[u8], ending: &str) -> Option<Diagnostic> {
     None
 }
 
-/// Builds the mesh and tells what was missing or dropped.
+/// Builds the mesh and reports what was missing or dropped.
 fn finish(soup: Soup, report: &mut Report) -> Mesh {
     let count = soup.triangles.len();
     if count == 0 {

@@ -1,5 +1,5 @@
-//! Wavefront OBJ: polygons of any shape, negative indices, materials by `usemtl`, colors behind
-//! the coordinates.
+//! Wavefront OBJ: polygons of any shape, negative indices, materials by `usemtl`, colors after the
+//! coordinates.
 //!
 //! Two walks through the lines: first the points, normals and UVs, then the faces, since a face may
 //! name a point that comes later. Smoothing groups are left to the crease angle; material
@@ -46,7 +46,7 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     soup
 }
 
-/// Colors are 0 to 1; some programs write 0 to 255.
+/// Scales colors to 0 to 1: some programs write them as 0 to 255.
 fn scaled_colors(mut colors: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
     let in_bytes = colors.iter().any(|c| c[..3].iter().any(|&x| x > 1.0));
     let scale = if in_bytes { 1.0 / 255.0 } else { 1.0 };
@@ -62,7 +62,8 @@ fn scaled_colors(mut colors: Vec<[f32; 4]>) -> Vec<[f32; 4]> {
     colors
 }
 
-/// Lines cut into words: comments dropped, lines that end in `\` joined to the next.
+/// The statements of a text, as lists of words: comments are dropped, lines that end in `\` joined
+/// to the next.
 struct Statements<'a> {
     lines: std::str::Lines<'a>,
 }
@@ -72,7 +73,7 @@ impl<'a> Statements<'a> {
         Self { lines: text.lines() }
     }
 
-    /// Puts the words of the next line that has some into `tokens`; false at the end.
+    /// Puts the words of the next line that has any into `tokens`; false at the end of the text.
     fn next_into(&mut self, tokens: &mut Vec<&'a str>) -> bool {
         tokens.clear();
         for line in self.lines.by_ref() {
@@ -91,7 +92,7 @@ impl<'a> Statements<'a> {
 struct Reader<'a, 'r> {
     text: &'a str,
     soup: Soup,
-    /// How many points have a color.
+    /// Number of points that have a color.
     colored: usize,
     report: &'r mut Report,
 }
@@ -108,8 +109,8 @@ impl Reader<'_, '_> {
         self.report.add_at(self.text, keyword, diagnostic);
     }
 
-    /// The numbers after the keyword, at least `least` and at most `N`; zeros where they are not
-    /// understood, so that counting goes on. The second value is how many there are.
+    /// The numbers after the keyword, at least `least` and at most `N`; zeros where a number cannot
+    /// be read, so that counting goes on. The second value is the count of numbers given.
     fn numbers<const N: usize>(
         &mut self,
         tokens: &[&str],
@@ -173,7 +174,7 @@ impl Reader<'_, '_> {
         let mut statements = Statements::new(self.text);
         let mut tokens = Vec::new();
         let mut material = None;
-        // How many points, UVs and normals come before the line: what negative indices count from.
+        // Counts of points, UVs and normals before the line: negative indices count back from them.
         let mut before = [0; 3];
         let mut polygon = Polygon::default();
         while statements.next_into(&mut tokens) {

@@ -1,12 +1,11 @@
-//! Collects what a reader has to say, all of it up to a bound.
+//! Collector of a reader's diagnostics, up to a bound.
 
 use crate::diag::{Diagnostic, LineColumn, has_errors};
 
-/// How many problems of one file are told; the others are counted.
+/// Greatest number of problems of one file that are told; further ones are counted.
 const MAX_TOLD: usize = 20;
 
-/// What a reader's function returns instead of a result; boxed, because a diagnostic is big and
-/// results are many.
+/// Error type of a reader's functions; boxed, because a diagnostic is big and results are many.
 pub(super) type Problem = Box<Diagnostic>;
 
 /// The diagnostics of one file.
@@ -48,7 +47,8 @@ impl Report {
 
     /// Adds a diagnostic at `token`, which is a slice of `text`.
     pub(super) fn add_at(&mut self, text: &str, token: &str, diagnostic: Diagnostic) {
-        // Finding the line takes a walk through the text, so only where it will be told.
+        // Finding the line takes a walk through the text, so it is done only for diagnostics that
+        // are told.
         if self.list.len() < MAX_TOLD {
             let offset = (token.as_ptr() as usize).saturating_sub(text.as_ptr() as usize);
             self.add(diagnostic.at(LineColumn::of(text, offset)));
@@ -57,17 +57,17 @@ impl Report {
         }
     }
 
-    /// Whether the file cannot be used.
+    /// True if an error was reported, so that the file cannot be used.
     pub(super) fn has_errors(&self) -> bool {
         has_errors(&self.list)
     }
 
-    /// Hands over everything when there is an error.
+    /// Hands over all diagnostics if there is an error.
     pub(super) fn stop_on_errors(&mut self) -> Result<(), Vec<Diagnostic>> {
         if self.has_errors() { Err(self.take()) } else { Ok(()) }
     }
 
-    /// Everything that was said.
+    /// All diagnostics of the file.
     pub(super) fn into_list(mut self) -> Vec<Diagnostic> {
         self.take()
     }

@@ -8,24 +8,24 @@ use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::normals::weld;
 use crate::geometry::soup::{Corner, NONE, Soup};
 
-/// A binary file's comment and count.
+/// Length of a binary file's comment and count, in bytes.
 const HEADER: usize = 84;
-/// A binary facet: normal, three points, two bytes of attributes.
+/// Length of a binary facet (normal, three points, two bytes of attributes), in bytes.
 const FACET: usize = 50;
 
-/// How many facets a binary file says that it has.
+/// The number of facets that the header of a binary file declares.
 fn declared(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(80..HEADER)?;
     Some(u64::from(u32::from_le_bytes([count[0], count[1], count[2], count[3]])))
 }
 
-/// Whether a file is as long as a binary one. Those may begin with anything, also with `solid`, so
-/// their length decides.
+/// True if the file is exactly as long as its binary header declares. Binary files may begin with
+/// anything, also with `solid`, so their length decides.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     declared(bytes).is_some_and(|count| HEADER as u64 + FACET as u64 * count == bytes.len() as u64)
 }
 
-/// Reads either kind.
+/// Reads an STL file, text or binary.
 pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     let looks_like_text = bytes.trim_ascii_start().starts_with(b"solid");
     let points = if looks_like_text && !is_binary(bytes) {
@@ -39,7 +39,8 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
     joined(&points)
 }
 
-/// Points that coincide become one, so that the vertices are as few as they can be.
+/// The soup of these points, with coinciding points joined, so that the vertices are as few as they
+/// can be.
 fn joined(points: &[[f32; 3]]) -> Soup {
     let welded = weld(points);
     let mut soup = Soup::default();

@@ -3,10 +3,10 @@
 use super::nets::Cells;
 use super::sculpture::{Sculpture, ball};
 
-/// The shape's radius is about 1.2.
+/// Size of the grid's cells. The shape's radius is about 1.2.
 pub(super) const CELLS: Cells = Cells::even(0.0225);
 
-/// Convex lobes with saddles and hollows between them.
+/// The blob: convex lobes with saddles and hollows between them.
 pub(super) fn sculpture() -> Sculpture {
     let balls = [
         ([0.0, 0.0, 0.0], 0.50),

@@ -6,19 +6,20 @@ use glam::DVec3;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Soup};
 
-/// Lots along each side.
+/// Number of lots along each side.
 const LOTS: u32 = 53;
-/// Lots between two streets.
+/// Number of lots between two streets.
 const BLOCK: u32 = 4;
-/// How wide a street is, in lots.
+/// Width of a street, in lots.
 const STREET: f64 = 1.0;
-/// Lots that stay empty, as squares and yards.
+/// Number of lots that stay empty, as squares and yards.
 const EMPTY: usize = 24;
-/// Repeats of the paint along the side of a lot; one is a window's width, and a floor high.
+/// Number of repeats of the paint along the side of a lot; a repeat is a window wide and a floor
+/// high.
 const BAYS: f64 = 2.0;
 
-/// A square of houses on the ground, from -1 to 1 along x and z, y up. Walls have whole repeats, u
-/// to the right and v up, roofs and ground as many in the same measure.
+/// The city: a square of houses on the ground, from -1 to 1 along x and z, y up. Walls have whole
+/// repeats of the paint, u to the right and v up; roofs and ground have repeats of the same size.
 pub(super) fn city() -> Soup {
     let whole = along(LOTS);
     let scale = 2.0 / whole;
@@ -29,11 +30,11 @@ pub(super) fn city() -> Soup {
         let (i, j) = (index % LOTS, index / LOTS);
         let [first, second, third, fourth] = [0, 1, 2, 3].map(|n| chance(index, n));
         let corner = DVec3::new(along(i), 0.0, along(j)) * scale - DVec3::new(1.0, 0.0, 1.0);
-        // Houses keep a little off their neighbours, or fill the lot.
+        // Houses keep a small distance from their neighbors, or fill the lot.
         let inset = scale * (0.04 + 0.16 * first * second);
         let size = scale - 2.0 * inset;
         let middle = corner + DVec3::new(scale, 0.0, scale) / 2.0;
-        // Taller toward the middle, and a tower here and there.
+        // Houses are taller toward the middle, with a tower here and there.
         let center = (-4.0 * middle.length_squared()).exp();
         let floors =
             2.0 + (5.0 * third).floor() + (center * (8.0 * fourth + 26.0 * fourth.powi(6))).floor();
@@ -46,12 +47,12 @@ pub(super) fn city() -> Soup {
     soup
 }
 
-/// Where a lot begins, in lots and the streets before it.
+/// The distance from the city's edge to a lot, in lots, with the streets before it.
 fn along(lot: u32) -> f64 {
     f64::from(lot) + STREET * f64::from(lot / BLOCK)
 }
 
-/// Which lots have no house.
+/// The indices of the lots without a house.
 fn empty() -> Vec<u32> {
     let mut lots = Vec::with_capacity(EMPTY);
     for n in 0.. {
@@ -66,8 +67,8 @@ fn empty() -> Vec<u32> {
     lots
 }
 
-/// A number in [0, 1) that looks random and is always the same (the finisher of MurmurHash3,
-/// Appleby).
+/// A pseudorandom number in [0, 1), always the same for the same arguments (the finisher of
+/// MurmurHash3, Appleby).
 fn chance(of: u32, which: u32) -> f64 {
     let mut h = of.wrapping_mul(0x9e37_79b1) ^ which.wrapping_add(1).wrapping_mul(0x85eb_ca77);
     h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
@@ -77,24 +78,24 @@ fn chance(of: u32, which: u32) -> f64 {
 
 struct Builder {
     soup: Soup,
-    /// How long a repeat is.
+    /// Length of a repeat of the paint.
     bay: f64,
 }
 
 impl Builder {
-    /// Four walls and a flat roof.
+    /// Appends four walls and a flat roof.
     fn house(&mut self, from: DVec3, size: DVec3) {
         let (x, y, z) = (DVec3::X * size.x, DVec3::Y * size.y, DVec3::Z * size.z);
         for (corner, right) in [(from + z, x), (from + x + z, -z), (from + x, -x), (from, z)] {
-            // Whole windows only.
+            // Walls have whole windows only.
             let bays = (right.length() / self.bay).round().max(1.0);
             self.quad(corner, right, y, [bays, (size.y / self.bay).round()]);
         }
         self.quad(from + y + z, x, -z, [size.x / self.bay, size.z / self.bay]);
     }
 
-    /// The ground in five strips, which with the houses make as many triangles as the thesis's city
-    /// has.
+    /// Appends the ground in five strips, which with the houses make as many triangles as the
+    /// thesis's city has.
     fn ground(&mut self) {
         const STRIPS: u32 = 5;
         let depth = 2.0 / f64::from(STRIPS);
@@ -109,7 +110,8 @@ impl Builder {
         }
     }
 
-    /// Two triangles, seen from where up stands left of right.
+    /// Appends a quad of two triangles, whose front is on the side from which `up` stands left of
+    /// `right`.
     fn quad(&mut self, corner: DVec3, right: DVec3, up: DVec3, repeats: [f64; 2]) {
         let normal = right.cross(up).normalize_or(DVec3::Y).as_vec3().to_array();
         let base = self.soup.points.len() as u32;

@@ -1,8 +1,8 @@
-//! A creature: a seated cub with bat's ears, horns, a smile and a curled tail. It looks along +z
-//! and is about 2.4 units high.
+//! A creature: a seated cub with bat's ears, horns, a smile and a curled tail, looking along +z,
+//! about 2.4 units high.
 //!
-//! It is made to judge a shading look on, so it has what shading must cope with: convex masses
-//! (skull, belly, thighs), tight ridges (brows, lids, lips, horns), real hollows (ears, eye
+//! The creature is made to judge a shading look on, so it has what shading must cope with: convex
+//! masses (skull, belly, thighs), tight ridges (brows, lids, lips, horns), real hollows (ears, eye
 //! sockets, nostrils, mouth), and folds in rows (belly, fingers, toes).
 
 use glam::{DQuat, DVec3};
@@ -10,11 +10,11 @@ use glam::{DQuat, DVec3};
 use super::nets::Cells;
 use super::sculpture::{Sculpture, Solid, ball, ellipsoid, stroke};
 
-/// Smaller in the face.
+/// Sizes of the grid's cells, smaller in the face.
 pub(super) const CELLS: Cells =
     Cells { edge: 0.032, detail: [[-0.48, 0.48], [0.10, 0.92], [0.34, 0.72]], fine: 0.5 };
 
-/// The whole of it.
+/// The whole creature.
 pub(super) fn sculpture() -> Sculpture {
     let mut clay = Sculpture::default();
     body(&mut clay);
@@ -35,7 +35,8 @@ pub(super) fn sculpture() -> Sculpture {
     clay
 }
 
-/// The left (-1) or right (1) of what comes in pairs; solids are given for the right.
+/// The left (-1) or right (1) side of parts that come in pairs; solids are given for the right
+/// side.
 #[derive(Clone, Copy)]
 struct Side(f64);
 
@@ -44,7 +45,8 @@ impl Side {
         ball([self.0 * x, y, z], radius)
     }
 
-    /// Turned by `angle`, in radians, about `axis`; mirrored with its axis.
+    /// An ellipsoid turned by `angle` about `axis`, in radians; on the left side mirrored with its
+    /// axis.
     fn ellipsoid(self, [x, y, z]: [f64; 3], radii: [f64; 3], axis: [f64; 3], angle: f64) -> Solid {
         // A mirrored turn goes the other way about the mirrored axis.
         let axis = DVec3::new(self.0 * axis[0], axis[1], axis[2]).normalize();
@@ -60,7 +62,7 @@ fn body(clay: &mut Sculpture) {
     clay.add(0.1, ellipsoid([0.0, -0.52, -0.04], [0.50, 0.56, 0.45], DQuat::IDENTITY));
     clay.add(0.25, ellipsoid([0.0, -0.10, -0.04], [0.36, 0.30, 0.30], DQuat::IDENTITY));
     clay.add(0.16, ellipsoid([0.0, -0.56, 0.22], [0.36, 0.42, 0.27], DQuat::IDENTITY));
-    // Folds across the belly, laid onto it: they come out of the skin at their ends.
+    // Folds across the belly, laid onto the belly's surface; their ends come out of the skin.
     for (y, half) in [(-0.26, 0.20), (-0.41, 0.27), (-0.57, 0.29), (-0.73, 0.25)] {
         let groove = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|t: f64| {
             let (x, y) = (t * half, y + 0.06 * t * t);
@@ -90,7 +92,7 @@ fn tail(clay: &mut Sculpture) {
             [0.80, -0.84, 0.34, 0.05],
         ]),
     );
-    // A leaf at its end.
+    // A leaf at the tail's end.
     let turn = DQuat::from_rotation_z(0.5) * DQuat::from_rotation_x(-0.35);
     clay.add(0.06, ellipsoid([0.755, -0.70, 0.40], [0.115, 0.175, 0.045], turn));
     clay.cut(0.04, ellipsoid([0.745, -0.70, 0.465], [0.05, 0.12, 0.04], turn));
@@ -174,7 +176,7 @@ fn ear(clay: &mut Sculpture, side: Side) {
     let (axis, lean) = ([0.0, 0.25, 1.0], -0.85);
     clay.add(0.10, side.ellipsoid([0.76, 0.76, -0.10], [0.235, 0.44, 0.12], axis, lean));
     clay.add(0.16, side.ellipsoid([1.03, 0.99, -0.11], [0.07, 0.20, 0.05], axis, lean));
-    // The hollow, and a fold in it.
+    // The hollow of the ear, and a fold in it.
     clay.cut(0.07, side.ellipsoid([0.775, 0.775, 0.035], [0.16, 0.345, 0.125], axis, lean));
     clay.add(
         0.10,
@@ -187,7 +189,7 @@ fn ear(clay: &mut Sculpture, side: Side) {
 }
 
 fn horn(clay: &mut Sculpture, side: Side) {
-    // Wider and narrower in turn: rings.
+    // Radii alternate between wider and narrower: the horn's rings.
     clay.add(
         0.05,
         side.stroke([
@@ -205,7 +207,7 @@ fn horn(clay: &mut Sculpture, side: Side) {
 }
 
 fn eye(clay: &mut Sculpture, side: Side) {
-    // The socket, and the lids that line it.
+    // The eye's socket, and the lids that line it.
     clay.cut(
         0.06,
         side.ellipsoid([0.245, 0.575, 0.49], [0.145, 0.150, 0.16], [0.0, 1.0, 0.0], 0.3),
@@ -230,7 +232,7 @@ fn eye(clay: &mut Sculpture, side: Side) {
             [0.395, 0.555, 0.34, 0.026],
         ]),
     );
-    // The ball, and the pupil drilled as sculptors do.
+    // The eyeball, and the pupil drilled as sculptors do.
     clay.add(0.03, side.ball([0.24, 0.575, 0.375], 0.155));
     clay.cut(0.035, side.ball([0.222, 0.58, 0.555], 0.070));
     // The brow, higher inside: a friendly, somewhat worried face.

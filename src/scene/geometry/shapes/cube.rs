@@ -7,12 +7,12 @@ use glam::DVec3;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Soup};
 
-/// Of the edges; the cube reaches from -0.8 to 0.8.
+/// Radius of the rounded edges; the cube reaches from -0.8 to 0.8.
 const ROUNDING: f64 = 0.16;
 const HALF: f64 = 0.8;
 
-/// Six faces; between them a quarter of a cylinder along each edge and an eighth of a sphere at
-/// each corner.
+/// The cube: six faces; between them a quarter of a cylinder along each edge and an eighth of a
+/// sphere at each corner.
 pub(super) fn cube() -> Soup {
     let flat = HALF - ROUNDING;
     // Coordinates across a face: the rounding's half in even angles, the flat part in even steps.
@@ -21,7 +21,7 @@ pub(super) fn cube() -> Soup {
     let across: Vec<f64> =
         upper.iter().rev().map(|x| -x).chain([0.0]).chain(upper.iter().copied()).collect();
     let mut soup = Soup::default();
-    // Right, up and out of each face.
+    // The directions to the right and up on each face; their cross product points out of the cube.
     let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
     for (right, up) in [(x, y), (-x, y), (-z, y), (z, y), (x, -z), (x, z)] {
         let out = right.cross(up);
@@ -43,7 +43,7 @@ pub(super) fn plane() -> Soup {
     soup
 }
 
-/// The same square in waves, of 5,000 triangles, as the thesis's test scene has it.
+/// The square of `plane` in waves, of 5,000 triangles, as the thesis's test scene has it.
 pub(super) fn waves() -> Soup {
     const HEIGHT: f64 = 0.13;
     const PER_UNIT: f64 = 1.5 * std::f64::consts::PI;
@@ -58,7 +58,7 @@ pub(super) fn waves() -> Soup {
     soup
 }
 
-/// Appends a grid over `across` times `across`; UVs are 0 to 1 over the whole of it.
+/// Appends a grid over `across` times `across`; UVs are 0 to 1 over the whole grid.
 fn face(soup: &mut Soup, across: &[f64], place: impl Fn(f64, f64) -> (DVec3, DVec3)) {
     let material = soup.material(DEFAULT_MATERIAL);
     let (n, base) = (across.len(), soup.points.len());

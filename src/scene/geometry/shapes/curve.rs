@@ -2,23 +2,23 @@
 
 use glam::{DVec3, DVec4};
 
-/// Where the search for the nearest place begins: this many samples a span.
+/// Number of samples of a span among which the search for the nearest point on the curve begins.
 const SAMPLES: usize = 5;
-/// How often it is refined.
+/// Number of Newton steps that refine the nearest point.
 const REFINEMENTS: usize = 3;
 
 /// A tube through points `[x, y, z, radius]`: the natural cubic spline, whose curvature is
 /// continuous.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
-    /// Of each span between two points: the value is `s[0] + s[1] t + s[2] t² + s[3] t³`, t from 0
-    /// to 1.
+    /// Coefficients of each span between two points: the value is
+    /// `s[0] + s[1] t + s[2] t² + s[3] t³`, t from 0 to 1.
     spans: Vec<[DVec4; 4]>,
     samples: Vec<DVec3>,
 }
 
 impl Curve {
-    /// Through two points or more.
+    /// The tube through at least two points.
     pub(super) fn through(points: &[[f64; 4]]) -> Self {
         let points: Vec<DVec4> = points.iter().copied().map(DVec4::from).collect();
         let slopes = natural_slopes(&points);
@@ -42,19 +42,19 @@ impl Curve {
         (&self.spans[index], t - index as f64)
     }
 
-    /// Place and radius at `t`, 0 to the number of spans.
+    /// The position and radius at `t`, 0 to the number of spans.
     pub(super) fn at(&self, t: f64) -> DVec4 {
         let (s, t) = self.span(t);
         s[0] + (s[1] + (s[2] + s[3] * t) * t) * t
     }
 
-    /// How the place changes with `t`.
+    /// The derivative of the position by `t`.
     pub(super) fn slope(&self, t: f64) -> DVec3 {
         let (s, t) = self.span(t);
         (s[1] + (s[2] * 2.0 + s[3] * (3.0 * t)) * t).truncate()
     }
 
-    /// A ball that holds the tube.
+    /// A ball that holds the tube: its center and radius.
     pub(super) fn hull(&self) -> (DVec3, f64) {
         let middle = self.samples.iter().sum::<DVec3>() / self.samples.len() as f64;
         let reach = |i: usize| {
@@ -65,8 +65,8 @@ impl Curve {
         (middle, 1.05 * (0..self.samples.len()).map(reach).fold(0.0, f64::max))
     }
 
-    /// Negative inside. The nearest place on the axis is where the way there stands at right angles
-    /// on the curve.
+    /// The signed distance from the tube's surface, negative inside. The nearest point of the axis
+    /// is where the line to it is perpendicular to the curve.
     pub(super) fn distance(&self, p: DVec3) -> f64 {
         let mut nearest = (f64::INFINITY, 0);
         for (i, sample) in self.samples.iter().enumerate() {
@@ -84,7 +84,7 @@ impl Curve {
             let away = (s[0] + (s[1] + (s[2] + s[3] * u) * u) * u).truncate() - p;
             let slope = (s[1] + (s[2] * 2.0 + s[3] * (3.0 * u)) * u).truncate();
             let bend = (s[2] * 2.0 + s[3] * (6.0 * u)).truncate();
-            // Without the bend where it would lead away from the least distance.
+            // The bend is left out where it would lead away from the least distance.
             let steep = slope.length_squared();
             let change = steep + away.dot(bend);
             t = (t - away.dot(slope) / if change > 0.3 * steep { change } else { steep })
@@ -95,8 +95,8 @@ impl Curve {
     }
 }
 
-/// The derivatives at the points of the spline with no bend at its ends: the tridiagonal system by
-/// elimination.
+/// The derivatives at the points of the spline without bend at its ends: solves the tridiagonal
+/// system by elimination.
 fn natural_slopes(points: &[DVec4]) -> Vec<DVec4> {
     let last = points.len() - 1;
     let right = |i: usize| (points[(i + 1).min(last)] - points[i.saturating_sub(1)]) * 3.0;

@@ -1,7 +1,7 @@
-//! Shapes of our own to judge a look on: each of known curvature or of many kinds of it.
+//! Built-in shapes to judge a look on: each of known curvature or of many kinds of it.
 //!
 //! All but the plane, the waves and the city are closed; all lie within about 1.5 units of the
-//! origin, y up, the front towards +z. They are made once, at first use, from formulas alone, so
+//! origin, y up, the front towards +z. Shapes are made once, at first use, from formulas alone, so
 //! they are the same everywhere.
 
 mod blob;
@@ -22,20 +22,20 @@ use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
 use super::soup::Soup;
 
-/// One of the own shapes.
+/// A built-in shape.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    /// What documents call it, after `shape:`.
+    /// Name of the shape in documents, after `shape:`.
     pub name: &'static str,
-    /// What people read.
+    /// Name of the shape for people.
     pub label: &'static str,
-    /// What it is good for, in a sentence.
+    /// Use of the shape, in a sentence.
     pub help: &'static str,
-    /// How it is made.
+    /// Function that makes the shape.
     make: fn() -> Soup,
 }
 
-/// Every own shape, in the order of menus.
+/// All built-in shapes, in the order of menus.
 pub const SHAPES: &[Shape] = &[
     Shape {
         name: "sphere",

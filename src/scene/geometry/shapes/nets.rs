@@ -1,4 +1,5 @@
-//! A field's surface as quads: surface nets on a grid, evened out and put back onto the surface.
+//! Meshes of a field's surface, in quads: surface nets on a grid, evened out and put back onto the
+//! surface.
 //!
 //! Each sheet of the surface in a cell of the grid gets a vertex, each edge that the surface
 //! crosses a quad. Then every vertex moves, a few times, to the middle of its neighbours and by
@@ -13,44 +14,44 @@ use rayon::iter::{
 
 use super::sculpture::Sculpture;
 
-/// Edge, in cells, of a block that is examined, or passed over, as a whole.
+/// Edge of a block, the smallest unit that is examined or passed over as a whole, in cells.
 const BLOCK: usize = 4;
-/// Edge, in blocks, of a region whose pieces are looked up together.
+/// Edge of a region, whose pieces are looked up together, in blocks.
 const REGION: usize = 4;
-/// How often vertices are evened out.
+/// Number of rounds in which vertices are evened out.
 const ROUNDS: usize = 4;
-/// How far, of the way to the middle of its neighbours, a vertex moves each time.
+/// Share of the way to the middle of its neighbors that a vertex moves in each round.
 const EVENING: f64 = 0.6;
 
-/// A closed surface: places, unit normals, and quads counter-clockwise seen from outside.
+/// A closed surface: positions, unit normals, and quads counter-clockwise seen from outside.
 pub(super) struct Net {
     pub points: Vec<DVec3>,
     pub normals: Vec<DVec3>,
     pub quads: Vec<[u32; 4]>,
 }
 
-/// How big cells are.
+/// Sizes of the grid's cells.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cells {
-    /// Their edge, in the shape's units.
+    /// Edge of a cell, in the shape's units.
     pub edge: f64,
-    /// Within these coordinates, for each axis by itself, edges are `fine` times as long; `[0, 0]`
-    /// for nowhere.
+    /// Coordinates, for each axis by itself, between which edges are `fine` times as long; `[0, 0]`
+    /// for none.
     pub detail: [[f64; 2]; 3],
     pub fine: f64,
 }
 
 impl Cells {
-    /// All of one size.
+    /// Cells of one size.
     pub(super) const fn even(edge: f64) -> Self {
         Self { edge, detail: [[0.0; 2]; 3], fine: 1.0 }
     }
 
-    /// Coordinates along an axis from below `min` to beyond `max`, as many as a multiple of
-    /// `multiple`.
+    /// Coordinates of the grid along an axis, from below `min` to beyond `max`; their number is a
+    /// multiple of `multiple`.
     fn marks(&self, axis: usize, min: f64, max: f64, multiple: usize) -> Vec<f64> {
         let [low, high] = self.detail[axis];
-        // From fine to coarse over a few cells.
+        // Edges grow from fine to coarse over a few cells.
         let ease = 6.0 * self.edge;
         let edge = |x: f64| {
             let away = (low - x).max(x - high).max(0.0) / ease;
@@ -92,7 +93,8 @@ pub(super) fn polygonize(sculpture: &Sculpture, cells: Cells) -> Net {
         let Net { points, normals, .. } = &mut net;
         points.par_iter_mut().enumerate().for_each(|(i, point)| {
             *point = point.lerp(evened[i] / f64::max(counts[i], 1.0), EVENING);
-            // The gradient of the start is near enough until the end.
+            // The gradient from the round's start is exact enough here; the exact one follows at
+            // the end.
             let d = sculpture.distance(*point, &pieces[i]);
             *point -= newton(d, normals[i], cell);
         });
@@ -106,20 +108,20 @@ pub(super) fn polygonize(sculpture: &Sculpture, cells: Cells) -> Net {
     net
 }
 
-/// The step from a place of field `d` onto the surface; never farther than a cell.
+/// The step from a point where the field is `d` onto the surface; at most a cell long.
 fn newton(d: f64, gradient: DVec3, cell: f64) -> DVec3 {
     (gradient * (d / gradient.length_squared().max(0.05))).clamp_length_max(cell)
 }
 
-/// The field at the corners of cells.
+/// Values of the field at the corners of cells.
 struct Grid {
-    /// The coordinates of corners along x, y and z.
+    /// Coordinates of corners along x, y and z.
     marks: [Vec<f64>; 3],
-    /// How many those are.
+    /// Number of coordinates along x, y and z.
     size: [usize; 3],
     /// The longest edge of a cell.
     cell: f64,
-    /// x fastest. Far from the surface only the sign is right.
+    /// Values at the corners, x fastest. Far from the surface only the sign is right.
     values: Vec<f32>,
 }
 
@@ -149,7 +151,8 @@ impl Grid {
         grid
     }
 
-    /// The values of one block, x fastest: exact near the surface, elsewhere the one in the middle.
+    /// The values of one block, x fastest: exact near the surface, elsewhere the value in the
+    /// block's middle.
     fn values_of(
         &self,
         sculpture: &Sculpture,
@@ -158,7 +161,7 @@ impl Grid {
     ) -> [f32; BLOCK * BLOCK * BLOCK] {
         let (center, radius) = self.block(first, BLOCK);
         let (pieces, middle) = sculpture.near(center, radius, among);
-        // A cell more, so that crossings between blocks have both ends right.
+        // One cell more, so that crossings between blocks have both ends right.
         let far = middle.abs() > Sculpture::slack() * (radius + 2.0 * self.cell);
         let mut values = [middle as f32; BLOCK * BLOCK * BLOCK];
         if !far {
@@ -169,7 +172,7 @@ impl Grid {
         values
     }
 
-    /// The middle of the corners of a block, and how far the farthest is from it.
+    /// The middle of the corners of a block, and the distance of the farthest corner from it.
     fn block(&self, first: [usize; 3], edge: usize) -> (DVec3, f64) {
         let (a, b) = (self.place(first), self.place(first.map(|i| i + edge - 1)));
         ((a + b) / 2.0, a.distance(b) / 2.0)
@@ -183,7 +186,7 @@ impl Grid {
         DVec3::new(self.marks[0][x], self.marks[1][y], self.marks[2][z])
     }
 
-    /// The vertices (with the pieces that matter around each) and the quads between them.
+    /// The vertices (with the pieces that matter around each vertex) and the quads between them.
     fn net(&self, sculpture: &Sculpture) -> (Net, Vec<Vec<u16>>) {
         let mut net = Net { points: Vec::new(), normals: Vec::new(), quads: Vec::new() };
         let mut crossed: Vec<[u32; EDGES]> = Vec::new();
@@ -197,7 +200,7 @@ impl Grid {
             }
         }
         let [nx, ny, _] = self.size;
-        // From a corner to the next along x, y and z.
+        // Steps in the index from a corner to the next along x, y and z.
         let strides = [1, nx, nx * ny];
         for at in steps([0; 3], self.size.map(|n| n - 1), 1) {
             let index = self.index(at);
@@ -210,7 +213,7 @@ impl Grid {
                 {
                     continue;
                 }
-                // The four cells around the edge, and which of their corners it begins at.
+                // The four cells around the edge, and the corner of each at which the edge begins.
                 let quad = [(1, 1), (0, 1), (0, 0), (1, 0)].map(|(i, j)| {
                     let cell = cell_of[index - i * strides[second] - j * strides[third]];
                     crossed[cell as usize][(i << second | j << third) * 3 + axis]
@@ -281,24 +284,24 @@ impl Grid {
     }
 }
 
-/// Slots for the edges of a cell: the corner where it begins times 3, plus its axis. Half of them
-/// are none.
+/// Number of slots for the edges of a cell: an edge's slot is 3 times the corner where it begins,
+/// plus its axis. Half of the slots are not edges.
 const EDGES: usize = 24;
-/// No cell, no point.
+/// Index of no cell and of no point.
 const NOWHERE: u32 = u32::MAX;
 
-/// Corner `i` of a cell, by the bits of x, y and z.
+/// Corner `i` of a cell; the bits of `i` are the steps along x, y and z.
 fn corner(at: [usize; 3], i: usize) -> [usize; 3] {
     [at[0] + (i & 1), at[1] + (i >> 1 & 1), at[2] + (i >> 2 & 1)]
 }
 
-/// Puts two edges, and all that are with them, on one sheet.
+/// Joins the sheets of two edges.
 fn merge(sheet: &mut [usize; EDGES], a: usize, b: usize) {
     let (from, to) = (sheet[a].max(sheet[b]), sheet[a].min(sheet[b]));
     sheet.iter_mut().filter(|leader| **leader == from).for_each(|leader| *leader = to);
 }
 
-/// The places `first + i * step` for every i below `counts`, x fastest.
+/// The grid positions `first + i * step` for every i below `counts`, x fastest.
 fn steps(first: [usize; 3], counts: [usize; 3], step: usize) -> impl Iterator<Item = [usize; 3]> {
     let [nx, ny, nz] = counts;
     (0..nx * ny * nz).map(move |i| {

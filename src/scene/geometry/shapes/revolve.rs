@@ -1,4 +1,4 @@
-//! Profiles turned about the y axis: sphere, torus, vase.
+//! Surfaces of revolution about the y axis: sphere, torus, vase.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,21 +8,21 @@ use super::curve::Curve;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Soup};
 
-/// How many steps a full turn has.
+/// Number of steps in a full turn.
 const SEGMENTS: usize = 160;
 
-/// One ring of a profile.
+/// A ring of the surface: a point of the profile.
 #[derive(Clone, Copy)]
 struct Ring {
     /// Distance from the axis, and height.
     at: DVec2,
-    /// Outwards, of unit length.
+    /// Normal of the profile, outwards, of unit length.
     normal: DVec2,
     v: f64,
 }
 
-/// Turns a profile, given from below upwards as seen with the outside to the right. A ring on the
-/// axis is one point.
+/// Turns a profile about the axis. The profile runs from below upwards with the outside to its
+/// right; a ring on the axis is one point.
 fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
     let mut soup = Soup::default();
     let material = soup.material(DEFAULT_MATERIAL);
@@ -39,7 +39,7 @@ fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
         for i in 0..segments {
             let corner = |soup: &mut Soup, di: usize, dj: usize| {
                 let point = (((j + dj) % rings) * segments + (i + di) % segments) as u32;
-                // Towards a point on the axis, u is the middle of the step.
+                // A triangle at a point on the axis has the u of its middle there.
                 let on_axis = pair[dj].at.x == 0.0;
                 let u = (i as f64 + if on_axis { 0.5 } else { di as f64 }) / segments as f64;
                 soup.uvs.push([u as f32, pair[dj].v as f32]);
@@ -59,7 +59,8 @@ fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
     soup
 }
 
-/// A circle's arc, `steps` of it, angles from the outward horizontal upwards.
+/// The points of a circle's arc in `steps` steps, with angles counted from the outward horizontal
+/// upwards.
 fn arc(
     center: DVec2,
     radius: f64,
@@ -73,12 +74,12 @@ fn arc(
     })
 }
 
-/// Radius 1; its poles are points exactly.
+/// The sphere, of radius 1, with exactly one point at each pole.
 pub(super) fn sphere() -> Soup {
     ball_of(SEGMENTS / 2, SEGMENTS)
 }
 
-/// The same of 400 triangles, as the thesis's test scene has it.
+/// A sphere of 400 triangles, as the thesis's test scene has it.
 pub(super) fn ball() -> Soup {
     ball_of(11, 20)
 }
@@ -94,7 +95,7 @@ fn ball_of(steps: usize, segments: usize) -> Soup {
     revolve(&profile, false, segments)
 }
 
-/// Radii 0.7 and 0.3; it stands up, so that one sees through it from the front.
+/// The torus, of radii 0.7 and 0.3, standing up, so that one sees through it from the front.
 pub(super) fn torus() -> Soup {
     let steps = 80;
     let profile: Vec<Ring> = arc(DVec2::new(0.7, 0.0), 0.3, -PI, PI, steps)
@@ -109,9 +110,10 @@ pub(super) fn torus() -> Soup {
     soup
 }
 
-/// An amphora without handles: foot, belly, neck and lip, then the same wall from inside.
+/// The vase: an amphora without handles, with foot, belly, neck and lip, then the same wall from
+/// inside.
 pub(super) fn vase() -> Soup {
-    // Distance from the axis at heights, bent smoothly in between.
+    // Distances from the axis at heights, between which the profile bends smoothly.
     let outside = [
         (0.0, -1.0),
         (0.14, -1.0),

@@ -10,7 +10,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::curve::Curve;
 
-/// Pieces in the order of work.
+/// A sculpture: its pieces, in the order in which they are applied.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sculpture {
     pieces: Vec<Piece>,
@@ -20,9 +20,9 @@ pub(super) struct Sculpture {
 struct Piece {
     solid: Solid,
     cut: bool,
-    /// The width of the seam.
+    /// Width of the seam.
     k: f64,
-    /// A ball that holds the piece.
+    /// Center of a ball that holds the piece, whose radius is `reach`.
     center: DVec3,
     reach: f64,
 }
@@ -30,13 +30,13 @@ struct Piece {
 /// A rounded body.
 #[derive(Clone, Debug)]
 pub(super) enum Solid {
-    /// `local` turns space to the ellipsoid's axes.
+    /// An ellipsoid; `local` turns space to its axes.
     Ellipsoid { center: DVec3, radii: DVec3, local: DMat3 },
     /// A tube.
     Stroke(Curve),
 }
 
-/// A ball.
+/// A solid ball.
 pub(super) fn ball(center: [f64; 3], radius: f64) -> Solid {
     ellipsoid(center, [radius; 3], DQuat::IDENTITY)
 }
@@ -56,20 +56,22 @@ pub(super) fn stroke(points: &[[f64; 4]]) -> Solid {
 }
 
 impl Solid {
-    /// Negative inside; near the surface the distance, elsewhere a bound of it.
+    /// The signed distance from the solid, negative inside; exact near the surface, elsewhere a
+    /// bound.
     fn distance(&self, p: DVec3) -> f64 {
         match self {
             Self::Ellipsoid { center, radii, local } => {
                 let q = *local * (p - *center);
                 let (scaled, twice) = ((q / *radii).length(), (q / (*radii * *radii)).length());
-                // At the very centre both are 0.
+                // At the very center both are 0.
                 if twice < 1e-9 { -radii.min_element() } else { scaled * (scaled - 1.0) / twice }
             }
             Self::Stroke(curve) => curve.distance(p),
         }
     }
 
-    /// A ball that holds the solid, with room for the ellipsoid's distance being a bound only.
+    /// A ball that holds the solid (center and radius), with room for the ellipsoid's distance
+    /// being a bound only.
     fn hull(&self) -> (DVec3, f64) {
         match self {
             Self::Ellipsoid { center, radii, .. } => (*center, 1.15 * radii.max_element()),
@@ -78,13 +80,15 @@ impl Solid {
     }
 }
 
-/// The lesser of two, with a seam of width `k`: equal to it where they differ by `k` or more.
+/// The lesser of two distances, with a seam of width `k`: exactly the lesser where they differ by
+/// `k` or more.
 fn smooth_min(a: f64, b: f64, k: f64) -> f64 {
     let h = (k - (a - b).abs()).max(0.0) / k;
     a.min(b) - h * h * h * k / 6.0
 }
 
-/// How much faster than a true distance the field may change; see [`Solid::distance`].
+/// Greatest rate at which the field may change, relative to a true distance; see
+/// [`Solid::distance`].
 const SLACK: f64 = 1.4;
 
 impl Sculpture {
@@ -111,8 +115,8 @@ impl Sculpture {
         })
     }
 
-    /// Where one meets the surface who comes along -z from `z` at `x` and `y`; `None` where there
-    /// is nothing.
+    /// The z at which a ray from `z` along -z at `x` and `y` meets the surface; `None` if it
+    /// misses.
     pub(super) fn front(&self, x: f64, y: f64, z: f64) -> Option<f64> {
         let (all, mut at) = (self.all(), DVec3::new(x, y, z));
         for _ in 0..256 {
@@ -125,13 +129,13 @@ impl Sculpture {
         None
     }
 
-    /// Every piece.
+    /// The indices of all pieces.
     pub(super) fn all(&self) -> Vec<u16> {
         (0..self.pieces.len() as u16).collect()
     }
 
-    /// Which of the pieces `among` matter within `radius` of `center`, in order, and the field at
-    /// `center`.
+    /// The indices of those pieces of `among` that matter within `radius` of `center`, in order,
+    /// and the field at `center`.
     pub(super) fn near(&self, center: DVec3, radius: f64, among: &[u16]) -> (Vec<u16>, f64) {
         let mut found = Vec::new();
         let mut d = f64::INFINITY;
@@ -145,7 +149,7 @@ impl Sculpture {
         (found, d)
     }
 
-    /// The field at `p`, of pieces that [`Sculpture::near`] found: negative inside.
+    /// The field at `p`, from pieces that [`Sculpture::near`] found: negative inside.
     pub(super) fn distance(&self, p: DVec3, pieces: &[u16]) -> f64 {
         pieces.iter().fold(f64::INFINITY, |d, &i| self.pieces[i as usize].apply(d, p))
     }
@@ -167,15 +171,15 @@ impl Sculpture {
         (sum / 4.0, gradient / (4.0 * STEP))
     }
 
-    /// How far space is from what the field says, at most: see [`SLACK`].
+    /// Greatest rate at which the field may change, relative to a true distance: see [`SLACK`].
     pub(super) const fn slack() -> f64 {
         SLACK
     }
 }
 
 impl Piece {
-    /// By how much, at least, the field `d` lies this side of what the piece would make of it at
-    /// `p`.
+    /// The least margin by which the field `d` outweighs the piece at `p`; with a margin of `k` or
+    /// more the piece changes nothing.
     fn gap(&self, d: f64, p: DVec3) -> f64 {
         let apart = p.distance(self.center) - self.reach;
         if self.cut { apart + d } else { apart - d }

@@ -9,7 +9,7 @@ use crate::geometry::soup::{Corner, Soup};
 
 const ALONG: usize = 480;
 const AROUND: usize = 48;
-/// Of the tube.
+/// Radius of the tube.
 const RADIUS: f64 = 0.2;
 
 /// The trefoil as the (2, 3) torus knot, seen along its axis from the front.
@@ -18,8 +18,8 @@ fn trefoil(t: f64) -> DVec3 {
     DVec3::new(ring * (2.0 * t).cos(), ring * (2.0 * t).sin(), 0.36 * (3.0 * t).sin())
 }
 
-/// A trefoil tube. Around the curve the frame is the Frenet frame (the curve bends everywhere), so
-/// normals are exact.
+/// The knot: a trefoil tube. Around the curve the frame is the Frenet frame (the curve bends
+/// everywhere), so normals are exact.
 pub(super) fn knot() -> Soup {
     let mut soup = Soup::default();
     let material = soup.material(DEFAULT_MATERIAL);

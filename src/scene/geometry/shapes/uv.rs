@@ -6,8 +6,8 @@ use super::nets::Net;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Soup};
 
-/// Cuts the quads along their shorter diagonals; corners get normals, and UVs from `uvs` of a
-/// triangle's points.
+/// The soup of a net: quads are cut along their shorter diagonals; corners get the points' normals,
+/// and UVs from `uvs`, which takes a triangle's points.
 fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> Soup {
     let mut soup = Soup {
         points: net.points.iter().map(|p| p.as_vec3().to_array()).collect(),
@@ -33,8 +33,8 @@ fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> Soup {
     soup
 }
 
-/// Longitude and latitude seen from the origin: u grows to the right seen from the front, with the
-/// seam behind.
+/// UVs of longitude and latitude seen from the origin: u grows to the right seen from the front,
+/// with the seam behind.
 pub(super) fn spherical(net: &Net) -> Soup {
     let turns: Vec<DVec2> = net.points.iter().map(|&p| turn(p)).collect();
     soup(net, |points| {
@@ -54,9 +54,9 @@ fn turn(p: DVec3) -> DVec2 {
     DVec2::new(longitude, latitude)
 }
 
-/// Each triangle seen along the axis that it faces most, each of the six views in a field of its
-/// own: three columns (x, y, z), two rows (from above 0, from below). Even scale, nothing mirrored,
-/// seams where the views meet.
+/// UVs from six views along the axes: each triangle is seen along the axis that it faces most, each
+/// view in a field of its own: three columns (x, y, z), two rows (from above 0, from below). Even
+/// scale, nothing mirrored, seams where the views meet.
 pub(super) fn boxed(net: &Net) -> Soup {
     let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let (min, max) = net.points.iter().fold(ends, |(min, max), &p| (min.min(p), max.max(p)));
@@ -76,7 +76,7 @@ pub(super) fn boxed(net: &Net) -> Soup {
         let flip = if front { 1.0 } else { -1.0 };
         at.map(|p| {
             let q = (p - center) * scale;
-            // To the right and upwards for one who looks at that side.
+            // Coordinates to the right and upwards for one who looks at that side.
             let seen = match column {
                 0 => DVec2::new(-q.z * flip, q.y),
                 1 => DVec2::new(q.x, -q.z * flip),

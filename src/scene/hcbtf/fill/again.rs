@@ -1,10 +1,11 @@
-//! Filling again what was filled before, where a stroke has changed a few texels since: the work
-//! goes with those.
+//! Refilling of an HCBTF that was filled before, after a stroke has changed a few texels: the work
+//! is proportional to the changed texels.
 //!
 //! With the same grid, the same rules and the same samples painted, every sample has the same
-//! recipe as before. Then a tile that is made texel by texel of paintings is another only where one
-//! of those is, and if they have a say in it; one that comes out as it was stays the same tile, by
-//! pointer. So whoever shows tiles finds what changed by comparing pointers.
+//! recipe as before. Then a tile that is made texel by texel of paintings differs only where one of
+//! these paintings does, and only if the painting contributes to the tile; a tile that comes out
+//! unchanged stays the same tile, by pointer. So code that shows tiles finds the changes by
+//! comparing pointers.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
@@ -17,16 +18,18 @@ use super::{FilledSamples, NotFilled, blend, fill};
 use crate::document::{Hcbtf, Rule, Tile};
 use crate::progress::Progress;
 
-/// Where more paintings than these are others, all is filled anew.
+/// Greatest number of changed paintings with which tiles are refilled; with more, everything is
+/// filled anew.
 const MOST_CHANGED: usize = 4;
 
 /// A part of a tile: x, y, width and height in texels.
 type Part = [u32; 4];
 
-/// Runs the rules for every sample, as [`fill`] does, with the help of what they made of the HCBTF
-/// `before`: what is equal is not made again. Tiles that have become equal may stay two.
+/// Runs the rules for every sample, as [`fill`] does, with the help of the result `before` of an
+/// earlier state of the HCBTF: equal tiles are not made again. Tiles that have become equal may
+/// stay two.
 ///
-/// `progress` counts rows of texels that are made, be they but a few texels long.
+/// `progress` counts rows of texels that are made, even rows of a few texels.
 ///
 /// # Errors
 /// As [`fill`].
@@ -40,6 +43,7 @@ pub fn refill(
         changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
     let Some(changed) = changed else { return fill(hcbtf, progress) };
     let plan = Plan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
+    // Samples of one recipe had one tile before, so any of them gives the recipe's old tile.
     let mut old_tiles = vec![0; plan.recipes.len()];
     for ([recipe, _], [tile, _]) in plan.samples.iter().zip(&filled.samples) {
         old_tiles[*recipe as usize] = *tile;
@@ -58,18 +62,18 @@ pub fn refill(
     Ok(together(&plan, filled, &old_tiles, made))
 }
 
-/// What came of a recipe.
+/// Result of refilling a recipe.
 enum RefilledTile {
-    /// The tile that it had.
+    /// The tile from before.
     AsBefore,
-    /// Another tile.
+    /// A new tile.
     Other(Arc<Tile>),
-    /// The tile that it had, with these texels in a part of it.
+    /// The tile from before, with these texels in a part of it.
     Patched(Part, Vec<u8>),
 }
 
-/// The paintings that are others, by number, each with the part of it that is; `None` where more
-/// than that has changed.
+/// The paintings that changed, by number, each with its changed part; `None` if anything else has
+/// changed, or too many of them.
 fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, Part>> {
     let is_alike = now.grid == old.grid && now.is_tiling == old.is_tiling && now.rules == old.rules;
     if !is_alike || !now.painted.keys().eq(old.painted.keys()) {
@@ -90,7 +94,7 @@ fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, Part>> {
         if !Arc::ptr_eq(tile, before)
             && let Some(part) = tile.difference(before)
         {
-            // Opaque paint is blended in another way, which may round otherwise.
+            // Opaque paint is blended in another way, which may round differently.
             if is_opaque(tile) != is_opaque(before) || changed.len() == MOST_CHANGED {
                 return None;
             }
@@ -99,7 +103,7 @@ fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, Part>> {
         }
         number += 1;
     }
-    // What these make of a few texels may be anywhere.
+    // Morphs and reliefs may spread a change of a few texels anywhere.
     let is_local = |rule: &Rule| match rule {
         Rule::Morph { .. } => false,
         Rule::Relief(relief) => !relief.painted().any(|from| named.contains(&from.canonical())),
@@ -112,7 +116,7 @@ fn is_opaque(tile: &Tile) -> bool {
     tile.bytes().iter().skip(3).step_by(4).all(|alpha| *alpha == 255)
 }
 
-/// What tiles are made again of.
+/// Inputs of refilling tiles.
 struct Refill<'a> {
     plan: &'a Plan<'a>,
     filled: &'a FilledSamples,
@@ -121,7 +125,7 @@ struct Refill<'a> {
 }
 
 impl Refill<'_> {
-    /// The part of a recipe's tile that may be another now.
+    /// The part of a recipe's tile that may have changed.
     fn part(&self, recipe: &Recipe) -> Option<Part> {
         let part = match recipe.source {
             Source::Painted(number) => self.changed.get(&number).copied(),
@@ -150,7 +154,7 @@ impl Refill<'_> {
         }
     }
 
-    /// A recipe's tile; `None` where it is stopped.
+    /// The tile of a recipe; `None` if the work is stopped.
     fn tile(&self, recipe: &Recipe, old: u32, part: Part) -> Option<RefilledTile> {
         if self.progress.is_stopped() {
             return None;
@@ -193,14 +197,14 @@ impl Refill<'_> {
     }
 }
 
-/// Whether a tile is made as a whole: what is turned is resampled from places all over it, and what
-/// is painted is there.
+/// True if a tile is made as a whole: turned content is resampled from places all over the tile,
+/// and a painted tile is there already.
 fn is_whole(recipe: &Recipe) -> bool {
     recipe.turn.get() != 0.0
         || matches!(recipe.source, Source::Painted(_)) && !recipe.is_recolored()
 }
 
-/// The smallest part that holds two.
+/// The smallest part that contains both.
 fn around(one: Part, other: Part) -> Part {
     let [x, y] = [0, 1].map(|axis| one[axis].min(other[axis]));
     let [right, bottom] =
@@ -208,7 +212,7 @@ fn around(one: Part, other: Part) -> Part {
     [x, y, right - x, bottom - y]
 }
 
-/// All tiles, each that was the same and is patched alike once.
+/// All tiles; equal patches of the same tile are made once.
 fn together(
     plan: &Plan<'_>,
     filled: &FilledSamples,
@@ -242,7 +246,7 @@ fn together(
     }
     let sample = |[recipe, provenance]: &[u32; 2]| [place[*recipe as usize], *provenance];
     let samples = plan.samples.iter().map(sample).collect();
-    // The rules are as they were, or nothing would have come of what is there.
+    // The rules equal those from before, or the tiles from before could not be used.
     let (grid, is_tiling, rules) = (filled.grid, filled.is_tiling, filled.rules.clone());
     FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
 }

@@ -1,4 +1,4 @@
-//! From a recipe to its tile.
+//! Baking: makes the tile of a recipe.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use super::turn::{Color, Turned};
 use crate::document::Tile;
 use crate::progress::Progress;
 
-/// A recipe's tile; `None` where it is stopped.
+/// The tile of a recipe; `None` if the work is stopped.
 pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Option<Arc<Tile>> {
     if progress.is_stopped() {
         return None;
@@ -44,7 +44,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
             if recipe.turn.get() == 0.0 {
                 return rows.each(|y, row| blend(y, row));
             }
-            // Turned from the blend itself, before it is rounded.
+            // The blend itself is turned, before it is rounded.
             let mut blended = vec![[0.0; 4]; plan.grid.texels()];
             for (y, row) in blended.chunks_exact_mut(width).enumerate() {
                 if progress.is_stopped() {
@@ -80,7 +80,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
     }
 }
 
-/// What becomes of straight colors from 0 to 255.
+/// Change of straight colors from 0 to 255: a factor and an offset for each channel.
 pub(super) struct Mapping {
     factors: Color,
     offsets: Color,
@@ -92,14 +92,14 @@ impl Mapping {
         Self { factors: [r[0], g[0], b[0], 1.0], offsets: [r[1], g[1], b[1], 0.0] }
     }
 
-    /// Bytes: the nearest.
+    /// The changed color as bytes, rounded to the nearest.
     pub(super) fn of(&self, color: Color) -> [u8; 4] {
-        // A float becomes a byte without wrapping.
+        // The conversion from float to byte saturates.
         std::array::from_fn(|i| (color[i] * self.factors[i] + self.offsets[i] + 0.5) as u8)
     }
 }
 
-/// For red, green and blue, what becomes of every byte.
+/// The changed value of every byte, for red, green and blue.
 fn tables(recipe: &Recipe) -> [[u8; 256]; 3] {
     recipe.maps.map(|map| {
         let [factor, offset] = map.map(|number| number.get());
@@ -107,7 +107,7 @@ fn tables(recipe: &Recipe) -> [[u8; 256]; 3] {
     })
 }
 
-/// Recolors some texels of what is painted.
+/// Recolors some texels of a painting.
 pub(super) fn recolor(recipe: &Recipe, texels: &mut [u8]) {
     let maps = recipe.maps.map(|map| map.map(|number| number.get()));
     for texel in texels.chunks_exact_mut(4) {
@@ -117,7 +117,7 @@ pub(super) fn recolor(recipe: &Recipe, texels: &mut [u8]) {
     }
 }
 
-/// Makes a tile row by row.
+/// Maker of a tile, row by row.
 struct Rows<'a> {
     size: [u32; 2],
     recipe: &'a Recipe,
@@ -125,7 +125,7 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// From the colors that `row` writes.
+    /// The tile of the colors that `row` writes.
     fn each(&self, mut row: impl FnMut(usize, &mut [Color])) -> Option<Arc<Tile>> {
         let [width, height] = self.size.map(|side| side as usize);
         let mapping = Mapping::new(self.recipe);
@@ -149,7 +149,7 @@ impl Rows<'_> {
         })
     }
 
-    /// From a tile as it is: a table for each channel does.
+    /// The recolored bytes of a tile: a table for each channel suffices.
     fn of_bytes(&self, tile: &Tile) -> Option<Arc<Tile>> {
         let tables = tables(self.recipe);
         let mut rgba = tile.bytes().to_vec();

@@ -1,18 +1,19 @@
-//! Blending painted samples by how near they are: the thesis's first idea, which it found too slow.
+//! Blending of painted samples by their distances: the thesis's first idea, which it found too
+//! slow.
 //!
 //! The kernel is Shepard's (1968): a sample at distance d has the weight d^(-2 sharpness), divided
-//! by the sum of all. It tends to 1 toward a painted sample whatever else is painted, needs no
-//! width, and so works for two samples as for two thousand, however they lie. Distance is on the
-//! product of the two spheres: the root of the sum of the squares of the two great-circle angles,
-//! of the lights and of the views. At the normal a direction has no step around it, and none is
-//! asked.
+//! by the sum of all. The weight tends to 1 toward a painted sample whatever else is painted, needs
+//! no width, and so the kernel works for two samples as for two thousand, however they lie.
+//! Distance is on the product of the two spheres: the root of the sum of the squares of the two
+//! great-circle angles, of the lights and of the views. At the normal a direction has no step
+//! around it, and none is needed.
 
 use super::lock::squared_distance;
 use super::plan::Painted;
 use crate::document::{Address, Grid};
 
-/// Samples whose weight is below this, divided by how many are painted, are left out: together they
-/// are less than a thousandth of the step between two bytes.
+/// Least weight of samples that are blended, times the number of painted samples: the others
+/// together are less than a thousandth of the step between two bytes.
 const NEGLIGIBLE: f64 = 1e-6;
 
 /// The painted samples that count at an address, by number, with weights that sum to 1.
@@ -23,7 +24,8 @@ pub(super) fn weights(
     painted: &[Painted<'_>],
 ) -> Vec<(u32, f32)> {
     let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
-    // In logarithms: powers of small distances overflow, those of large ones underflow.
+    // Weights are computed in logarithms: powers of small distances overflow, those of large ones
+    // underflow.
     let logs = painted.iter().map(|sample| {
         let squared = squared_distance(light, view, sample).max(f64::MIN_POSITIVE);
         -sharpness * squared.ln()
@@ -56,10 +58,11 @@ pub(super) fn row(
             Some((sample.tile.bytes().get(range.clone())?, *weight, sample.is_opaque))
         })
     };
-    // Each adds color times alpha, and 255 times alpha.
+    // Each sample adds color times alpha, and 255 times alpha.
     for (row, weight, is_opaque) in rows() {
         if is_opaque {
-            // Most are, and then all bytes are treated alike, many at once: three times as fast.
+            // Most samples are opaque, and then all bytes are treated alike, many at once: three
+            // times as fast.
             let weight = 255.0 * weight;
             let sums = blended.as_flattened_mut().iter_mut();
             sums.zip(row).for_each(|(sum, byte)| *sum += weight * f32::from(*byte));
@@ -79,8 +82,8 @@ pub(super) fn row(
         if alpha > 0.0 {
             (sum[0], sum[1], sum[2]) = (sum[0] / alpha, sum[1] / alpha, sum[2] / alpha);
         } else {
-            // Nothing is seen here; the colors are blended all the same, as painting programs keep
-            // them.
+            // The blend is transparent here; the hidden colors are blended all the same, as
+            // painting programs keep them.
             for (row, weight, _) in rows() {
                 (0..3).for_each(|channel| sum[channel] += weight * f32::from(row[4 * x + channel]));
             }

@@ -1,4 +1,4 @@
-//! Which painted sample is nearest among those that agree in the angles that matter.
+//! Look-up of the nearest painted sample among those that agree in the angles that matter.
 
 use std::collections::HashMap;
 
@@ -7,8 +7,8 @@ use glam::DVec3;
 use super::plan::{Painted, SAME_ANGLE};
 use crate::document::{Address, Direction, Grid, HcbtfAngle as Angle};
 
-/// The angle between unit vectors, in radians: relatively exact where they are near, and to 1e-8
-/// where they are opposite.
+/// The angle between unit vectors, in radians: relatively exact for near vectors, and to 1e-8 for
+/// opposite ones.
 pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
     2.0 * (0.5 * (a - b).length()).min(1.0).asin()
 }
@@ -18,7 +18,7 @@ pub(super) fn squared_distance(light: DVec3, view: DVec3, other: &Painted<'_>) -
     angle(light, other.light).powi(2) + angle(view, other.view).powi(2)
 }
 
-/// Which angles of a direction do not matter.
+/// Angles of a direction that are locked, and so do not matter.
 #[derive(Clone, Copy)]
 struct Locked {
     theta: bool,
@@ -26,8 +26,8 @@ struct Locked {
 }
 
 impl Locked {
-    /// What equal directions have in common for sure; the step around the normal only where the
-    /// ring is known, because at the normal every step agrees.
+    /// The key that agreeing directions have in common; the step around the normal only if the ring
+    /// is known, because at the normal every step agrees.
     fn key(self, direction: Direction) -> [u32; 2] {
         match direction {
             _ if self.theta => [0; 2],
@@ -36,7 +36,7 @@ impl Locked {
         }
     }
 
-    /// Whether two directions are equal in the angles that matter.
+    /// True if two directions are equal in the angles that matter.
     fn agree(self, a: Direction, b: Direction) -> bool {
         let is_normal = a.theta == 0 || b.theta == 0;
         (self.theta || a.theta == b.theta) && (self.phi || is_normal || a.phi == b.phi)
@@ -47,7 +47,7 @@ impl Locked {
 pub(super) struct Lock {
     light: Locked,
     view: Locked,
-    /// The numbers of the painted samples that may agree, by what they have in common.
+    /// Numbers of the painted samples that may agree, by their common key.
     groups: HashMap<[[u32; 2]; 2], Vec<u32>>,
 }
 

@@ -1,10 +1,10 @@
 //! Fills that do not destroy: an ordered list of rules derives every sample that is not painted.
 //!
-//! It goes in three steps. The `plan` walks the rules for every sample and writes down a recipe:
-//! which painted sample, blend or color it begins with, by how much it is turned, and what becomes
-//! of its colors. All changes of color are affine in each channel, and turning commutes with
-//! them, so a recipe has one turn and one map however many rules had a part in it, and a tile is
-//! resampled once and rounded once (thesis figure 37 shows what repeated turning loses). Equal
+//! A fill has three steps. The `plan` walks the rules for every sample and makes a recipe: the
+//! painted sample, blend or color that it begins with, the angle by which it is turned, and the
+//! change of its colors. All changes of color are affine in each channel, and turning commutes with
+//! them, so a recipe has one turn and one map however many rules contributed, and a tile is
+//! resampled once and rounded once (thesis figure 37 shows the loss of repeated turning). Equal
 //! recipes are one recipe; `bake` makes a tile of each, on all cores; tiles that came out equal are
 //! shared.
 //!
@@ -31,40 +31,40 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
 use crate::progress::Progress;
 
-/// Grids of more samples than this are not filled.
+/// Greatest number of samples of a grid that is filled.
 pub const MAX_SAMPLES: u64 = 1 << 20;
-/// What would take more than this is not filled, in bytes.
+/// Greatest memory that a filled grid may take, in bytes.
 pub const MAX_FILLED_BYTES: u64 = 4 << 30;
 
-/// Where a sample comes from.
+/// Origin of a sample.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Provenance {
-    /// Somebody painted it; no rule touches it.
+    /// The sample was painted; no rule touches it.
     Painted,
-    /// A rule filled it.
+    /// A rule filled the sample.
     Filled {
-        /// The rule, counted from 0.
+        /// Index of the rule, counted from 0.
         by: usize,
-        /// The later rules that changed it, in order; those that leave this sample as it is are not
-        /// among them.
+        /// Indices of the later rules that changed the sample, in order; rules that leave it
+        /// unchanged are not among them.
         changed_by: Vec<usize>,
     },
-    /// No rule fills it: it is transparent black.
+    /// No rule fills the sample: it is transparent black.
     Empty,
 }
 
-/// Which samples are given to other programs.
+/// Choice of the samples that are given to other programs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SampleChoice {
     /// Every sample, with what the rules fill.
     #[default]
     All,
-    /// What was painted alone.
+    /// Painted samples only.
     Painted,
 }
 
 impl SampleChoice {
-    /// Whether a sample of this provenance is one of them.
+    /// True if the choice includes a sample of this provenance.
     pub fn has(self, provenance: &Provenance) -> bool {
         match self {
             Self::All => *provenance != Provenance::Empty,
@@ -73,43 +73,43 @@ impl SampleChoice {
     }
 }
 
-/// What filling would take.
+/// Estimate of the cost of filling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Estimate {
-    /// Samples of the grid.
+    /// Number of samples of the grid.
     pub samples: u64,
-    /// Different tiles among them, as far as is known before they are made; painted ones are
-    /// counted.
+    /// Number of different tiles among the samples, as far as known before they are made; painted
+    /// ones are counted.
     pub tiles: u64,
-    /// Memory that the result takes, in bytes, at most.
+    /// Greatest memory that the result takes, in bytes.
     pub bytes: u64,
 }
 
-/// Why nothing was filled.
+/// Reason why nothing was filled.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum NotFilled {
-    /// The grid is none that can be.
+    /// The grid is not valid.
     #[error("{why}")]
     BadGrid {
-        /// What is wrong with it, by [`Grid::check`].
+        /// Error of [`Grid::check`].
         why: String,
     },
-    /// Somebody stopped it.
+    /// The work was stopped.
     #[error("it was stopped before it was done")]
     Stopped,
-    /// There are more than [`MAX_SAMPLES`].
+    /// The grid has more than [`MAX_SAMPLES`] samples.
     #[error("the grid has {samples} samples; at most {MAX_SAMPLES} can be filled")]
     TooMany {
-        /// Samples of the grid.
+        /// Number of samples of the grid.
         samples: u64,
     },
-    /// It would take more than [`MAX_FILLED_BYTES`].
+    /// The result would take more than [`MAX_FILLED_BYTES`].
     #[error(
         "the filled samples would take {} MiB; at most {} MiB can be", bytes >> 20,
         MAX_FILLED_BYTES >> 20
     )]
     TooLarge {
-        /// What they would take.
+        /// Memory that the result would take, in bytes.
         bytes: u64,
     },
 }
@@ -132,7 +132,7 @@ pub struct FilledSamples {
     rules: Arc<[Rule]>,
     tiles: Vec<Arc<Tile>>,
     provenances: Vec<Provenance>,
-    /// For each sample in the order of [`Grid::addresses`]: its tile and its provenance.
+    /// Tile and provenance of each sample, by index, in the order of [`Grid::addresses`].
     samples: Vec<[u32; 2]>,
 }
 
@@ -142,12 +142,12 @@ impl FilledSamples {
         self.grid
     }
 
-    /// Whether the tile repeats.
+    /// True if the tile repeats.
     pub fn is_tiling(&self) -> bool {
         self.is_tiling
     }
 
-    /// The rules that filled it.
+    /// The rules that filled the samples.
     pub fn rules(&self) -> &[Rule] {
         &self.rules
     }
@@ -158,12 +158,12 @@ impl FilledSamples {
         self.tiles.get(self.tile_index(address)?)
     }
 
-    /// Which of [`Self::tiles`] a sample has.
+    /// The index of a sample's tile in [`Self::tiles`].
     pub fn tile_index(&self, address: Address) -> Option<usize> {
         Some(self.sample(address)?[0] as usize)
     }
 
-    /// Where a sample comes from; `None` outside the grid.
+    /// The provenance of a sample; `None` outside the grid.
     pub fn provenance(&self, address: Address) -> Option<&Provenance> {
         self.provenances.get(self.sample(address)?[1] as usize)
     }
@@ -173,13 +173,13 @@ impl FilledSamples {
         &self.tiles
     }
 
-    /// Memory that it takes, in bytes: each tile once, painted ones too, which it shares with the
-    /// HCBTF.
+    /// The memory that the samples take, in bytes: each tile once, painted ones too, which are
+    /// shared with the HCBTF.
     pub fn bytes(&self) -> u64 {
         bytes(self.grid, self.tiles.len() as u64)
     }
 
-    /// Every sample with its tile and its provenance, in the order of [`Grid::addresses`].
+    /// All samples with their tiles and provenances, in the order of [`Grid::addresses`].
     pub fn iter(&self) -> impl Iterator<Item = (Address, &Arc<Tile>, &Provenance)> {
         self.grid.addresses().zip(&self.samples).filter_map(|(address, [tile, provenance])| {
             Some((
@@ -195,7 +195,7 @@ impl FilledSamples {
     }
 }
 
-/// Memory of a filled grid with this many different tiles.
+/// The memory of a filled grid with this many different tiles.
 fn bytes(grid: Grid, tiles: u64) -> u64 {
     let tile = 4 * grid.texels() as u64 + size_of::<Tile>() as u64 + size_of::<Arc<Tile>>() as u64;
     tiles
@@ -203,15 +203,15 @@ fn bytes(grid: Grid, tiles: u64) -> u64 {
         .saturating_add(grid.sample_count().saturating_mul(size_of::<[u32; 2]>() as u64))
 }
 
-/// Memory that a filled grid takes at most, in bytes: no two samples alike.
+/// The greatest memory that a filled grid takes, with no two samples alike, in bytes.
 pub fn filled_at_most(grid: &Grid) -> u64 {
     bytes(*grid, grid.sample_count())
 }
 
-/// What [`fill`] would take, without filling.
+/// The cost of [`fill`], computed without filling.
 ///
 /// # Errors
-/// As [`fill`], but for its being stopped.
+/// As [`fill`], except for being stopped.
 pub fn estimate(hcbtf: &Hcbtf) -> Result<Estimate, NotFilled> {
     laid_out(hcbtf, &Progress::new()).map(|(_, estimate)| estimate)
 }
@@ -234,11 +234,11 @@ fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Esti
 /// Runs the rules for every sample. Painted samples always win; samples outside the grid and
 /// painted tiles of another size than the grid's are left out.
 ///
-/// `progress` counts rows of texels, and what generators make ready before as so many rows as take
-/// as long.
+/// `progress` counts rows of texels, and the preparations of generators as the number of rows that
+/// would take as long.
 ///
 /// # Errors
-/// Where it was stopped, and where the grid is too large or none at all.
+/// Where the work is stopped, and where the grid is too large or not valid.
 pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<FilledSamples, NotFilled> {
     let (mut plan, _) = laid_out(hcbtf, progress)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
@@ -256,8 +256,8 @@ pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<FilledSamples, NotFill
     Ok(FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances, samples })
 }
 
-/// Runs the rules for one sample alone: what [`fill`] would give it, in the time of one tile. For
-/// showing it before all others are done; `None` outside the grid.
+/// Runs the rules for one sample alone: the same result as that of [`fill`], in the time of one
+/// tile, to show the sample before all others are done; `None` outside the grid.
 ///
 /// # Errors
 /// As [`fill`].
@@ -280,7 +280,8 @@ pub fn sample(
     tile.transpose()
 }
 
-/// Tiles that are equal become one, the first; gives where each went.
+/// The tiles with equal ones joined into the first of them, and the index of each tile's
+/// replacement.
 pub(super) fn shared(all: Vec<Arc<Tile>>) -> (Vec<Arc<Tile>>, Vec<u32>) {
     let hash = |tile: &Arc<Tile>| {
         let mut hasher = DefaultHasher::new();

@@ -1,4 +1,4 @@
-//! From rules to recipes: what each sample begins with, and what becomes of it.
+//! Planning: makes recipes of rules, each with the start of a sample and the changes of its colors.
 
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -17,34 +17,34 @@ use crate::document::{
 use crate::hcbtf::generate::Generator;
 use crate::progress::Progress;
 
-/// Directions nearer than this, in radians, are the same: angles of one grid differ by far more,
-/// and those that ought to be equal by rounding alone.
+/// Greatest angle between directions that count as the same, in radians: angles of one grid differ
+/// by far more, and those that ought to be equal by rounding alone.
 pub(super) const SAME_ANGLE: f64 = 1e-9;
 
-/// A painted sample with what distances need.
+/// A painted sample with the vectors that distances need.
 pub(super) struct Painted<'a> {
     pub(super) address: Address,
     pub(super) light: DVec3,
     pub(super) view: DVec3,
     pub(super) tile: &'a Arc<Tile>,
-    /// Whether nothing shines through it.
+    /// True if all texels are opaque.
     pub(super) is_opaque: bool,
 }
 
-/// What a tile begins as.
+/// Start of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Source {
     /// Transparent black.
     Empty,
     /// A painted sample, by its number in the plan.
     Painted(u32),
-    /// All painted samples, by how near they are to the address.
+    /// All painted samples, weighted by their distance from the address.
     Blend { address: Address, sharpness: Bits },
     /// The nearest painted samples, moved toward each other.
     Morph { address: Address, sharpness: Bits },
-    /// One color, straight RGBA.
+    /// A single color, straight RGBA.
     Uniform([u8; 4]),
-    /// What the generator of a rule draws.
+    /// The drawing of a rule's generator.
     Generated { rule: u32, address: Address },
 }
 
@@ -54,7 +54,7 @@ pub(super) struct Bits(u64);
 
 impl Bits {
     fn new(value: f64) -> Self {
-        // Adding zero makes one zero of the two.
+        // Adding zero makes negative zero positive, so that both have the same bits.
         Self((value + 0.0).to_bits())
     }
 
@@ -63,16 +63,16 @@ impl Bits {
     }
 }
 
-/// What becomes of a channel, a byte as a number from 0 to 255: factor, then offset.
+/// Change of a channel, a byte as a number from 0 to 255: factor, then offset.
 pub(super) type Map = [Bits; 2];
 
-/// How a tile is made.
+/// Recipe of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Recipe {
     pub(super) source: Source,
-    /// Turns of the content, in [0, 1), from v toward u.
+    /// Turn of the content, in turns in [0, 1), from v toward u.
     pub(super) turn: Bits,
-    /// For red, green and blue.
+    /// Changes of red, green and blue.
     pub(super) maps: [Map; 3],
 }
 
@@ -85,7 +85,7 @@ impl Recipe {
         self.maps.iter().any(|[factor, offset]| factor.get() != 1.0 || offset.get() != 0.0)
     }
 
-    /// Each channel times its factor plus its offset, after what was done before.
+    /// Multiplies each channel by its factor and adds its offset, after all changes so far.
     fn then(&mut self, factor: [f64; 3], offset: [f64; 3]) {
         for ((map, factor), offset) in self.maps.iter_mut().zip(factor).zip(offset) {
             let [before, added] = map.map(Bits::get);
@@ -94,28 +94,29 @@ impl Recipe {
     }
 }
 
-/// All recipes, and which sample has which.
+/// All recipes, and the recipe of each sample.
 pub(super) struct Plan<'a> {
     pub(super) grid: Grid,
     pub(super) is_tiling: bool,
     pub(super) painted: Vec<Painted<'a>>,
     pub(super) recipes: Vec<Recipe>,
     pub(super) provenances: Vec<Provenance>,
-    /// For each rule, what draws its tiles, where that is needed and ready.
+    /// Generator of each rule, where one is needed and prepared.
     pub(super) generators: Vec<Option<Generator>>,
-    /// Where the texels of painted samples go in others, where that is needed and ready.
+    /// Flows between painted samples, where they are needed and prepared.
     pub(super) flows: Flows,
-    /// For each sample, in the grid's order where all are walked: its recipe and its provenance.
+    /// Recipe and provenance of each sample, by index; in the grid's order if all samples are
+    /// planned.
     pub(super) samples: Vec<[u32; 2]>,
 }
 
 impl<'a> Plan<'a> {
-    /// Walks the rules for every sample; `None` where it is stopped.
+    /// Walks the rules for every sample; `None` if the work is stopped.
     pub(super) fn new(hcbtf: &'a Hcbtf, progress: &Progress) -> Option<Self> {
         Self::of(hcbtf, hcbtf.grid.addresses().collect(), progress)
     }
 
-    /// Walks the rules for some samples alone, by canonical address.
+    /// Walks the rules for some samples only, by canonical address.
     pub(super) fn of(
         hcbtf: &'a Hcbtf,
         addresses: Vec<Address>,
@@ -144,8 +145,8 @@ impl<'a> Plan<'a> {
         })
     }
 
-    /// Makes ready what some recipe needs, once it is laid out how long that and all tiles take;
-    /// `None` where it is stopped.
+    /// Prepares the generators and flows that recipes need, once the time for these and for all
+    /// tiles is known; `None` if the work is stopped.
     pub(super) fn prepare(&mut self, hcbtf: &Hcbtf, progress: &Progress) -> Option<()> {
         let rules = &hcbtf.rules;
         let mut generated: Vec<Vec<Address>> = vec![Vec::new(); rules.len()];
@@ -178,13 +179,13 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// What walking the rules needs.
+/// Inputs of walking the rules.
 struct Planner<'a> {
     grid: Grid,
     rules: &'a [Rule],
     painted: Vec<Painted<'a>>,
     numbers: HashMap<Address, u32>,
-    /// For each rule that is a [`Rule::Lock`].
+    /// Look-up of each rule that is a [`Rule::Lock`].
     locks: Vec<Option<Lock>>,
 }
 
@@ -239,7 +240,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// What a rule fills a sample with, if it does.
+    /// The start of a tile that a rule fills; `None` if the rule does not fill the sample.
     fn source(&self, rule: &Rule, number: usize, address: Address) -> Option<Source> {
         let painted =
             |from: &Address| self.numbers.get(&from.canonical()).copied().map(Source::Painted);
@@ -288,7 +289,7 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// Puts what a rule changes of a sample into its recipe.
+/// Adds the change that a rule makes to a sample's recipe.
 fn change(rule: &Rule, recipe: &mut Recipe, address: Address, grid: &Grid) {
     match rule {
         Rule::Lambert { shadow, amount } => {
@@ -296,8 +297,7 @@ fn change(rule: &Rule, recipe: &mut Recipe, address: Address, grid: &Grid) {
             let kept = 1.0 - finite(*amount).clamp(0.0, 1.0) * (1.0 - theta.cos().max(0.0));
             recipe.then([kept; 3], shadow.map(|channel| f64::from(channel) * (1.0 - kept)));
         }
-        // One color has nothing that could be turned, and at the normal there is nothing to turn
-        // by.
+        // A single color has nothing that could be turned, and at the normal the angle is 0.
         Rule::Rotate { turns }
             if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) =>
         {
@@ -318,16 +318,16 @@ fn finite(value: f64) -> f64 {
     if value.is_finite() { value } else { 0.0 }
 }
 
-/// Turns in [0, 1), with what is a quarter but for rounding made one.
+/// Turns in [0, 1); a quarter with a rounding error becomes an exact one.
 fn snapped(turns: f64) -> f64 {
     let turns = turns.rem_euclid(1.0);
     let quarters = (4.0 * turns).round();
     if (4.0 * turns - quarters).abs() < SAME_ANGLE { (quarters / 4.0) % 1.0 } else { turns }
 }
 
-/// How far a sample is along an angle, from 0 to 1: from the normal to the horizon, or from phi 0
-/// half a turn around, and back. At the normal every step around it is equally right, so it is in
-/// the middle.
+/// The position of a sample along an angle, from 0 to 1: from the normal to the horizon, or from
+/// phi 0 half a turn around, and back. At the normal every step around it is equally right, so the
+/// position is in the middle.
 fn along(angle: Angle, address: Address, grid: &Grid) -> f64 {
     let from_normal =
         |directions: Directions, direction: Direction| directions.angles(direction)[0] / FRAC_PI_2;

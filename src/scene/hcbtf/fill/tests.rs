@@ -11,7 +11,7 @@ const GRID: Grid = Grid {
     view: Directions { theta: 4, phi: 4 },
 };
 
-/// A byte that looks random and is the same in every run.
+/// A pseudorandom byte, the same in every run.
 fn hash(numbers: &[u32]) -> u8 {
     let mixed = numbers
         .iter()
@@ -28,7 +28,7 @@ fn make_opaque(tile: &mut Arc<Tile>) {
     Arc::make_mut(tile).bytes_mut().iter_mut().skip(3).step_by(4).for_each(|alpha| *alpha = 255);
 }
 
-/// Painted with noise at the addresses, with these rules.
+/// An HCBTF painted with noise at the addresses, with these rules.
 fn painted(grid: Grid, addresses: &[Address], rules: Vec<Rule>) -> Hcbtf {
     let mut hcbtf = Hcbtf::new(grid);
     hcbtf.painted = addresses
@@ -47,7 +47,7 @@ fn some_addresses() -> Vec<Address> {
     GRID.addresses().filter(|at| hash(&[GRID.index(*at).unwrap() as u32, 77]) < 30).collect()
 }
 
-/// By the arc cosine, unlike the code.
+/// The angle between vectors by the arc cosine, unlike the tested code.
 fn between(a: DVec3, b: DVec3) -> f64 {
     a.dot(b).clamp(-1.0, 1.0).acos()
 }
@@ -77,7 +77,7 @@ fn color(tile: &Tile, i: usize) -> [f64; 4] {
     std::array::from_fn(|channel| f64::from(tile.bytes()[4 * i + channel]))
 }
 
-/// Holds every texel of every sample that is not painted against a formula for straight RGBA, to
+/// Compares every texel of every sample that is not painted with a formula for straight RGBA, to
 /// half a step.
 fn expect(hcbtf: &Hcbtf, formula: impl Fn(Address, usize) -> [f64; 4]) {
     let filled = filled(hcbtf);
@@ -86,7 +86,7 @@ fn expect(hcbtf: &Hcbtf, formula: impl Fn(Address, usize) -> [f64; 4]) {
     {
         for i in 0..hcbtf.grid.texels() {
             let (got, wanted) = (color(tile, i), formula(address, i));
-            // The color of what is rounded to nothing is nobody's.
+            // The color of an alpha that rounds to 0 is undefined.
             let channels = if wanted[3] > 0.0 && wanted[3] < 0.5 { 3..4 } else { 0..4 };
             let near = channels.into_iter().all(|c| (got[c] - wanted[c]).abs() <= 0.502);
             assert!(near, "{address}, texel {i}: {got:?}, wanted {wanted:?}");
@@ -113,7 +113,7 @@ fn without_rules_the_rest_is_empty() {
         assert_eq!(filled.provenance(address), Some(provenance));
     }
     assert_eq!(filled.tile(Address::new([9, 0], [0, 0])), None);
-    // The normal is one direction, however it is said.
+    // The normal is one direction, whatever step it is given with.
     let odd = Address { light: Direction { theta: 0, phi: 3 }, ..Address::default() };
     assert_eq!(filled.tile(odd), filled.tile(Address::default()));
 }
@@ -160,7 +160,7 @@ fn copies_are_pointers_and_rules_work_in_order() {
     assert!(all.iter().all(|(_, tile, _)| Arc::ptr_eq(tile, &hcbtf.painted[&from])));
     let hcbtf = painted(GRID, &[from], vec![copy, lambert]);
     let all = filled(&hcbtf);
-    // Each ring of the light is darkened alike; the first is not at all.
+    // Each ring of the light is darkened alike; the first is not darkened.
     assert_eq!(all.tiles().len(), 3);
     let overhead = all.provenance(Address::new([0, 0], [2, 2])).unwrap();
     assert_eq!(*overhead, Provenance::Filled { by: 0, changed_by: vec![] });
@@ -240,7 +240,7 @@ fn blend_is_shepards_mean_weighted_by_alpha() {
                 [r, g, b].iter().zip(&mut plain).for_each(|(c, sum)| *sum += weight * c);
             }
             match (sum, plain) {
-                // Where nothing is seen, alpha cannot weigh.
+                // In transparent texels alpha cannot be a weight.
                 ([.., 0.0], [r, g, b]) => [r / weights, g / weights, b / weights, 0.0],
                 ([r, g, b, a], _) => [r / a, g / a, b / a, a / weights],
             }
@@ -327,7 +327,7 @@ fn lock_takes_the_nearest_that_agrees_in_the_free_angles() {
     }
 }
 
-/// One sample, copied everywhere and turned.
+/// A sample that is copied everywhere and turned.
 fn turned(tile: Tile, is_tiling: bool, steps: u32, turns: &[f64]) -> (Hcbtf, FilledSamples) {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: tile.size(), light: one, view: Directions { theta: 2, phi: steps } };
@@ -354,8 +354,8 @@ fn quarter_turns_of_a_square_tile_move_texels_and_nothing_else() {
             let texel = |x: i64, y: i64| source.texel(x, y);
             let last = i64::from(side) - 1;
             for (x, y) in (0..=last).flat_map(|y| (0..=last).map(move |x| (x, y))) {
-                // What points up at phi 0 points right after a quarter, down after a half, left
-                // after three.
+                // Content that points up at phi 0 points right after a quarter, down after a half,
+                // left after three.
                 assert_eq!(at_step(&filled, 0).texel(x, y), texel(x, y));
                 assert_eq!(at_step(&filled, 3).texel(x, y), texel(y, last - x), "{side}");
                 assert_eq!(at_step(&filled, 6).texel(x, y), texel(last - x, last - y));
@@ -378,8 +378,8 @@ fn quarter_turns_of_a_square_tile_move_texels_and_nothing_else() {
 #[test]
 fn turns_that_add_up_are_resampled_once() {
     let source = noise([8, 8], 3);
-    // Each alone falls between texels; together they are a quarter (thesis figure 37 shows what
-    // turning twice would lose).
+    // Each turn alone falls between texels; together they are a quarter (thesis figure 37 shows the
+    // loss of turning twice).
     let (_, at_once) = turned((*source).clone(), true, 8, &[2.0]);
     let (_, by_parts) = turned((*source).clone(), true, 8, &[0.3, 1.2, 0.5]);
     for step in 0..8 {
@@ -388,7 +388,7 @@ fn turns_that_add_up_are_resampled_once() {
     assert_eq!(at_step(&by_parts, 1).texel(0, 0), source.texel(0, 7));
     let (_, there_and_back) = turned((*source).clone(), true, 7, &[1.0, -1.0]);
     assert!(there_and_back.iter().all(|(_, tile, _)| *tile == source));
-    // A view along the normal turns nothing, and a whole turn is none: neither is a change.
+    // A view along the normal turns nothing, and a whole turn is no turn: neither is a change.
     let (_, whole) = turned((*source).clone(), true, 5, &[5.0]);
     assert!(whole.iter().all(|(_, tile, _)| *tile == source));
     let unchanged = Provenance::Filled { by: 0, changed_by: vec![] };
@@ -401,7 +401,7 @@ fn turning_keeps_flat_colors_and_ramps_and_makes_no_halo() {
         let (_, filled) = turned(Tile::filled([7, 4], color), true, 9, &[1.0]);
         assert_eq!(filled.tiles().len(), 1, "{color:?}");
     }
-    // A ramp is turned as the plane that it is, but for its edges.
+    // A ramp is turned as the plane that it is, except at its edges.
     let ramp =
         (0..32_u32).flat_map(|y| (0..32).flat_map(move |x| [(4 * x + 2 * y) as u8, 0, 0, 255]));
     let (_, filled) = turned(Tile::new([32, 32], ramp.collect()).unwrap(), false, 10, &[1.0]);
@@ -483,8 +483,8 @@ fn what_is_too_large_is_refused_before_memory_is_taken() {
         view: Directions { theta: 1, phi: 1 },
     };
     let mut hcbtf = Hcbtf::new(large);
-    // One color for each ring that the light is at: six tiles; with a second angle, more than
-    // there is room for.
+    // One color for each ring of the light: six tiles; with a second angle, more than there is room
+    // for.
     hcbtf.rules = vec![
         Rule::Color { color: [9; 4] },
         Rule::Recolor { angle: Angle::LightTheta, from: [0; 3], to: [255; 3] },
@@ -518,8 +518,8 @@ fn nothing_that_rules_can_say_makes_it_panic() {
     }
 }
 
-/// The aim: a whole HCBTF of the thesis's size from few samples, in well under a second. Told, not
-/// judged: machines differ.
+/// The aim: a whole HCBTF of the thesis's size from few samples, in well under a second. Printed,
+/// not asserted: machines differ.
 #[test]
 #[ignore = "a measurement; run it with optimization"]
 fn how_long_a_blend_of_the_thesis_takes() {
@@ -544,7 +544,7 @@ fn how_long_a_blend_of_the_thesis_takes() {
     }
 }
 
-/// A painted sample with other texels in a part of it.
+/// The HCBTF with other texels in a part of a painted sample.
 fn stroked(hcbtf: &Hcbtf, address: Address, [x, y, wide, high]: [u32; 4], color: [u8; 4]) -> Hcbtf {
     let mut hcbtf = hcbtf.clone();
     let tile = Arc::make_mut(hcbtf.painted.get_mut(&address).unwrap());
@@ -598,7 +598,7 @@ fn after_a_stroke_only_what_it_changed_is_made_again() {
             };
             assert!(tiles(&again) == tiles(&anew), "{:?}", hcbtf.rules);
             assert!(again.iter().zip(anew.iter()).all(|(a, b)| a.0 == b.0 && a.2 == b.2));
-            // What is seen through takes another way, once.
+            // Transparent paint is blended in another way, and everything is filled anew once.
             if is_local && color[3] == 255 {
                 let [done, total] = progress.steps();
                 let most = GRID.sample_count() * u64::from(part[3]) + u64::from(GRID.size[1]);
@@ -619,11 +619,11 @@ fn after_a_stroke_only_what_it_changed_is_made_again() {
             }
             (hcbtf, before) = (now, again);
         }
-        // The same again is no work at all.
+        // Refilling an unchanged HCBTF is no work at all.
         let progress = Progress::new();
         assert!(refill(&hcbtf.clone(), (&hcbtf, &before), &progress).unwrap() == before);
         assert_eq!(progress.steps(), [0, 0]);
-        // Other rules, other paintings and another grid are filled as ever.
+        // Other rules, other paintings and another grid are filled from the start.
         let mut others = [hcbtf.clone(), hcbtf.clone(), hcbtf.clone()];
         others[0].rules.push(Rule::Color { color: [1, 2, 3, 255] });
         others[1].painted.remove(&first);

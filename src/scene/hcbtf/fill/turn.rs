@@ -1,20 +1,21 @@
 //! Turning a tile's content about its middle.
 //!
-//! What points along v (up) at no turn points along u (right) after a quarter, as phi goes. Each
-//! texel is looked up in the unturned source by Catmull-Rom's cubic, which is sharper than a linear
-//! filter and gives the texels themselves where it meets them, so that quarter turns of a square
-//! tile lose nothing. It is kept within the four nearest texels, so strokes get no halo, and works
-//! on premultiplied colors, so transparent texels do not bleed in.
+//! Content that points along v (up) at no turn points along u (right) after a quarter, as phi goes.
+//! Each texel is looked up in the unturned source by Catmull-Rom's cubic, which is sharper than a
+//! linear filter and gives the texels themselves at their positions, so that quarter turns of a
+//! square tile lose nothing. The result is clamped to the range of the four nearest texels, so
+//! strokes get no halo, and computed on premultiplied colors, so transparent texels do not bleed
+//! in.
 
 use std::f64::consts::TAU;
 
 /// A straight RGBA color from 0 to 255.
 pub(super) type Color = [f32; 4];
 
-/// How a tile is looked up that was turned.
+/// Look-up in a tile that is turned.
 pub(super) struct Turned<F> {
     pub(super) size: [u32; 2],
-    /// Beyond its edges a tile goes on, or there is nothing.
+    /// True if the tile repeats beyond its edges; false if it is transparent there.
     pub(super) is_tiling: bool,
     cos_sin: [f64; 2],
     texel: F,
@@ -25,7 +26,7 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
     /// 1).
     pub(super) fn new(size: [u32; 2], is_tiling: bool, turns: f64, texel: F) -> Self {
         let quarters = 4.0 * turns;
-        // Exact where it can be: a cosine of 6e-17 would move texels by a rounding error.
+        // Quarter turns are exact: a cosine of 6e-17 would move texels by a rounding error.
         let cos_sin = match quarters as u32 {
             _ if quarters.fract() != 0.0 => [(TAU * turns).cos(), (TAU * turns).sin()],
             0 => [1.0, 0.0],
@@ -42,7 +43,7 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         let middle = [0.5 * (width - 1.0), 0.5 * (height - 1.0)];
         let (dx, dy) = (x as f64 - middle[0], y as f64 - middle[1]);
         let [cos, sin] = self.cos_sin;
-        // Rows go down: clockwise is from v toward u, and what is looked up lies the other way.
+        // Rows go down: clockwise is from v toward u, and the source lies the other way.
         let (x, fx) = split(middle[0] + dx * cos + dy * sin);
         let (y, fy) = split(middle[1] - dx * sin + dy * cos);
         if fx == 0.0 && fy == 0.0 { self.texel(x, y) } else { self.between(x, y, fx, fy) }
@@ -63,7 +64,7 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         let (across, down) = (cubic(fx), cubic(fy));
         let mut sum = [0.0; 4];
         let (mut least, mut most) = ([f32::INFINITY; 4], [f32::NEG_INFINITY; 4]);
-        // For where nothing is seen: the colors of the nearest, whatever their alpha.
+        // Colors for transparent texels: those of the nearest texels, whatever their alpha.
         let mut hidden = [0.0; 3];
         for (row, weight_down) in down.into_iter().enumerate() {
             for (column, weight_across) in across.into_iter().enumerate() {
@@ -73,7 +74,7 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
                 let premultiplied = [r * a, g * a, b * a, a];
                 (0..4).for_each(|i| sum[i] += weight * premultiplied[i]);
                 if (1..3).contains(&row) && (1..3).contains(&column) {
-                    // What cannot be seen has no say in the colors, but in the alpha.
+                    // Invisible texels do not bound the colors, only the alpha.
                     for i in if a > 0.0 { 0..4 } else { 3..4 } {
                         least[i] = least[i].min(texel[i]);
                         most[i] = most[i].max(texel[i]);
@@ -87,8 +88,8 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
         }
         let alpha = sum[3].max(least[3]).min(most[3]);
         if alpha > 0.0 {
-            // The sum of alphas can be 0 where the clamped one is not: then any color within
-            // bounds is as good.
+            // The sum of alphas can be 0 where the clamped one is not: then any color within bounds
+            // is as good.
             let straight =
                 |i: usize| (sum[i] / sum[3].max(f32::MIN_POSITIVE)).max(least[i]).min(most[i]);
             [straight(0), straight(1), straight(2), alpha]
@@ -98,8 +99,8 @@ impl<F: Fn(usize, usize) -> Color> Turned<F> {
     }
 }
 
-/// The texel before a place, and how far beyond it the place is; what is a texel but for rounding
-/// is one.
+/// The texel before a position, and the distance of the position beyond it; a position with a
+/// rounding error beside a texel becomes that texel.
 fn split(place: f64) -> (i64, f32) {
     let nearest = place.round();
     if (place - nearest).abs() < 1e-9 {

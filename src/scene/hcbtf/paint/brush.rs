@@ -1,66 +1,66 @@
-//! What paints, and where its copies go.
+//! Brushes, and the symmetry of strokes.
 
 use std::sync::Arc;
 
 use crate::document::Tile;
 
-/// What a stroke does to the texels that it meets.
+/// Effect of a stroke on the texels that it meets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tool {
-    /// Lays the brush's color over them.
+    /// Lays the brush's color over the texels.
     Paint,
-    /// Takes their alpha away; their color stays beneath.
+    /// Removes the texels' alpha; their color stays beneath.
     Erase,
-    /// Carries the color along that lay where the stroke came from: the flow is how much of it
-    /// stays on the brush from stamp to stamp, the opacity how much of it is laid down.
+    /// Carries colors along the stroke: the flow is the share that stays on the brush from stamp to
+    /// stamp, the opacity the share that is laid down.
     Smudge,
-    /// Lays a picture over them, as wide as the brush, again and again. A picture as wide in texels
-    /// as the brush is laid on whole texels, so that none is blurred.
+    /// Lays a picture over the texels, as wide as the brush, again and again. A picture as wide in
+    /// texels as the brush is laid on whole texels, so that none is blurred.
     Stamp(Arc<Tile>),
 }
 
-/// What the pen's pressure drives.
+/// Properties that the pen's pressure drives.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Pressure {
-    /// Nothing.
+    /// Neither size nor opacity.
     #[default]
     None,
-    /// How large the brush is.
+    /// The size of the brush.
     Size,
-    /// How much a stroke covers.
+    /// The opacity of the stroke.
     Opacity,
-    /// Both.
+    /// Both size and opacity.
     Both,
 }
 
 /// A brush.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Brush {
-    /// What it does.
+    /// Tool of the brush.
     pub tool: Tool,
-    /// Its diameter in texels, at most [`Brush::MAX_SIZE`]. Up to 1 it paints exactly the texel
+    /// Diameter, in texels, at most [`Brush::MAX_SIZE`]. Up to 1 the brush paints exactly the texel
     /// under the pointer.
     pub size: f64,
-    /// Which part of the radius covers wholly, from 0 (soft from the middle on) to 1 (an
+    /// Share of the radius that is covered wholly, from 0 (soft from the middle on) to 1 (an
     /// antialiased edge).
     pub hardness: f64,
-    /// How much a whole stroke covers at most, from 0 to 1.
+    /// Greatest coverage of a whole stroke, from 0 to 1.
     pub opacity: f64,
-    /// How much of that each stamp adds, from 0 to 1.
+    /// Share of the opacity that each stamp adds, from 0 to 1.
     pub flow: f64,
-    /// From stamp to stamp, in parts of the size; never less than a quarter of a texel.
+    /// Distance from stamp to stamp, as a share of the size; never less than a quarter of a texel.
     pub spacing: f64,
-    /// Straight RGBA as bytes. Its alpha is a further factor of the opacity.
+    /// Color, straight RGBA as bytes. Its alpha is a further factor of the opacity.
     pub color: [u8; 4],
-    /// What the pen's pressure drives.
+    /// Properties that the pen's pressure drives.
     pub pressure: Pressure,
 }
 
 impl Brush {
-    /// Larger brushes paint nothing; in texels.
+    /// Greatest diameter of a brush, in texels; larger brushes paint nothing.
     pub const MAX_SIZE: f64 = 8192.0;
 
-    /// The brush with all numbers in their ranges; `None` where it can paint nothing.
+    /// The brush with all numbers in their ranges; `None` if it can paint nothing.
     pub(super) fn settled(&self) -> Option<Settled> {
         let Self { size, hardness, opacity, flow, spacing, .. } = *self;
         let are_numbers =
@@ -76,12 +76,12 @@ impl Brush {
     }
 }
 
-/// Stamps farther apart than so many sizes are as far apart as that.
+/// Greatest distance between stamps, in sizes of the brush.
 const MAX_SPACING: f64 = 100.0;
-/// Stamps lie at least so many texels apart.
+/// Least distance between stamps, in texels.
 const MIN_STEP: f64 = 0.25;
 
-/// A brush whose numbers can be relied upon.
+/// A brush with all numbers in their ranges.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Settled {
     pub(super) size: f64,
@@ -93,7 +93,7 @@ pub(super) struct Settled {
 }
 
 impl Settled {
-    /// The diameter in texels.
+    /// The diameter at a pressure, in texels.
     pub(super) fn size_at(&self, pressure: f64) -> f64 {
         if matches!(self.pressure, Pressure::Size | Pressure::Both) {
             self.size * pressure
@@ -102,7 +102,7 @@ impl Settled {
         }
     }
 
-    /// How much the stroke covers at most, from 0 to 1.
+    /// The greatest coverage of the stroke at a pressure, from 0 to 1.
     pub(super) fn opacity_at(&self, pressure: f64) -> f64 {
         if matches!(self.pressure, Pressure::Opacity | Pressure::Both) {
             self.opacity * pressure
@@ -111,7 +111,7 @@ impl Settled {
         }
     }
 
-    /// From a stamp to the next, in texels.
+    /// The distance from a stamp to the next at a pressure, in texels.
     pub(super) fn step_at(&self, pressure: f64) -> f64 {
         (self.spacing * self.size_at(pressure)).max(MIN_STEP)
     }
@@ -133,19 +133,19 @@ impl Default for Brush {
     }
 }
 
-/// The copies of a stroke around the tile's middle.
+/// Symmetry of a stroke: its copies around the tile's middle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Symmetry {
-    /// Mirrored along u, left to right.
+    /// True for copies mirrored along u, left to right.
     pub across_u: bool,
-    /// Mirrored along v, top to bottom.
+    /// True for copies mirrored along v, top to bottom.
     pub across_v: bool,
-    /// So many copies around the middle, a whole turn apart in all; 0 and 1 are the stroke alone.
+    /// Number of copies around the middle, evenly over a whole turn; 0 and 1 are the stroke alone.
     /// At most [`Symmetry::MAX_TURNS`] are made.
     pub turns: u32,
 }
 
 impl Symmetry {
-    /// The most copies around the middle.
+    /// Greatest number of copies around the middle.
     pub const MAX_TURNS: u32 = 32;
 }

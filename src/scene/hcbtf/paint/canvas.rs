@@ -1,18 +1,18 @@
-//! Which texels a stamp meets on a tile that ends, or repeats, and which parts of the tile changed.
+//! Extent of a tile that ends or repeats, and the record of its changed parts.
 
 use glam::DVec2;
 
 use super::stroke::Changed;
 
-/// Changed texels are told by squares of so many.
+/// Side of the squares by which changed texels are recorded, in texels.
 const BLOCK: usize = 32;
 
 /// A part of a row or a column without a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Span {
-    /// Where it begins on the tile.
+    /// First texel on the tile.
     pub(super) start: usize,
-    /// Where it begins on the plane of all copies.
+    /// First texel on the plane of all copies of the tile.
     pub(super) from: i64,
     pub(super) count: usize,
 }
@@ -38,24 +38,24 @@ impl Canvas {
         })
     }
 
-    /// A place on the tile itself, where the tile repeats.
+    /// The position on the tile itself, where the tile repeats.
     pub(super) fn on_tile(self, at: DVec2) -> DVec2 {
         let size = DVec2::new(self.size[0] as f64, self.size[1] as f64);
         if self.wraps { at.rem_euclid(size) } else { at }
     }
 
-    /// The texel of a place on the plane; beyond a tile that ends the nearest.
+    /// The texel of the tile for a texel of the plane; for a tile that does not repeat the nearest.
     pub(super) fn nearest(self, axis: usize, at: i64) -> usize {
         let side = self.size[axis] as i64;
         (if self.wraps { at.rem_euclid(side) } else { at.clamp(0, side - 1) }) as usize
     }
 }
 
-/// What changed since it was asked for last.
+/// Record of the blocks that changed since the last call of `take`.
 #[derive(Clone, Debug)]
 pub(super) struct Dirty {
     size: [usize; 2],
-    /// How many blocks there are along x and along y.
+    /// Number of blocks along x and along y.
     count: [usize; 2],
     blocks: Vec<bool>,
     is_any: bool,
@@ -67,7 +67,7 @@ impl Dirty {
         Self { size, count, blocks: vec![false; count[0] * count[1]], is_any: false }
     }
 
-    /// Notes that a rectangle may have changed.
+    /// Records that a rectangle may have changed.
     pub(super) fn mark(&mut self, across: Span, down: Span) {
         let blocks = |span: Span| span.start / BLOCK..(span.start + span.count).div_ceil(BLOCK);
         for row in blocks(down) {
@@ -77,7 +77,7 @@ impl Dirty {
         self.is_any = true;
     }
 
-    /// The rectangles that changed; they do not overlap. Nothing has changed afterwards.
+    /// The rectangles that changed, without overlaps. Clears the record.
     pub(super) fn take(&mut self) -> Vec<Changed> {
         let mut changed: Vec<Changed> = Vec::new();
         if !std::mem::take(&mut self.is_any) {
@@ -93,7 +93,7 @@ impl Dirty {
                     let bottom = ((row + 1) * BLOCK).min(self.size[1]);
                     let [x, y] = [column * BLOCK, row * BLOCK];
                     let run = [x, y, end - x, bottom - y].map(|texels| texels as u32);
-                    // Under a run as wide it makes one rectangle with it.
+                    // Under a run of the same extent the run extends that rectangle.
                     let is_under = |above: &&mut Changed| {
                         above[0] == run[0] && above[2] == run[2] && above[1] + above[3] == run[1]
                     };

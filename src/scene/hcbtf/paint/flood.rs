@@ -1,32 +1,33 @@
-//! Filling what hangs together.
+//! Flood fill of connected texels.
 
 use super::canvas::Canvas;
 use super::rim;
 use crate::document::Tile;
 
-/// How a flood spreads.
+/// Options of a flood fill.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Flood {
-    /// How far any channel may be from that of the first texel, in parts of its range, from 0 to 1.
+    /// Greatest difference of any channel from that of the first texel, as a share of its range,
+    /// from 0 to 1.
     pub tolerance: f64,
-    /// How many texels it goes on under soft edges; 0 ends it where the tolerance does.
+    /// Number of texels by which the fill goes on under soft edges; 0 ends it where the tolerance
+    /// does.
     pub edge: u32,
-    /// Whether the tile's edges are neighbours.
+    /// True if the tile's opposite edges are neighbors.
     pub wraps: bool,
 }
 
 impl Flood {
-    /// As far a flood goes under soft edges where nobody says: hard brushes of any usual size have
-    /// no wider ones.
+    /// Default of `edge`, in texels: hard brushes of any usual size have no wider edges.
     pub const EDGE: u32 = 4;
 }
 
-/// The tile with another color in the texels that are like the one at `[x, y]`, and reached from
-/// it along sides of such.
+/// The tile with another color in the texels that are like the one at `[x, y]`, and connected to it
+/// along sides through such texels.
 ///
-/// What is wholly transparent is alike whatever color lies under that. At soft edges a texel is a
-/// mix of the old color and of what lies beyond: there the new color takes the old one's share. A
-/// place outside the tile, or a tolerance that is no number, fills nothing.
+/// Wholly transparent texels are alike whatever their hidden color is. At soft edges a texel is a
+/// mix of the old color and of the color beyond: there the new color takes the old one's share. A
+/// place outside the tile, or a tolerance that is not a number, fills nothing.
 pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
     let Flood { tolerance, edge, wraps } = flood;
     let mut filled = tile.clone();
@@ -70,7 +71,7 @@ pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
                 continue;
             }
             let other = canvas.nearest(1, other);
-            // One seed for each run of the neighbouring row.
+            // One seed for each run of the neighboring row.
             let mut was_open = false;
             for x in left..=right {
                 let x = canvas.nearest(0, x);
@@ -87,7 +88,7 @@ pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
     filled
 }
 
-/// Whether no channel is farther away than `most`.
+/// True if no channel differs by more than `most`.
 fn is_like(first: [u8; 4], texel: [u8; 4], most: f64) -> bool {
     let are_clear = first[3] == 0 && texel[3] == 0;
     are_clear || first.iter().zip(texel).all(|(a, b)| f64::from(a.abs_diff(b)) <= most)

@@ -1,8 +1,8 @@
 //! The brush: strokes, lines, floods and picked colors on one tile.
 //!
-//! Everything here takes a [`Tile`] and gives one; nothing knows of windows, documents or time, and
-//! equal calls give equal bytes on every machine's floating point of IEEE 754. Lengths are in
-//! texels, x to the right and y downward, the middle of the first texel at (0.5, 0.5).
+//! Every function takes a [`Tile`] and gives one; this module knows of no windows, documents or
+//! time, and equal calls give equal bytes on every machine's floating point of IEEE 754. Lengths
+//! are in texels, x to the right and y downward, the middle of the first texel at (0.5, 0.5).
 
 mod blend;
 mod brush;

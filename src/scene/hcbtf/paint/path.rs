@@ -1,44 +1,43 @@
-//! Where along a stroke its stamps lie.
+//! Positions of the stamps along a stroke.
 //!
-//! They lie at even distances along the path, whatever pieces the pointer's events cut it into:
-//! what is left until the next stamp is carried from piece to piece. The sums of differently cut
-//! paths differ in their last bits, so places and pressures are put on a grid afterwards, whose
-//! borders lie where no reasonable number is.
+//! Stamps lie at even distances along the path, whatever pieces the pointer's events cut it into:
+//! the rest of the distance until the next stamp is carried from piece to piece. The sums of
+//! differently cut paths differ in their last bits, so positions and pressures are rounded to a
+//! grid afterwards, whose borders lie where no reasonable number is.
 
 use glam::DVec2;
 
-/// Places are multiples of this many texels: sums, mirror images and squares of such are exact in
-/// f64.
+/// Grid of positions, in texels: sums, mirror images and squares of its multiples are exact in f64.
 const GRID: f64 = 1.0 / 256.0;
-/// Pressures are multiples of this.
+/// Grid of pressures.
 const PRESSURE_GRID: f64 = 1.0 / 4096.0;
-/// Where between two multiples the border lies: at no simple fraction.
+/// Position of the rounding border between two multiples: at no simple fraction.
 const BORDER: f64 = 0.414_213_562_373_095;
-/// A stamp so little beyond the end of a piece belongs to it, in texels.
+/// Distance beyond the end of a piece within which a stamp belongs to the piece, in texels.
 const SLACK: f64 = 1e-7 * BORDER;
-/// Shorter moves than this wait for the next, in texels.
+/// Length of the shortest move, in texels; shorter moves are added to the next.
 const SHORTEST: f64 = 1e-9;
-/// Places farther out than this many texels are none.
+/// Greatest coordinate of a position, in texels; farther positions are ignored.
 const FARTHEST: f64 = 1_048_576.0;
 
-/// Puts a place on the grid.
+/// Rounds a position to the grid.
 pub(super) fn settled(at: DVec2) -> DVec2 {
     (at / GRID + BORDER).floor() * GRID
 }
 
-/// The way of a pen.
+/// The path of a pen.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Path {
-    /// Where it was last, and with what pressure.
+    /// Last position, and the pressure there.
     last: Option<(DVec2, f64)>,
-    /// From there along the path to the next stamp, in texels.
+    /// Distance from the last position along the path to the next stamp, in texels.
     left: f64,
 }
 
 impl Path {
-    /// Goes straight on and calls `lay` with the place and the pressure of every stamp on the way,
-    /// at most `most` and one: on a longer way they lie farther apart. What is no place or no
-    /// pressure is passed over.
+    /// Goes straight on and calls `lay` with the position and the pressure of every stamp on the
+    /// way, at most `most` and one: on a longer way stamps lie farther apart. Positions and
+    /// pressures that are not finite, or too far away, are ignored.
     pub(super) fn to(
         &mut self,
         at: DVec2,

@@ -1,4 +1,4 @@
-//! Stamping with a picture: its pixels, at any size.
+//! Stamping with a picture at any size.
 
 use std::sync::Arc;
 
@@ -8,14 +8,15 @@ use super::blend::premultiplied;
 use super::symmetry::Mirrored;
 use crate::document::Tile;
 
-/// A level is made half as large until one of its texels is at least this part of the tile's.
+/// Least scale of a smaller level, in texels of the tile: levels are halved until one of their
+/// texels is at least this large.
 const FINEST: f64 = 1.5;
 
-/// A picture and smaller versions of it.
+/// A picture with its smaller levels.
 #[derive(Clone, Debug)]
 pub(super) struct Picture {
     tile: Arc<Tile>,
-    /// Half as large, a quarter as large, and so on; premultiplied.
+    /// Levels half as large, a quarter as large, and so on; premultiplied.
     halves: Vec<Level>,
 }
 
@@ -31,15 +32,15 @@ pub(super) struct PlacedPicture<'p> {
     picture: &'p Picture,
     center: DVec2,
     copy: Mirrored,
-    /// How far it reaches from its middle, in the tile's texels.
+    /// Distance that the picture reaches from its middle, in the tile's texels.
     pub(super) reach: DVec2,
-    /// Texels of the picture to one of the tile.
+    /// Number of the picture's texels to one of the tile.
     scale: f64,
     level: usize,
 }
 
 impl Picture {
-    /// A picture for brushes of `least` to any texels.
+    /// A picture for brushes of at least `least` texels.
     pub(super) fn new(tile: &Arc<Tile>, least: f64) -> Self {
         let mut picture = Self { tile: tile.clone(), halves: Vec::new() };
         let width = f64::from(tile.size()[0]);
@@ -62,19 +63,20 @@ impl Picture {
         picture
     }
 
-    /// Height over width.
+    /// The height over the width.
     pub(super) fn aspect(&self) -> f64 {
         let [width, height] = self.tile.size().map(f64::from);
         height / width
     }
 
-    /// Where its middle goes: to whole texels where it is laid texel by texel.
+    /// The middle of a stamp at a position: moved to whole texels if the picture is laid texel by
+    /// texel.
     pub(super) fn middle(&self, at: DVec2, size: f64) -> DVec2 {
         let half = DVec2::from(self.tile.size().map(f64::from)) / 2.0;
         if size == 2.0 * half.x { (at - half + 0.5).floor() + half } else { at }
     }
 
-    /// The picture, `size` texels wide.
+    /// The picture laid on the tile, `size` texels wide.
     pub(super) fn laid(&self, center: DVec2, size: f64, copy: Mirrored) -> PlacedPicture<'_> {
         let half = DVec2::new(size, size * self.aspect()) / 2.0;
         let mut scale = f64::from(self.tile.size()[0]) / size;
@@ -95,7 +97,7 @@ impl Picture {
         }
     }
 
-    /// A premultiplied texel; nothing outside.
+    /// A premultiplied texel of a level; transparent outside.
     fn texel(&self, level: usize, x: i64, y: i64) -> [f32; 4] {
         let size = self.size(level);
         if !(0..size[0]).contains(&x) || !(0..size[1]).contains(&y) {
@@ -109,18 +111,19 @@ impl Picture {
 }
 
 impl PlacedPicture<'_> {
-    /// The texels that it may meet, along x and along y.
+    /// The texels that the picture may meet, along x and along y.
     pub(super) fn ranges(&self) -> [[i64; 2]; 2] {
         let (low, high) = ((self.center - self.reach).floor(), (self.center + self.reach).ceil());
         [[low.x as i64, high.x as i64], [low.y as i64, high.y as i64]]
     }
 
-    /// Its color at a texel, premultiplied, between the four nearest of the picture's.
+    /// The color at a texel of the tile, premultiplied, interpolated between the four nearest
+    /// texels of the picture.
     pub(super) fn color(&self, column: i64, row: i64) -> [f32; 4] {
         let away = DVec2::new(column as f64, row as f64) + 0.5 - self.center;
         let half = DVec2::from(self.picture.tile.size().map(f64::from)) / 2.0;
         let on_picture = self.copy.turn.transpose() * away * self.scale + half;
-        // A level's texels are so many of the picture's wide.
+        // A level's texels are that many of the picture's wide.
         let at = on_picture / f64::from(1_u32 << self.level) - 0.5;
         let (first, part) = (at.floor(), at - at.floor());
         let (x, y) = (first.x as i64, first.y as i64);

@@ -1,39 +1,40 @@
-//! The soft edges of what was filled: texels that are mixes of the old color and of what lies
-//! beyond get the new color in place of the old one's share, so that no rim of it is left.
+//! The soft edges of a flood fill: texels that are mixes of the old color and of the color beyond
+//! get the new color in place of the old one's share, so that no rim of the old color is left.
 //!
 //! A soft edge is climbed from the filled texels outward for as long as texels become less like the
-//! old color. The top of the climb is what lies beyond, and how far up a texel stands is its share
-//! of that. Colors count by how much of them is seen (premultiplied), so that edges toward what is
-//! transparent are edges like others. What is no mix of both, as where a third color comes in,
-//! stays as it is.
+//! old color. The top of the climb has the color beyond, and the height of a texel in the climb is
+//! its share of that color. Colors count by how much of them is seen (premultiplied), so that edges
+//! toward transparent texels are edges like others. A texel that is no mix of both, as where a
+//! third color comes in, stays as it is.
 
 use super::canvas::Canvas;
 
-/// Red, green, blue and alpha, each from 0 to 255, weighted by alpha.
+/// A color weighted by its alpha: red, green, blue and alpha, each from 0 to 255.
 type WeightedColor = [f64; 4];
 
-/// A texel may be this far from the mix that it is taken for, in 255ths: each of the three colors
-/// is rounded, and brushes blend straight bytes.
+/// Greatest distance of a texel from the mix that it is taken for, in 255ths: each of the three
+/// colors is rounded, and brushes blend straight bytes.
 const ROUNDED: f64 = 10.0;
 
-/// What was filled with what, and how wide its soft edges may be.
+/// Colors of a fill, and the width of its soft edges.
 pub(super) struct Edge {
-    /// The old color, straight.
+    /// Old color, straight.
     pub(super) first: [u8; 4],
-    /// The new one.
+    /// New color, straight.
     pub(super) color: [u8; 4],
-    /// In texels.
+    /// Greatest width of soft edges, in texels.
     pub(super) width: u32,
     pub(super) canvas: Canvas,
 }
 
-/// Gives the new color to soft edges around the texels that `is_filled` names. `before` is the
-/// tile as it was.
+/// Gives the new color to soft edges around the texels that `is_filled` marks. `before` is the tile
+/// before the fill.
 pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after: &mut [[u8; 4]]) {
     let first = seen(edge.first);
     let far = |index: usize| distance(seen(before[index]), first);
     let mut rim = climbed(edge, is_filled, &far);
-    // From the tops downward: what lies above a texel is known before it.
+    // Texels are visited from the tops downward, so that the color beyond is known for the texels
+    // above one.
     rim.sort_by(|a, b| far(*b).total_cmp(&far(*a)).then(a.cmp(b)));
     let mut beyond: Vec<Option<WeightedColor>> =
         vec![None; if rim.is_empty() { 0 } else { before.len() }];
@@ -42,7 +43,7 @@ pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after
         let higher = neighbours(edge.canvas, index)
             .filter(|other| far(*other) > far(index) && !is_filled[*other]);
         let tops = higher.map(|other| beyond[other].unwrap_or_else(|| seen(before[other])));
-        // Of several tops the one that this is most plainly a mix of.
+        // Of several tops that one is taken whose mix is nearest to the texel.
         let best = tops
             .map(|top| (top, share(own, first, top)))
             .filter(|(_, (_, error))| *error <= ROUNDED);
@@ -58,8 +59,8 @@ pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after
     }
 }
 
-/// The texels of the soft edges: reached from what is filled, each less like the old color than
-/// the one before it.
+/// The texels of the soft edges: connected to the filled texels, each less like the old color than
+/// the texel before it.
 fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<usize> {
     let mut rim = Vec::new();
     if edge.width == 0 {
@@ -87,7 +88,7 @@ fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<
     rim
 }
 
-/// The texels around one, corners included, row by row.
+/// The texels around a texel, corners included, row by row.
 fn neighbours(canvas: Canvas, index: usize) -> impl Iterator<Item = usize> {
     let [width, height] = canvas.size.map(|side| side as i64);
     let (x, y) = (index as i64 % width, index as i64 / width);
@@ -102,7 +103,7 @@ fn neighbours(canvas: Canvas, index: usize) -> impl Iterator<Item = usize> {
     })
 }
 
-/// Which part of a color is the other end of a mix, and how far the color is from that mix.
+/// The share of `top` in a mix of `first` and `top`, and the distance of the color from that mix.
 fn share(own: WeightedColor, first: WeightedColor, top: WeightedColor) -> (f64, f64) {
     let whole = [0, 1, 2, 3].map(|channel| top[channel] - first[channel]);
     let length = whole.iter().map(|part| part * part).sum::<f64>();
@@ -131,7 +132,7 @@ fn straight([r, g, b, a]: WeightedColor) -> [u8; 4] {
     }
 }
 
-/// How far two colors are apart in the channel in which they are farthest.
+/// The distance of two colors, in the channel in which they differ most.
 fn distance(a: WeightedColor, b: WeightedColor) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

@@ -1,4 +1,4 @@
-//! Carrying color along.
+//! Smudging: colors carried along a stroke.
 
 use glam::DVec2;
 
@@ -8,22 +8,23 @@ use super::canvas::{Canvas, Dirty, Span};
 use super::dab::Dab;
 use crate::document::Tile;
 
-/// As many texels are carried at most, over all copies of a stroke.
+/// Greatest number of texels that are carried, over all copies of a stroke.
 const MOST: usize = 1 << 24;
 
-/// What the brush and its copies carry, and the tile as precisely as that.
+/// Colors that the brush and its copies carry, and the tile at the same precision.
 #[derive(Clone, Debug)]
 pub(super) struct Smudge {
-    /// The tile, premultiplied: bytes would lose a little at every stamp.
+    /// Texels of the tile, premultiplied: bytes would lose a little at every stamp.
     work: Vec<[f32; 4]>,
-    /// Of each copy, a square of premultiplied texels around it; empty before the first stamp.
+    /// Colors that each copy carries: a square of premultiplied texels around it; empty before the
+    /// first stamp.
     carried: Vec<Vec<[f32; 4]>>,
-    /// The side of those squares, an odd number.
+    /// Side of those squares, in texels; odd.
     side: usize,
 }
 
 impl Smudge {
-    /// `None` where the brush would carry more than there is memory for.
+    /// A smudge on a tile; `None` if the brush would carry more than allowed.
     pub(super) fn new(tile: &Tile, size: f64, copies: usize) -> Option<Self> {
         let side = 2 * (size / 2.0).ceil() as usize + 3;
         if side * side * copies > MOST {
@@ -34,8 +35,8 @@ impl Smudge {
         Some(Self { work, carried: vec![Vec::new(); copies], side })
     }
 
-    /// Lays what copy number `copy` carries, and takes up what is there. The first stamp takes up
-    /// only.
+    /// Lays the colors that copy number `copy` carries, and takes up those on the tile. The first
+    /// stamp only takes up.
     pub(super) fn lay(
         &mut self,
         (copy, at): (usize, DVec2),
@@ -97,8 +98,8 @@ impl Smudge {
         }
     }
 
-    /// Mixes what lies under the brush into what it carries. Beyond a tile that ends lie its
-    /// outermost texels.
+    /// Mixes the colors under the brush into those that it carries. Beyond the edges of a tile that
+    /// does not repeat lie its outermost texels.
     fn take_up(&mut self, copy: usize, corner: [i64; 2], kept: f64, canvas: Canvas) {
         let (side, kept) = (self.side, kept as f32);
         let is_first = self.carried[copy].is_empty();

@@ -1,11 +1,11 @@
 //! A stroke of the brush.
 //!
-//! Painting and erasing keep two buffers: the tile as it was, and how much the stroke covers each
-//! texel. Stamps add to the second alone, each by the flow and none beyond the opacity, and the
-//! tile is made of both anew wherever stamps fell. So a stroke that crosses itself is no darker
-//! there, and nothing is rounded twice. Coverage is kept in f64, so that the order of mirrored
-//! stamps is not seen in any byte. A picture's stamps keep their color beside it. Smudging works
-//! on the tile itself.
+//! Painting and erasing keep two buffers: the tile before the stroke, and the stroke's coverage of
+//! each texel. Stamps add to the coverage alone, each by the flow and none beyond the opacity, and
+//! the tile is composed anew from both wherever stamps fell. So a stroke that crosses itself is no
+//! darker there, and nothing is rounded twice. Coverage is kept in f64, so that the order of
+//! mirrored stamps shows in no byte. Stamps of a picture keep their color beside the coverage.
+//! Smudging works on the tile itself.
 
 use std::fmt;
 
@@ -21,15 +21,15 @@ use super::smudge::Smudge;
 use super::symmetry::{Mirrored, copies};
 use crate::document::Tile;
 
-/// Texels that changed: `[x, y, width, height]`, inside the tile.
+/// A rectangle of texels that changed: `[x, y, width, height]`, inside the tile.
 pub type Changed = [u32; 4];
 
-/// As many texels are stamped at most from one place to the next; stamps that would be more lie
-/// farther apart.
+/// Greatest number of texels that are stamped from one position to the next; more stamps than that
+/// lie farther apart.
 const MOST_TEXELS: f64 = 1_073_741_824.0;
-/// As many stamps are laid at most from one place to the next, copies counted.
+/// Greatest number of stamps from one position to the next, copies counted.
 const MOST_STAMPS: f64 = 1_048_576.0;
-/// Smaller stamps than this are none, in texels.
+/// Diameter below which no stamp is laid, in texels.
 const SMALLEST: f64 = 1.0 / 256.0;
 
 /// A stroke, from where the pen goes down to where it goes up.
@@ -41,25 +41,25 @@ pub struct Stroke {
     dirty: Dirty,
     path: Path,
     copies: Vec<Mirrored>,
-    /// `None` where it can paint nothing.
+    /// Brush of the stroke; `None` if it can paint nothing.
     brush: Option<Settled>,
     work: Work,
 }
 
-/// What a stroke did so far.
+/// State of a stroke, by its tool.
 #[derive(Clone)]
 enum Work {
-    /// Lays this color, 0 to 255, at most by this alpha, where it covers.
+    /// Lays a color, 0 to 255, with at most the alpha `alpha`, where the stroke covers.
     Color {
         color: [f64; 3],
         alpha: f64,
         coverage: Vec<f64>,
     },
-    /// Takes alpha away where it covers.
+    /// Removes alpha where the stroke covers.
     Erase {
         coverage: Vec<f64>,
     },
-    /// Straight colors, 0 to 255, and how much they cover, 0 to 1.
+    /// Lays a picture: `laid` are straight colors, 0 to 255, and their coverage, 0 to 1.
     Picture {
         picture: Picture,
         laid: Vec<[f32; 4]>,
@@ -75,10 +75,10 @@ impl fmt::Debug for Stroke {
 }
 
 impl Stroke {
-    /// Begins a stroke over a tile as it is. Where `wraps` the tile repeats, and the stroke goes
-    /// across its edges. A brush with a number that is none, larger than [`Brush::MAX_SIZE`], or of
-    /// so many texels with all copies that a stamp would take seconds (2^30, for smudging 2^24),
-    /// paints nothing.
+    /// Begins a stroke over a tile. Where `wraps` the tile repeats, and the stroke goes across its
+    /// edges. A brush paints nothing if one of its numbers is not finite, if it is larger than
+    /// [`Brush::MAX_SIZE`], or if it has so many texels with all copies that a stamp would take
+    /// seconds (2^30, for smudging 2^24).
     pub fn begin(tile: &Tile, brush: &Brush, symmetry: &Symmetry, wraps: bool) -> Self {
         let size = tile.size().map(|side| side as usize);
         let texels = size[0] * size[1];
@@ -98,7 +98,7 @@ impl Stroke {
                 Smudge::new(tile, settled.size, copies.len()).map_or(Work::Nothing, Work::Smudge)
             }
             Tool::Stamp(picture) => {
-                // The smallest that pressure makes it.
+                // The smallest size that pressure can make the brush.
                 let picture = Picture::new(picture, settled.size_at(0.0));
                 Work::Picture { picture, laid: vec![[0.0; 4]; texels] }
             }
@@ -119,9 +119,10 @@ impl Stroke {
         }
     }
 
-    /// Goes on to a place, in texels from the upper left corner, which may lie outside the tile,
-    /// with a pressure between 0 and 1. Returns what changed. Places and pressures that are no
-    /// numbers, and places more than 1,048,576 texels away, are passed over.
+    /// Continues the stroke to a position, in texels from the upper left corner, which may lie
+    /// outside the tile, with a pressure between 0 and 1. Returns the parts that changed. Positions
+    /// and pressures that are not finite, and positions more than 1,048,576 texels away, are
+    /// ignored.
     ///
     /// One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther
     /// apart. Otherwise it does not matter how a way is cut into calls.
@@ -144,17 +145,17 @@ impl Stroke {
         changed
     }
 
-    /// The tile as it looks now.
+    /// The tile with the stroke so far.
     pub fn tile(&self) -> &Tile {
         &self.tile
     }
 
-    /// Ends the stroke.
+    /// Ends the stroke and gives the tile.
     pub fn finish(self) -> Tile {
         self.tile
     }
 
-    /// How many stamps one call may lay, whatever the length of its way.
+    /// The greatest number of stamps that one call may lay, whatever the length of its way.
     fn most_stamps(&self, size: f64) -> f64 {
         let [width, height] = extent(&self.work, size);
         let copies = self.copies.len() as f64;
@@ -175,7 +176,8 @@ impl Stroke {
         {
             return;
         }
-        // One texel is chosen once: the copies of a place between two would choose otherwise.
+        // A single texel is chosen once: the copies of a position between two texels would choose
+        // otherwise.
         let at = if size <= 1.0 { at.floor() + 0.5 } else { at };
         let Self { work, canvas, dirty, copies, tile, .. } = self;
         match work {
@@ -183,7 +185,7 @@ impl Stroke {
                 let places: Vec<DVec2> =
                     copies.iter().map(|copy| canvas.on_tile(copy.place(at))).collect();
                 for (index, &place) in places.iter().enumerate() {
-                    // On the axis of a mirror there are not two stamps.
+                    // On the axis of a mirror, two copies at one position are one stamp.
                     if !places[..index].contains(&place) {
                         cover(
                             coverage,
@@ -219,7 +221,8 @@ impl Stroke {
         }
     }
 
-    /// Makes a rectangle of the tile anew of the tile as it was and of what the stroke did there.
+    /// Composes a rectangle of the tile anew from the tile before the stroke and the stroke's
+    /// buffers.
     fn compose(&mut self, [x, y, width, height]: Changed) {
         let (before, _) = self.before.bytes().as_chunks::<4>();
         let (after, _) = self.tile.bytes_mut().as_chunks_mut::<4>();
@@ -256,13 +259,13 @@ impl Stroke {
     }
 }
 
-/// How many texels a stamp meets at most, along its picture's width and height.
+/// The greatest number of texels that a stamp meets, along its picture's width and height.
 fn extent(work: &Work, size: f64) -> [f64; 2] {
     let aspect = if let Work::Picture { picture, .. } = work { picture.aspect() } else { 1.0 };
     [size + 2.0, size * aspect + 2.0]
 }
 
-/// Adds a stamp to the coverage: so much of what lacks to the opacity.
+/// Adds a stamp to the coverage: a share of the difference to the opacity.
 fn cover(
     coverage: &mut [f64],
     dab: &Dab,
@@ -290,7 +293,7 @@ fn cover(
     }
 }
 
-/// Lays a picture over what earlier stamps of the stroke laid.
+/// Lays a picture over the stroke's earlier stamps.
 fn lay_picture(
     laid: &mut [[f32; 4]],
     stamp: &super::picture::PlacedPicture<'_>,
@@ -314,7 +317,7 @@ fn lay_picture(
     }
 }
 
-/// `color` is premultiplied, 0 to 1.
+/// Lays a color over a texel; `color` is premultiplied, 0 to 1.
 fn lay_texel(texel: &mut [f32; 4], color: [f32; 4], opacity: f32, flow: f32) {
     let alpha = color[3];
     let added = alpha * flow;
@@ -329,7 +332,7 @@ fn lay_texel(texel: &mut [f32; 4], color: [f32; 4], opacity: f32, flow: f32) {
     texel[3] += added * (opacity - texel[3]).max(0.0);
 }
 
-/// A tile with a straight stroke, between places in texels from the upper left corner, at full
+/// A tile with a straight stroke, between positions in texels from the upper left corner, at full
 /// pressure.
 pub fn line(
     tile: &Tile,

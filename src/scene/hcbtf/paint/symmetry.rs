@@ -5,20 +5,20 @@ use glam::{DMat2, DVec2};
 use super::brush::Symmetry;
 use super::path;
 
-/// Sines are rounded to multiples of this, so that they are the same on every machine, and quarter
-/// turns exact.
+/// Grid that sines are rounded to, so that they are the same on every machine, and quarter turns
+/// exact.
 const SINES: f64 = 1.0 / 1_099_511_627_776.0;
 
-/// One of the copies.
+/// A copy of a stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mirrored {
     middle: DVec2,
-    /// Turns and mirrors about the middle; its inverse is its transpose.
+    /// Turn and mirror image about the middle; the inverse is the transpose.
     pub(super) turn: DMat2,
 }
 
 impl Mirrored {
-    /// Where the copy is while the pen is at a place.
+    /// The position of the copy while the pen is at `at`.
     pub(super) fn place(&self, at: DVec2) -> DVec2 {
         path::settled(self.middle + self.turn * (at - self.middle))
     }
@@ -40,7 +40,7 @@ pub(super) fn copies(symmetry: &Symmetry, size: [u32; 2]) -> Vec<Mirrored> {
             .flat_map(|u| flips(symmetry.across_v).iter().map(move |v| (u, v)))
         {
             let copy = Mirrored { middle, turn: turned * DMat2::from_diagonal(DVec2::new(u, v)) };
-            // Half a turn is both flips at once.
+            // Half a turn equals both mirror images at once, so equal copies are left out.
             if !copies.contains(&copy) {
                 copies.push(copy);
             }

@@ -1,5 +1,4 @@
-//! What painting does, by closed formulas where there are some, and by what must stay the same
-//! otherwise.
+//! Painting, compared with closed formulas where there are some, and with invariants otherwise.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -99,7 +98,7 @@ fn flow_adds_up_to_the_opacity_and_no_further() {
     let base = Tile::filled([128, 128], CLEAR);
     let brush = Brush { size: 64.0, spacing: 0.25, flow: 0.3, opacity: 0.8, ..Brush::default() };
     let tile = line(&base, &brush, &Symmetry::default(), false, at(0.0, 64.5), at(64.0, 64.5));
-    // Stamps at 16, 32, 48 and 64 cover it wholly, that at 0 not at all.
+    // Stamps at 16, 32, 48 and 64 cover the texel wholly, that at 0 not at all.
     let expected = (255.0 * 0.8 * (1.0 - 0.7_f64.powi(4))).round() as u8;
     assert_eq!(tile.texel(32, 64)[3], expected);
 
@@ -151,7 +150,7 @@ fn a_soft_edge_over_nothing_is_not_darkened() {
     );
     let seen: Vec<_> = texels(&tile).iter().filter(|texel| texel[3] > 0).collect();
     assert!(seen.len() > 500 && seen.iter().all(|texel| texel[..3] == [250, 200, 20]));
-    // Over the same color it stays that color.
+    // Over the same color the color stays.
     let base = Tile::filled([64, 64], [250, 200, 20, 90]);
     let tile = line(&base, &brush, &Symmetry::default(), true, at(3.0, 4.0), at(50.0, 70.0));
     assert!(texels(&tile).iter().all(|texel| texel[..3] == [250, 200, 20] && texel[3] >= 90));
@@ -177,11 +176,11 @@ fn a_stamp_of_its_own_size_copies_texel_by_texel() {
         let expected = if expected[3] == 0 { CLEAR } else { expected };
         assert_eq!(tile.texel(x, y), expected, "{x} {y}");
     }
-    // Mirrored it is the mirror image.
+    // The stroke with a mirror is its own mirror image.
     let mirrored = Symmetry { across_u: true, ..Symmetry::default() };
     let both = stroke(&base, &brush, mirrored, false, &[(at(4.0, 8.0), 1.0)]);
     assert!((0..16).all(|x| (0..16).all(|y| both.texel(x, y) == both.texel(15 - x, y))));
-    // Smaller it has the same mean.
+    // A smaller picture has the same mean.
     let checks = Tile::new(
         [8, 8],
         (0..64)
@@ -202,7 +201,7 @@ fn smudging_carries_color_along() {
         let brush = Brush { tool: Tool::Smudge, size: 8.0, flow, ..Brush::default() };
         line(&base, &brush, &Symmetry::default(), false, at(20.0, 8.0), at(50.0, 8.0))
     };
-    // The redder the longer it is carried, and the less the farther.
+    // Texels are the redder the longer the color is carried, and the less the farther away.
     let reds = [0.0, 0.2, 0.5, 0.8, 1.0]
         .map(|flow| (32..64).map(|x| u32::from(smudged(flow).texel(x, 8)[0])).sum::<u32>());
     assert!(reds[0] == 0 && reds.is_sorted_by(|a, b| a < b), "{reds:?}");
@@ -217,10 +216,10 @@ fn smudging_carries_color_along() {
         (tile.texel(20, 8), tile.texel(60, 8), tile.texel(40, 1)),
         (halves(0), halves(63), halves(63))
     );
-    // At full flow it is what lay under the brush in the beginning.
+    // At full flow the color is that which lay under the brush in the beginning.
     assert_eq!(smudged(1.0).texel(49, 8), halves(0));
     let brush = Brush { tool: Tool::Smudge, size: 8.0, flow: 0.8, ..Brush::default() };
-    // One color stays as it is, whatever its alpha.
+    // A flat color stays as it is, whatever its alpha.
     let flat = Tile::filled([40, 40], [13, 77, 201, 3]);
     assert_eq!(line(&flat, &brush, &Symmetry::default(), true, at(0.0, 0.0), at(50.0, 31.0)), flat);
 }
@@ -280,7 +279,7 @@ fn soft_disc(base: &Tile, color: [u8; 4]) -> Tile {
     dot(base, &Brush { size: 20.0, hardness: 0.7, color, ..Brush::default() }, at(16.3, 15.6))
 }
 
-/// The largest difference of any channel, as it is seen over black and over white.
+/// The largest difference of any channel, as seen over black and over white.
 fn apart(a: &Tile, b: &Tile) -> i32 {
     let over = |ground: i32, [r, g, b, a]: [u8; 4]| {
         [r, g, b].map(|channel| {
@@ -300,7 +299,7 @@ fn apart(a: &Tile, b: &Tile) -> i32 {
 #[test]
 fn a_flood_leaves_no_ring_around_a_soft_disc() {
     let (white, red, blue) = ([255, 255, 255, 255], [220, 30, 20, 255], [20, 60, 200, 255]);
-    // What is within the tolerance takes the color whole: twice as much where the ground is seen
+    // Texels within the tolerance take the color whole: twice as much where the ground is seen
     // half, and more where the ground is nearer to the disc than the color is.
     let grounds = [white, [10, 90, 40, 255], CLEAR, [255, 255, 255, 128]];
     for (ground, (tolerance, most)) in
@@ -333,13 +332,13 @@ fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colors() {
     };
     let filled = fill(&over_seam(black), [0, 0], red, soft());
     assert!(apart(&filled, &over_seam(red)) <= 26);
-    // Beside hard edges nothing but what is filled is another.
+    // Beside hard edges only the filled texels change.
     let halves = |left: [u8; 4]| {
         let texels = (0..16 * 8).flat_map(|index| if index % 16 < 8 { left } else { black });
         Tile::new([16, 8], texels.collect()).unwrap()
     };
     assert_eq!(fill(&halves(white), [2, 2], red, Flood { wraps: false, ..soft() }), halves(red));
-    // A line as thin as a texel keeps its color, and what is behind it too.
+    // A line as thin as a texel keeps its color, and so do the texels behind it.
     let mut lined = halves(white);
     (0..8).for_each(|y| {
         lined.bytes_mut()[4 * (y * 16 + 4)..][..4].copy_from_slice(&[90, 90, 90, 255]);
@@ -348,7 +347,7 @@ fn a_flood_goes_on_under_the_seam_and_stops_at_hard_edges_and_other_colors() {
     assert_eq!([3, 4, 5].map(|x| filled.texel(x, 3)), [red, [90, 90, 90, 255], white]);
 }
 
-/// What a flood reaches, one step after the other until nothing new comes.
+/// The texels that a flood reaches, one step after the other until no new one comes.
 fn naive_fill(tile: &Tile, from: [u32; 2], color: [u8; 4], tolerance: f64, wraps: bool) -> Tile {
     let [width, height] = tile.size().map(i64::from);
     let first = pick(tile, from);
@@ -418,7 +417,7 @@ fn points(reach: std::ops::Range<f64>) -> impl Strategy<Value = Vec<(DVec2, f64)
     prop::collection::vec(point, 1..5)
 }
 
-/// Any number, often one that is none or far out.
+/// Any number, often one that is not finite or far out.
 fn wild() -> impl Strategy<Value = f64> {
     prop_oneof![6 => -40.0..60.0, 1 => any::<f64>(), 1 => Just(f64::NAN), 1 => -3000.0..3000.0]
 }
@@ -448,8 +447,8 @@ proptest! {
         prop_assert_eq!(whole.bytes(), chopped.bytes());
     }
 
-    /// A stroke across the seam is that on a plane of copies, folded: so short that it meets no
-    /// texel twice.
+    /// A stroke across the seam equals a stroke on a plane of copies, folded: so short that it
+    /// meets no texel twice.
     #[test]
     fn wrapping_is_painting_on_a_plane_of_copies(
         brush in brushes(1.0..12.0),

@@ -28,7 +28,7 @@ fn hash_sheet(grid: &Grid) -> Picture {
             let (ix, theta_r, theta_i) = (x / (tr * ti), x / ti % tr, x % ti);
             let (iy, phi_r, row) = (y / (pr * (pi + 2)), y / (pi + 2) % pr, y % (pi + 2));
             let phi_i = if row == 0 { pi - 1 } else { (row - 1) % pi };
-            // One value for all steps at the normal.
+            // All steps at the normal have one value.
             let phi_i = if theta_i == 0 { 0 } else { phi_i };
             let phi_r = if theta_r == 0 { 0 } else { phi_r };
             let key = [ix, iy, theta_i, phi_i, theta_r, phi_r]
@@ -89,8 +89,8 @@ fn copies_that_differ_are_told_and_not_taken() {
         }
         there_and_back(&sheet, grid)
     };
-    // Rows of 5: padding, steps 0 to 2, padding; columns of 8: views 0 to 3, for each lights 0 and
-    // 1.
+    // Rows of 5: padding, steps 0 to 2, padding; columns of 8: views 0 to 3, for each view lights 0
+    // and 1.
     let (back, notes) = spoiled(&[[9, 4], [3, 5]]);
     assert!(back == clean, "padding is made anew");
     assert_eq!(notes.len(), 1);
@@ -110,7 +110,7 @@ fn copies_that_differ_are_told_and_not_taken() {
         "{notes:?}"
     );
 
-    // The normal's own step 0 is what counts, so every copy of it differs now.
+    // The normal's own step 0 is the original, so every copy of it differs now.
     let (back, notes) = spoiled(&[[2, 6]]);
     assert!(back != clean);
     assert!(
@@ -180,8 +180,9 @@ fn every_place_of_the_sheet_tells_what_it_holds() {
     }
     assert_eq!(own, grid.sample_count() * 6, "every texel of every sample once");
     assert_eq!(held(&grid, [width, 0]), None);
-    // By hand from A.3: the third light ring of the second view ring, in the block of the texel to
-    // the right; the row of padding above light step 0 of view step 1 is a copy of light step 3.
+    // Computed by hand from A.3: the third light ring of the second view ring, in the block of the
+    // texel to the right; the row of padding above light step 0 of view step 1 is a copy of light
+    // step 3.
     let found = held(&grid, [6 + 3 + 2, 6]).unwrap();
     assert_eq!(
         found,

@@ -1,12 +1,12 @@
-//! New tiles from a painted one (the thesis's future work, 12): patches of the tile are laid side
-//! by side, each where it fits what lies there, and cut where it fits best (Efros and Freeman,
-//! Image Quilting, 2001).
+//! Synthesis of new tiles from a painted one (the thesis's future work, 12): patches of the tile
+//! are laid side by side, each where it fits the patches already laid, and cut along the best seam
+//! (Efros and Freeman, Image Quilting, 2001).
 //!
-//! One map of source texels is found for all samples together: how well texels fit is the sum over
-//! samples. So a texel of the new tile is one and the same texel of the old in every sample, and
-//! whatever it does with light and eye it keeps doing. Patches are also laid across the new tile's
-//! edges, so it repeats. Patches that merely go on where their neighbour was taken from are passed
-//! over while there are others, or the old tile would come out again.
+//! One map of source texels is found for all samples together: the error of a fit is the sum over
+//! samples. So a texel of the new tile is the same texel of the old tile in every sample, and keeps
+//! its behavior under light and eye. Patches are also laid across the new tile's edges, so the tile
+//! repeats. Patches that merely continue their neighbor's source are passed over while there are
+//! others, or the result would be the old tile again.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -20,38 +20,38 @@ use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf, Rule, Tile};
 use crate::progress::Progress;
 
-/// How a tile is made of another.
+/// Options of a synthesis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Synthesis {
-    /// Texels of the new tile.
+    /// Size of the new tile, in texels.
     pub size: [u32; 2],
-    /// Another number lays other patches.
+    /// Seed of the choice of patches.
     pub seed: u32,
-    /// Texels along a patch's side; `None` for half of the old tile's shorter side. Large patches
+    /// Side of a patch, in texels; `None` for half of the old tile's shorter side. Large patches
     /// keep large forms whole.
     pub patch: Option<u32>,
 }
 
-/// As many samples have a say in how well patches fit.
+/// Greatest number of samples by which the fit of patches is judged.
 const JUDGES: usize = 16;
-/// As many places of the source are tried for a patch, at most.
+/// Greatest number of places of the source that are tried for a patch.
 const MOST_TRIED: usize = 4096;
-/// A patch need not be the best: it may be worse by this part.
+/// Share by which a patch may be worse than the best.
 const TOLERANCE: f64 = 0.2;
-/// The part of a patch that lies over its neighbour.
+/// Share of a patch that overlaps its neighbor.
 const OVERLAP: f64 = 0.34;
-/// The smallest patch.
+/// Least side of a patch, in texels.
 const LEAST_PATCH: u32 = 3;
 
-/// Makes a tile of another size, or another one of the same, of all samples of an HCBTF. `progress`
-/// counts patches.
+/// Makes a tile of another size, or another tile of the same size, of all samples of an HCBTF.
+/// `progress` counts patches.
 ///
-/// Rules that look at each texel by itself stay; others are baked, and every sample is then
+/// Rules that work on each texel by itself stay; others are baked, and every sample is then
 /// painted.
 ///
 /// # Errors
-/// Where it is stopped, where the sizes cannot be, and where the result would be larger than a file
-/// may be.
+/// Where the work is stopped, where the sizes are not possible, and where the result would be
+/// larger than a file may be.
 pub fn synthesize(
     hcbtf: &Hcbtf,
     how: &Synthesis,
@@ -61,7 +61,7 @@ pub fn synthesize(
     synthesize_filled(hcbtf, &filled, how, progress)
 }
 
-/// The same where what its rules make is known.
+/// As [`synthesize`], with the result of the rules in `filled`.
 ///
 /// # Errors
 /// As [`synthesize`].
@@ -105,7 +105,7 @@ pub fn synthesize_filled(
             .filter_map(|(address, tile)| Some((*address, mapped(tile)?)))
             .collect(),
         false => {
-            // Tiles that are shared stay so.
+            // Samples that share a tile share the new one.
             let tiles: Vec<_> = filled.tiles().par_iter().map(|tile| mapped(tile)).collect();
             let of = |address| tiles.get(filled.tile_index(address)?)?.clone();
             grid.addresses().filter_map(|address| Some((address, of(address)?))).collect()
@@ -115,27 +115,27 @@ pub fn synthesize_filled(
     Ok(Hcbtf { grid, is_tiling: true, painted, rules })
 }
 
-/// Whether a rule makes each texel of those at the same place alone.
+/// True if a rule makes each texel only of texels at the same place.
 fn is_by_texel(rule: &Rule) -> bool {
     !matches!(rule, Rule::Rotate { .. } | Rule::Strokes(_) | Rule::Relief(_))
 }
 
-/// A quilt in the making.
+/// A quilt: the map from the new tile's texels to source texels, while it is made.
 struct Quilt {
     source: [usize; 2],
     is_tiling: bool,
     size: [usize; 2],
     patch: usize,
     seed: u32,
-    /// For each source texel, its colors in the judging samples.
+    /// Colors of each source texel in the judging samples.
     looks: Vec<u8>,
-    /// Bytes of a texel in `looks`.
+    /// Size of a texel in `looks`, in bytes.
     stride: usize,
-    /// Where patches begin, along x and y.
+    /// Starts of the patches, along x and y.
     begins: [Vec<usize>; 2],
 }
 
-/// Texels of the new tile that are not laid yet.
+/// Value in the map of texels of the new tile that are not laid yet.
 const EMPTY: u32 = u32::MAX;
 
 impl Quilt {
@@ -167,7 +167,7 @@ impl Quilt {
         }
     }
 
-    /// For each texel of the new tile, the source texel that it is; `None` where it is stopped.
+    /// The source texel of each texel of the new tile; `None` if the work is stopped.
     fn laid(&self, progress: &Progress) -> Option<Vec<u32>> {
         let [columns, rows] = &self.begins;
         progress.begin((columns.len() * rows.len()) as u64);
@@ -185,17 +185,17 @@ impl Quilt {
         Some(map)
     }
 
-    /// The new tile's texel at a place of a patch that begins at `at`.
+    /// The index of the new tile's texel at a place of a patch that begins at `at`.
     fn texel(&self, at: [usize; 2], [x, y]: [usize; 2]) -> usize {
         (at[1] + y) % self.size[1] * self.size[0] + (at[0] + x) % self.size[0]
     }
 
-    /// The source texel at a place of a patch that is taken from `from`.
+    /// The index of the source texel at a place of a patch that is taken from `from`.
     fn taken(&self, from: [usize; 2], [x, y]: [usize; 2]) -> u32 {
         ((from[1] + y) % self.source[1] * self.source[0] + (from[0] + x) % self.source[0]) as u32
     }
 
-    /// How much two source texels differ in all judging samples.
+    /// The squared difference of two source texels, summed over all judging samples.
     fn difference(&self, one: u32, other: u32) -> u64 {
         let of = |texel: u32| &self.looks[texel as usize * self.stride..][..self.stride];
         of(one).iter().zip(of(other)).map(|(a, b)| u64::from(a.abs_diff(*b)).pow(2)).sum()
@@ -205,7 +205,7 @@ impl Quilt {
         hash(self.seed, patch as i64, salt as i64)
     }
 
-    /// Where a patch is taken from.
+    /// The place of the source that a patch is taken from.
     fn choose(&self, map: &[u32], at: [usize; 2], number: u64) -> [usize; 2] {
         // A source that does not repeat has no patches across its edges.
         let room =
@@ -232,8 +232,8 @@ impl Quilt {
                 goes_on += usize::from(own == *texel);
                 error += self.difference(own, *texel);
             }
-            // Half of what lies there already is the very same texels: nothing new would come of
-            // it.
+            // If half of the texels already laid are the very same texels, the patch continues its
+            // neighbor's source and brings nothing new.
             (error, 2 * goes_on > laid.len(), from)
         });
         let judged: Vec<(u64, bool, [usize; 2])> = judged.collect();
@@ -247,15 +247,15 @@ impl Quilt {
         good.get(chosen).copied().unwrap_or_default()
     }
 
-    /// Lays a patch, cut along the line where it differs least from what lies there.
+    /// Lays a patch, cut along the line where it differs least from the texels already laid.
     fn lay(&self, map: &mut [u32], at: [usize; 2], from: [usize; 2]) {
         let patch = self.patch;
         let cost = |within: [usize; 2]| match map[self.texel(at, within)] {
             EMPTY => 0,
             texel => self.difference(self.taken(from, within), texel),
         };
-        // Across: for each row the first and the last column that is new. Down: for each column,
-        // rows.
+        // `across` has for each row the first column that is new and the end of the new ones;
+        // `down` has the rows of each column.
         let across = self.cuts(0, at, |along, over| cost([over, along]));
         let down = self.cuts(1, at, |along, over| cost([along, over]));
         for [x, y] in (0..patch).flat_map(|y| (0..patch).map(move |x| [x, y])) {
@@ -270,8 +270,8 @@ impl Quilt {
         }
     }
 
-    /// For every line along a patch, from where to where it is new: cut in the overlap with the
-    /// patch before it, and with the first one where it reaches around the tile.
+    /// The range of every line along a patch in which the patch is new: cut in the overlap with the
+    /// patch before it, and with the first patch where it reaches around the tile.
     fn cuts(
         &self,
         axis: usize,
@@ -305,8 +305,7 @@ impl Quilt {
     }
 }
 
-/// The line down a strip that costs least: for each step along it a place across, next to the one
-/// before.
+/// The cheapest line down a strip: for each step along it a place across, next to the one before.
 fn cheapest(long: usize, wide: usize, cost: impl Fn(usize, usize) -> u64) -> Vec<usize> {
     let mut sums = vec![vec![0_u64; wide]; long];
     for along in 0..long {

@@ -1,4 +1,4 @@
-//! Tiles made of tiles: what must hold whatever patches are chosen.
+//! Synthesized tiles: properties that must hold whatever patches are chosen.
 
 use super::*;
 use crate::document::{Address, Directions};
@@ -9,7 +9,7 @@ const GRID: Grid = {
     Grid { size: [20, 16], light: directions, view: directions }
 };
 
-/// Smooth noise, in each sample of another brightness, with the texel's own number in red and green
+/// Smooth noise, of another brightness in each sample, with the texel's own number in red and green
 /// of the first.
 fn source() -> Hcbtf {
     let mut hcbtf = Hcbtf::new(GRID);
@@ -34,7 +34,7 @@ fn made(hcbtf: &Hcbtf, how: &Synthesis) -> Hcbtf {
 
 const HOW: Synthesis = Synthesis { size: [37, 29], seed: 4, patch: None };
 
-/// Which source texel each texel is, as the first sample tells.
+/// The source texel of each texel, as the first sample encodes it.
 fn origins(hcbtf: &Hcbtf) -> Vec<usize> {
     let tile = hcbtf.painted(Address::default()).unwrap();
     tile.bytes()
@@ -56,12 +56,12 @@ fn every_sample_is_made_of_the_same_texels() {
             assert_eq!(texel, &own.bytes()[4 * origin..4 * origin + 4], "{address}");
         }
     }
-    // It is no copy: somewhere neighbours are none in the source.
+    // The new tile is no copy: some neighbors are not neighbors in the source.
     let is_next = |pair: &[usize]| pair[1] == pair[0] + 1;
     assert!(origins.chunks_exact(37).any(|row| row.windows(2).any(|pair| !is_next(pair))));
 }
 
-/// No two neighbours of the new tile differ by more than the source's do, across its edges either,
+/// No two neighbors of the new tile differ by more than the source's do, not even across its edges,
 /// in the samples that are smooth; and on the mean they differ hardly more.
 #[test]
 fn seams_are_not_seen() {

@@ -1,4 +1,5 @@
-//! Reads a glTF accessor, every access checked: the crate's own readers trust counts and offsets.
+//! Reader of glTF accessors that checks every access: the crate's own readers trust counts and
+//! offsets.
 
 use gltf::Accessor;
 use gltf::accessor::DataType;
@@ -20,8 +21,8 @@ fn number(kind: DataType) -> Number {
     }
 }
 
-/// The elements of an accessor as rows of `N` numbers: those that it has more are left out, those
-/// it lacks are `fill`. Normalised whole numbers become 0 to 1, or -1 to 1.
+/// The elements of an accessor as rows of `N` numbers: surplus numbers of an element are left out,
+/// lacking ones are `fill`. Normalised whole numbers become 0 to 1, or -1 to 1.
 ///
 /// # Errors
 /// Where the accessor reaches beyond its view, its view beyond the buffer, or the count beyond the
@@ -32,7 +33,7 @@ pub(super) fn rows<const N: usize>(
     fill: f64,
 ) -> Result<Vec<[f64; N]>, Problem> {
     let count = accessor.count();
-    // Indices come three a triangle; nothing else comes in greater numbers.
+    // Indices come three a triangle, more than any other kind of element.
     if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
         let message =
             format!("accessor {} has {count} elements, more than are allowed", accessor.index());
@@ -83,14 +84,14 @@ fn slice<'a>(view: &gltf::buffer::View, offset: usize, buffers: &'a [Vec<u8>]) -
 
 struct Layout {
     kind: Number,
-    /// How many numbers an element has.
+    /// Count of numbers in an element.
     width: usize,
     normalized: bool,
     fill: f64,
 }
 
 impl Layout {
-    /// Of an element, in bytes.
+    /// Size of an element, in bytes.
     fn size(&self) -> usize {
         self.kind.size() * self.width
     }

@@ -1,4 +1,4 @@
-//! The bytes behind a glTF: the chunks of a GLB, data URIs and files beside it.
+//! Bytes of a glTF's buffers: from the chunks of a GLB, data URIs and files beside the glTF.
 
 use base64::Engine as _;
 use base64::alphabet::STANDARD;
@@ -11,7 +11,8 @@ use crate::geometry::import::cursor::Cursor;
 use crate::geometry::import::report::{Problem, Report};
 use crate::geometry::import::{MAX_FILE_BYTES, Siblings};
 
-/// Base64 as writers of glTF leave it: some forget the padding, some do not clear the last bits.
+/// Base64 as lenient as writers of glTF need: some forget the padding, some do not clear the last
+/// bits.
 const BASE64: GeneralPurpose = GeneralPurpose::new(
     &STANDARD,
     GeneralPurposeConfig::new()
@@ -19,7 +20,7 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
         .with_decode_allow_trailing_bits(true),
 );
 
-/// A GLB's JSON and its binary chunk.
+/// The JSON chunk and the binary chunk of a GLB.
 ///
 /// # Errors
 /// Where a chunk or the file is cut short, or the version is not 2.
@@ -51,7 +52,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Problem> {
     Ok((json.ok_or_else(short)?, binary))
 }
 
-/// The bytes of each buffer; an empty one after an error.
+/// The bytes of each buffer; an empty list of bytes for a buffer that could not be read.
 pub(super) fn load(
     document: &Document,
     binary: Option<&[u8]>,

@@ -1,5 +1,5 @@
-//! What a glTF asks of its reader beyond the core of 2.0: extensions that change the triangles are
-//! read or refused, never passed over.
+//! Extensions that a glTF asks of its reader beyond the core of 2.0: those that change the
+//! triangles are read or refused, never passed over.
 
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::Checked;
@@ -13,12 +13,12 @@ use crate::geometry::import::report::Report;
 const COMPRESSIONS: [&str; 3] =
     ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"];
 
-/// What extensions do that leave the triangles as they are, by what follows the vendor's prefix in
-/// their names.
+/// Features whose extensions leave the triangles as they are: beginnings of extensions' names
+/// behind the vendor's prefix.
 const APPEARANCE: [&str; 4] = ["materials_", "texture_", "lights_", "audio_"];
 
-/// Extensions that are read, or that leave the triangles as they are: they widen what accessors may
-/// hold, which is read anyway, or add data that Chiaro has no use for.
+/// Extensions that are read, or that leave the triangles as they are: they widen the types that
+/// accessors may hold, which are read anyway, or add data that Chiaro has no use for.
 const HARMLESS: [&str; 16] = [
     INSTANCING,
     "KHR_mesh_quantization",
@@ -38,13 +38,13 @@ const HARMLESS: [&str; 16] = [
     "MSFT_lod",
 ];
 
-/// Whether a reader that does not know the extension still shows the triangles rightly.
+/// True if a reader that does not know the extension still shows the triangles rightly.
 fn is_harmless(name: &str) -> bool {
     let feature = name.split_once('_').map_or(name, |(_, feature)| feature);
     HARMLESS.contains(&name) || APPEARANCE.iter().any(|start| feature.starts_with(start))
 }
 
-/// Reports extensions that the file cannot be read without.
+/// Reports the extensions without which the file cannot be read.
 pub(super) fn check(file: &File, report: &mut Report) {
     let required = &file.extensions_required;
     let named =
@@ -72,10 +72,11 @@ pub(super) fn check(file: &File, report: &mut Report) {
     report.add(Diagnostic::error("mesh-unsupported", message).hint(hint));
 }
 
-/// As many unknown extensions are named.
+/// Number of unknown extensions that are named in a message.
 const MAX_NAMED: usize = 8;
 
-/// A compression that the file does not list as required, though the data is nowhere else.
+/// The name of a compression that a primitive or a buffer uses though the file does not list it as
+/// required: its data is nowhere else.
 fn compression_in_use(file: &File) -> Option<&'static str> {
     let of_primitive = file.meshes.iter().flat_map(|mesh| &mesh.primitives).find_map(|primitive| {
         let named = &primitive.extensions.as_ref()?.others;

@@ -10,19 +10,19 @@ use crate::diag::Diagnostic;
 use crate::geometry::import::MAX_VERTICES;
 use crate::geometry::import::report::Problem;
 
-/// The extension's name.
+/// The name of the extension for instances.
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
-/// A mesh with the places where it stands.
+/// A mesh with the transforms of its copies.
 pub(super) struct PlacedMesh<'a> {
     pub(super) mesh: Mesh<'a>,
-    /// Of the node that has the mesh.
+    /// Transform of the node that has the mesh, from the node's space to the scene's.
     world: DMat4,
-    /// Where the node says that there are copies of its mesh: none stands at the node itself then.
+    /// Copies of the mesh, if the node asks for them: then no mesh stands at the node itself.
     instances: Option<Instances>,
 }
 
-/// What each copy of a mesh is moved by; a list that the file lacks is `None`.
+/// Transforms of the copies of a mesh; a list that the file lacks is `None`.
 struct Instances {
     count: usize,
     translations: Option<Vec<[f64; 3]>>,
@@ -31,8 +31,8 @@ struct Instances {
 }
 
 impl<'a> PlacedMesh<'a> {
-    /// The mesh of a node with the copies that the node asks for. `drawn` counts the primitives of
-    /// the whole file, each as often as it is there.
+    /// Reads the mesh of a node with the copies that the node asks for. `drawn` counts the
+    /// primitives of the whole file, each as often as it is drawn.
     ///
     /// # Errors
     /// Where an accessor is missing or cannot be read, and where there are more primitives than
@@ -61,8 +61,7 @@ impl<'a> PlacedMesh<'a> {
         Ok(Some(Self { mesh, world, instances }))
     }
 
-    /// The transforms from the mesh's space to the scene's, one for each time that the mesh is
-    /// there.
+    /// The transforms from the mesh's space to the scene's, one for each copy of the mesh.
     pub(super) fn worlds(&self) -> impl Iterator<Item = DMat4> + '_ {
         let count = self.instances.as_ref().map_or(1, |instances| instances.count);
         let local = |index| {
@@ -72,7 +71,8 @@ impl<'a> PlacedMesh<'a> {
     }
 }
 
-/// Counts the primitives of `copies` of a mesh. Those without triangles take no memory, only time.
+/// Adds the primitives of `copies` of a mesh to `drawn`. Even primitives without triangles are
+/// bounded: they take no memory, but time.
 fn count_drawn(mesh: &Mesh, copies: usize, drawn: &mut usize) -> Result<(), Problem> {
     *drawn = drawn.saturating_add(copies.saturating_mul(mesh.primitives().len()));
     if *drawn > MAX_VERTICES {
@@ -94,7 +94,7 @@ impl Instances {
     }
 }
 
-/// The accessors that a node names for its copies.
+/// The accessors that a node names for the transforms of its copies.
 struct InstanceAccessors<'d, 'j> {
     document: &'d Document,
     node: usize,
@@ -122,7 +122,7 @@ impl<'d> InstanceAccessors<'d, '_> {
         }
     }
 
-    /// Reads the accessors once `check` has let their count pass.
+    /// Reads the accessors once `check` has accepted their count.
     fn read(
         &self,
         buffers: &[Vec<u8>],
@@ -136,7 +136,8 @@ impl<'d> InstanceAccessors<'d, '_> {
             .flatten()
             .map(gltf::Accessor::count)
             .collect();
-        // Without any of them, other attributes may count copies that all stand in one place.
+        // Without any of these accessors, other attributes may count copies that all stand in one
+        // place.
         let Some(&count) = counts.first() else { return Ok(None) };
         if counts.iter().any(|&other| other != count) {
             return Err(self.wrong("its attributes have different counts"));

@@ -1,5 +1,5 @@
-//! glTF 2.0, as JSON and GLB: the meshes of the scene in their places, all in one. Skins, morph
-//! targets and animations are left out with a note.
+//! glTF 2.0, as JSON and GLB: all meshes of the scene, each in its places, as one mesh. Skins,
+//! morph targets and animations are left out with a note.
 //!
 //! Where normals are missing the specification asks for flat ones; Chiaro makes smooth ones with
 //! creases as for every other format, since most such files are scans and a shading look has little
@@ -27,8 +27,8 @@ use super::report::Report;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::soup::Soup;
 
-/// As much of the JSON as says where triangles are. What else there is need not even be valid:
-/// animations, cameras, textures and whatever later versions and extensions add.
+/// The members of a glTF's JSON that say where triangles are. The other members need not even be
+/// valid: animations, cameras, textures and additions of later versions and extensions.
 #[derive(Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 struct File {
@@ -71,7 +71,8 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Sou
     for (primitive, world) in
         places.flat_map(|(mesh, world)| mesh.primitives().map(move |p| (p, world)))
     {
-        // One is enough: the soup is of no more use, and a mesh may stand in very many places.
+        // One error is enough: the soup is of no more use, and a mesh may stand in very many
+        // places.
         if let Err(diagnostic) =
             primitive::append(&primitive, &world, &buffers, &mut soup, &mut skipped)
         {
@@ -86,12 +87,12 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Sou
     if report.has_errors() { Soup::default() } else { soup }
 }
 
-/// What was left out.
+/// Parts of the file that were left out, for the reader's notes.
 #[derive(Default)]
 struct Skipped {
     skins: bool,
     morphs: bool,
-    /// Primitives of points or lines.
+    /// Number of primitives of points or lines.
     other: usize,
 }
 
@@ -158,10 +159,10 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
     None
 }
 
-/// What is read of a file, as the crate's document; `None` where its version is missing. What is
-/// not read is dropped, so that nothing wrong in it keeps the geometry from being used: textures,
-/// cameras and skins that nodes and materials name, and attributes of the maker's own. Bounds of
-/// positions, which many writers leave out, are filled in.
+/// The part of a file that is read, as the crate's document; `None` where the file's version is
+/// missing. Everything else is dropped, so that nothing wrong there keeps the geometry from being
+/// used: textures, cameras and skins that nodes and materials name, and attributes of the maker's
+/// own. Bounds of positions, which many writers leave out, are filled in.
 fn geometry_of(file: File) -> Option<Root> {
     let mut root = Root {
         asset: file.asset?,
@@ -194,8 +195,8 @@ fn geometry_of(file: File) -> Option<Root> {
     Some(root)
 }
 
-/// An accessor that a primitive names and the file lacks: the crate's validation looks positions up
-/// before it checks that they are there.
+/// The index of an accessor that a primitive names and the file lacks: the crate's validation looks
+/// positions up before it checks that their accessor exists.
 fn missing_accessor(root: &Root) -> Option<usize> {
     let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
     let mut named = primitives
@@ -204,8 +205,8 @@ fn missing_accessor(root: &Root) -> Option<usize> {
     named.find(|&index| index >= root.accessors.len())
 }
 
-/// The meshes of the default scene (else the first; else of all nodes without parent), each with
-/// its places.
+/// The meshes of the default scene (else of the first scene; else of all nodes without parent),
+/// each with its places.
 fn place_meshes<'a>(
     document: &'a Document,
     buffers: &[Vec<u8>],
@@ -226,7 +227,7 @@ fn place_meshes<'a>(
                     .collect()
             }
         };
-    // Depth first in the file's order.
+    // Depth first, in the file's order.
     open.reverse();
     let mut seen = vec![false; document.nodes().len()];
     let mut placed = Vec::new();

@@ -1,4 +1,4 @@
-//! One primitive of a glTF mesh: its attributes, triangles and material.
+//! Primitives of glTF meshes: their attributes, triangles and material.
 
 use glam::{DMat3, DMat4, DVec3};
 use gltf::accessor::{DataType, Dimensions};
@@ -14,7 +14,7 @@ use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, Material, NONE, Soup};
 
-/// Appends one primitive in its place.
+/// Appends the triangles of one primitive, moved by `world`, to the soup.
 pub(super) fn append(
     primitive: &Primitive,
     world: &DMat4,
@@ -108,7 +108,7 @@ fn material_of(primitive: &Primitive, soup: &mut Soup) -> u32 {
     soup.same_material(Material { name, two_sided: Some(material.double_sided()), alpha_cutoff })
 }
 
-/// All attributes are of equal length; checked before any is read.
+/// Checks, before any attribute is read, that all attributes of a primitive are of equal length.
 fn check_counts(primitive: &Primitive) -> Result<(), Problem> {
     let mut counts = primitive.attributes().map(|(_, accessor)| accessor.count());
     let first = counts.next().unwrap_or_default();
@@ -119,14 +119,15 @@ fn check_counts(primitive: &Primitive) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Where a primitive's attributes begin in the soup's lists.
+/// First indices of a primitive's normals and UVs in the soup's lists; `None` where the primitive
+/// has none.
 struct Has {
     normals: Option<usize>,
     uvs: Option<usize>,
 }
 
-/// Appends the attributes of a primitive's vertices, turned to world space. On an error the soup is
-/// of no more use.
+/// Appends the attributes of a primitive's vertices, transformed to world space. After an error the
+/// soup is of no more use.
 fn attributes(
     primitive: &Primitive,
     world: &DMat4,
@@ -201,7 +202,7 @@ fn attributes(
     Ok(has)
 }
 
-/// Linear to the sRGB curve (IEC 61966-2-1), clamped to 0..1; NaN becomes 0.
+/// Encodes a linear color by the sRGB curve (IEC 61966-2-1), clamped to 0..1; NaN becomes 0.
 fn display(r: f64, g: f64, b: f64, a: f64) -> [f32; 4] {
     let unit = |x: f64| if x > 0.0 { x.min(1.0) } else { 0.0 };
     let encode = |x: f64| linear_to_srgb(unit(x)) as f32;

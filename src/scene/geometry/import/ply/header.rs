@@ -1,12 +1,13 @@
-//! The header of a PLY file: which elements there are, and what each consists of.
+//! The header of a PLY file: its elements, and the properties of each.
 
 use crate::geometry::import::cursor::Number;
 use crate::geometry::import::report::Report;
 
-/// More elements or properties than this are refused; real files have a dozen.
+/// Greatest number of elements and of properties; files with more are refused. Real files have a
+/// dozen.
 const MAX_WORDS: usize = 256;
 
-/// How the numbers behind the header are written.
+/// Encodings of the numbers behind the header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
@@ -14,16 +15,17 @@ pub(super) enum Encoding {
     BigEndian,
 }
 
-/// One property of an element.
+/// A property of an element: a number, or a list of numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Property {
     pub name: String,
-    /// The type of the count before a list; `None` for a single number.
+    /// Type of the count before a list; `None` for a single number.
     pub list: Option<Number>,
     pub number: Number,
 }
 
-/// A list of things with the same properties, `vertex` or `face` or whatever the writer liked.
+/// A kind of element, `vertex` or `face` or any other that the writer chose: `count` elements with
+/// the same properties.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Element {
     pub name: String,
@@ -32,30 +34,31 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// The least number of bytes that one of it takes.
+    /// The least number of bytes that one element takes.
     pub(super) fn least_bytes(&self, encoding: Encoding) -> u64 {
         let sizes = self.properties.iter().map(|p| match encoding {
-            // A digit and what divides it from the next; the very last may lack the divider.
+            // A digit and the divider from the next number; the very last number may lack the
+            // divider.
             Encoding::Ascii => 2,
             _ => p.list.unwrap_or(p.number).size() as u64,
         });
         sizes.sum()
     }
 
-    /// Where the property of one of these names is.
+    /// The index of the property with one of these names.
     pub(super) fn find(&self, names: &[&str]) -> Option<usize> {
         self.properties.iter().position(|p| names.contains(&p.name.as_str()))
     }
 }
 
-/// Everything up to `end_header`.
+/// The header of a file, up to and with `end_header`.
 #[derive(Clone, Debug)]
 pub(super) struct Header {
     pub encoding: Encoding,
     pub elements: Vec<Element>,
-    /// In bytes: where the numbers begin.
+    /// Length of the header, which is also the offset of the numbers, in bytes.
     pub length: usize,
-    /// How many lines it has.
+    /// Number of lines in the header.
     pub lines: usize,
 }
 
@@ -112,7 +115,8 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Option<Header> {
     Some(Header { encoding: encoding?, elements, length, lines }).filter(|_| !report.has_errors())
 }
 
-/// The length in bytes and lines up to and with `end_header` and the end of its line.
+/// The length of the header in bytes and in lines, up to and with `end_header` and the end of its
+/// line.
 fn extent(bytes: &[u8]) -> Option<(usize, usize)> {
     let mut length = 0;
     for (number, line) in bytes.split_inclusive(|&b| b == b'\n').enumerate() {

@@ -1,5 +1,5 @@
 //! PLY, as text and binary of either byte order: polygons and triangle strips; normals, colors and
-//! UVs by vertex, UVs by corner. Elements and properties of other names are read over.
+//! UVs by vertex, UVs by corner. Elements and properties of other names are read and ignored.
 
 mod header;
 mod source;
@@ -13,7 +13,7 @@ use crate::geometry::import::cursor::Number;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::soup::{Corner, NONE, Polygon, Soup};
 
-/// What programs call a vertex's properties.
+/// The names that programs give to a vertex's properties.
 const POSITION: [&[&str]; 3] = [&["x"], &["y"], &["z"]];
 const NORMAL: [&[&str]; 3] = [&["nx", "normal_x"], &["ny", "normal_y"], &["nz", "normal_z"]];
 const UV: [&[&str]; 2] =
@@ -55,7 +55,7 @@ fn elements(
     Ok(())
 }
 
-/// Refuses counts beyond the bounds or beyond what the rest of the file can hold, before anything
+/// Refuses counts beyond the bounds, or beyond what the rest of the file can hold, before anything
 /// is allocated.
 fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Result<(), Problem> {
     let Element { name, count, .. } = element;
@@ -86,7 +86,7 @@ fn skip(element: &Element, source: &mut Source) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Where properties of those names are, if all of them are there.
+/// The indices of the properties with these names, if the element has all of them.
 fn locate<const N: usize>(element: &Element, names: [&[&str]; N]) -> Option<[usize; N]> {
     let found =
         names.map(|names| element.find(names).filter(|&i| element.properties[i].list.is_none()));
@@ -108,7 +108,7 @@ fn vertices(
     };
     let (normal, uv) = (locate(element, NORMAL), locate(element, UV));
     let (color, alpha) = (locate(element, COLOR), locate(element, ALPHA));
-    // Whole numbers are 0 to their greatest value, floats 0 to 1.
+    // Whole numbers are scaled from 0 to their greatest value; floats are 0 to 1 already.
     let scales: Vec<f64> =
         element.properties.iter().map(|p| 1.0 / p.number.max().unwrap_or(1.0)).collect();
     let mut row = vec![0.0; element.properties.len()];
@@ -140,13 +140,13 @@ fn vertices(
     Ok(())
 }
 
-/// The corner of a point, with the point's own normal and UV.
+/// The corner of a point, with the point's own normal and UV, if every point has one.
 fn corner(soup: &Soup, point: u32) -> Corner {
     let own = |count: usize| if count == soup.points.len() { point } else { NONE };
     Corner { point, normal: own(soup.normals.len()), uv: own(soup.uvs.len()) }
 }
 
-/// `number` as the index of a point.
+/// Checks that `number` is the index of a point.
 fn index(number: f64, count: usize, source: &Source, what: &str) -> Result<u32, Problem> {
     if number >= 0.0 && number < count as f64 && number.fract() == 0.0 {
         return Ok(number as u32);
@@ -210,7 +210,7 @@ fn faces(
     Ok(())
 }
 
-/// Strips as the Stanford scans have them: -1 ends one.
+/// Reads triangle strips as in the Stanford scans, where -1 ends a strip.
 fn strips(
     element: &Element,
     source: &mut Source,
@@ -238,6 +238,7 @@ fn strip(
     soup: &mut Soup,
     report: &mut Report,
 ) -> Result<(), Problem> {
+    // The -1 that ends a strip reads as the greatest number where indices are unsigned.
     for run in values.split(|&v| v == -1.0 || v == Number::U32.max().unwrap_or(-1.0)) {
         let mut corners = Vec::with_capacity(run.len());
         for &number in run {

@@ -5,13 +5,13 @@ use crate::diag::{Diagnostic, LineColumn};
 use crate::geometry::import::cursor::{Cursor, Number};
 use crate::geometry::import::report::Problem;
 
-/// Numbers one after the other.
+/// Source of the numbers, which are read one after the other.
 pub(super) enum Source<'a> {
     Text(Words<'a>),
     Binary(Cursor<'a>),
 }
 
-/// Words of a text, and the line that the next one is on.
+/// The words of a text, and the line of the next word.
 pub(super) struct Words<'a> {
     rest: &'a [u8],
     line: u32,
@@ -26,7 +26,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The bytes not yet read.
+    /// Number of bytes left to read.
     pub(super) fn left(&self) -> usize {
         match self {
             Self::Text(words) => words.rest.len(),
@@ -34,7 +34,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// Reads the numbers of one property into `values`: one, or a list's.
+    /// Reads the numbers of one property into `values`: one number, or those of a list.
     ///
     /// # Errors
     /// At the end of the file, and at words that are no numbers; `what` names the element.
@@ -78,7 +78,7 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// Adds the line where there are lines.
+    /// Adds the current line to a diagnostic where the source is text.
     pub(super) fn here(&self, diagnostic: Diagnostic) -> Diagnostic {
         match self {
             Self::Text(words) => diagnostic.at(LineColumn { line: words.line, column: 1 }),

@@ -1,45 +1,47 @@
-//! Where each texel of a painted tile goes to in another: block matching from coarse to fine.
+//! Flow from one painted tile to another, the motion of each texel: block matching from coarse to
+//! fine.
 //!
-//! At each level the patch around a texel is looked for in the other tile near where the coarser
-//! level has found it. What a patch without marks finds says nothing, so matches are spread by how
-//! much there is in their patches, and where there is nothing around, the coarser level stands. In
-//! the end a motion that does not bring the tiles nearer to each other is taken back.
+//! At each level the patch around a texel is searched for in the other tile near the match of the
+//! coarser level. The match of a patch without marks means nothing, so matches are spread by the
+//! amount of marks in their patches, and where there are none around, the coarser level stands. In
+//! the end a motion that does not bring the tiles nearer to each other is undone.
 
 use glam::Vec2;
 
 use crate::document::Tile;
 use crate::progress::Progress;
 
-/// Tiles are made smaller until no side is longer, for finding where texels go.
+/// Greatest side of the finest level on which motions are searched for, in texels; larger tiles are
+/// made smaller.
 const MAX_SIDE: usize = 64;
-/// The side of the coarsest level, at most.
+/// Greatest side of the coarsest level, in texels.
 const COARSE: usize = 8;
-/// Patches are so many texels to each side of their middle.
+/// Reach of a patch to each side of its middle, in texels.
 const PATCH: i64 = 2;
-/// How far around what the coarser level found a patch is looked for.
+/// Reach of the search around the match of the coarser level, in texels.
 const SEARCH: i64 = 2;
-/// How far matches are spread, in texels of each level.
+/// Reach over which matches are spread, in texels of each level.
 const SPREAD: i64 = 3;
-/// How much a motion may cost for its length, so that among equal ones the shortest is taken.
+/// Cost of a motion's length, so that among equal matches the shortest is taken.
 const SHORTEST: f32 = 1e-5;
-/// The squared difference below which texels are alike.
+/// Squared difference below which texels are alike.
 const ALIKE: f32 = 1e-3;
 
-/// Premultiplied colors from 0 to 1.
+/// A tile at one resolution, in premultiplied colors from 0 to 1.
 struct Level {
     size: [i64; 2],
     is_tiling: bool,
     texels: Vec<[f32; 4]>,
 }
 
-/// For each of its places, how far it moves: in widths and heights of the tile.
+/// Motion of each place of a tile, in widths and heights of the tile.
 pub(in super::super) struct Flow {
     size: [i64; 2],
     is_tiling: bool,
     moves: Vec<Vec2>,
 }
 
-/// A place on a level, wrapped around the tile, or held within it.
+/// The index of a place on a level, wrapped around the tile, or clamped to it.
 fn wrapped(x: i64, y: i64, size: [i64; 2], is_tiling: bool) -> usize {
     let [width, height] = size;
     let (x, y) = match is_tiling {
@@ -59,7 +61,7 @@ impl Level {
         Self { size: tile.size().map(i64::from), is_tiling, texels }
     }
 
-    /// The same at half its size.
+    /// The level at half its size.
     fn halved(&self) -> Self {
         let size = self.size.map(|side| (side + 1) / 2);
         let mean = |x: i64, y: i64| {
@@ -89,7 +91,7 @@ fn patch(reach: i64) -> impl Iterator<Item = (i64, i64)> {
 }
 
 impl Flow {
-    /// From a tile to another of its size; `None` where it is stopped.
+    /// The flow from a tile to another of the same size; `None` if the work is stopped.
     pub(in super::super) fn new(
         from: &Tile,
         to: &Tile,
@@ -133,7 +135,7 @@ impl Flow {
         }
     }
 
-    /// The same for a level of twice the size; moves are in texels here.
+    /// The flow for a level of another size; moves are in texels of the level here.
     fn scaled(&self, level: &Level) -> Self {
         let by = [0, 1].map(|i| level.size[i] as f32 / self.size[i] as f32);
         let mut scaled = Self::still(level);
@@ -145,7 +147,7 @@ impl Flow {
         scaled
     }
 
-    /// Between places, in places.
+    /// The motion at a position between places, in places.
     fn between(&self, place: Vec2) -> Vec2 {
         let (low, part) = (place.floor(), place - place.floor());
         let (x, y) = (low.x as i64, low.y as i64);
@@ -155,7 +157,7 @@ impl Flow {
         at(0, 0).lerp(at(1, 0), part.x).lerp(at(0, 1).lerp(at(1, 1), part.x), part.y)
     }
 
-    /// Each patch looked for anew, and what was found spread.
+    /// The flow with each patch searched for anew, and the matches spread.
     fn refined(&self, from: &Level, to: &Level, reach: i64) -> Self {
         let mut found = Vec::with_capacity(self.moves.len());
         for (index, before) in self.moves.iter().enumerate() {
@@ -178,7 +180,7 @@ impl Flow {
         let most = found.iter().map(|(_, weight)| *weight).fold(0.0, f32::max).max(ALIKE);
         let spread = |index: usize| {
             let (x, y) = (index as i64 % self.size[0], index as i64 / self.size[0]);
-            // What the coarser level says has a little weight everywhere.
+            // The match of the coarser level has a little weight everywhere.
             let (mut sum, mut weights) = (0.02 * most * self.moves[index], 0.02 * most);
             for (i, j) in patch(SPREAD) {
                 let (by, weight) = found[wrapped(x + i, y + j, self.size, self.is_tiling)];
@@ -190,7 +192,7 @@ impl Flow {
         Self { moves: (0..found.len()).map(spread).collect(), ..*self }
     }
 
-    /// Without what does not bring the tiles nearer to each other.
+    /// The flow without motions that do not bring the tiles nearer to each other.
     fn kept_where_it_helps(mut self, from: &Level, to: &Level) -> Self {
         let texel = |index: usize| (index as i64 % self.size[0], index as i64 / self.size[0]);
         let off = |index: usize, by: Vec2| {
@@ -216,21 +218,21 @@ impl Flow {
         self
     }
 
-    /// Moves in texels become shares of the tile.
+    /// The flow with moves as shares of the tile instead of texels.
     fn into_shares(mut self) -> Self {
         let size = Vec2::new(self.size[0] as f32, self.size[1] as f32);
         self.moves.iter_mut().for_each(|by| *by /= size);
         self
     }
 
-    /// How far a place moves, both in widths and heights of the tile from its upper left corner.
+    /// The motion at a position, both in widths and heights of the tile from its upper left corner.
     pub(in super::super) fn at(&self, place: Vec2) -> Vec2 {
         let size = Vec2::new(self.size[0] as f32, self.size[1] as f32);
         self.between(place * size - 0.5)
     }
 }
 
-/// How much there is in a patch: how far its texels are from their mean.
+/// The amount of marks in a patch: the squared differences of its texels from their mean.
 fn marks(level: &Level, x: i64, y: i64) -> f32 {
     let texels = || patch(PATCH).map(|(i, j)| level.at(x + i, y + j));
     let count = ((2 * PATCH + 1) * (2 * PATCH + 1)) as f32;

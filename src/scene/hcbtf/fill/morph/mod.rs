@@ -1,9 +1,9 @@
-//! Moving strokes between painted samples, where a blend would fade one in while the other goes
+//! Moving of strokes between painted samples, where a blend would fade one in while the other goes
 //! (thesis 12).
 //!
-//! Of the two or three nearest samples each is moved along its [`Flow`]s to where its content is
-//! between all of them, by their weights, and they are blended there. Where nothing in one sample
-//! is like something in the other nothing moves, and the blend is what is left.
+//! Each of the two or three nearest samples is moved along its [`Flow`]s to where its content is
+//! between all of them, by their weights, and they are blended there. Where no part of one sample
+//! resembles a part of the other there is no motion, and the result is the blend.
 
 mod flow;
 
@@ -19,11 +19,12 @@ use crate::document::{Address, Grid, Tile};
 use crate::hcbtf::generate::Color;
 use crate::progress::Progress;
 
-/// So many samples are moved toward each other, at most.
+/// Greatest number of samples that are moved toward each other.
 const NEAREST: usize = 3;
-/// More pairs of samples than this are blended without being moved: memory is bounded by it.
+/// Greatest number of pairs of samples with a flow, which bounds the memory; further pairs are
+/// blended without being moved.
 const MAX_PAIRS: usize = 8192;
-/// How often a place is looked for that moves to the one that is asked.
+/// Number of iterations in the search for the place that moves to a given one.
 const ROUNDS: usize = 12;
 
 /// The nearest painted samples by number, with weights that sum to 1.
@@ -34,7 +35,7 @@ fn nearest(
     painted: &[Painted<'_>],
 ) -> Vec<(u32, f32)> {
     let mut weights = blend::weights(address, sharpness, grid, painted);
-    // The first of equal ones, so that the order is always the same.
+    // Of equal weights the first sample comes first, so that the order is always the same.
     weights.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     weights.truncate(NEAREST);
     let sum: f32 = weights.iter().map(|(_, weight)| weight).sum();
@@ -42,18 +43,18 @@ fn nearest(
     weights
 }
 
-/// What is known of where the texels of samples go in others.
+/// Flows between pairs of painted samples, by their numbers.
 #[derive(Default)]
 pub(super) struct Flows {
     known: HashMap<[u32; 2], Flow>,
 }
 
 impl Flows {
-    /// To find where the texels of a pair go takes about as long as so many tiles.
+    /// Time that the flow of a pair takes, in tiles.
     pub(super) const TILES_AHEAD: u64 = 8;
 
-    /// The pairs that these samples need, each an address and a sharpness; `None` where it is
-    /// stopped.
+    /// The pairs that these samples need, each sample an address and a sharpness; `None` if the
+    /// work is stopped.
     pub(super) fn pairs(
         samples: impl Iterator<Item = (Address, f64)>,
         grid: &Grid,
@@ -75,7 +76,7 @@ impl Flows {
         Some(pairs)
     }
 
-    /// For all of these pairs; `None` where it is stopped.
+    /// Computes the flows of all these pairs; `None` if the work is stopped.
     pub(super) fn new(
         pairs: BTreeSet<[u32; 2]>,
         is_tiling: bool,
@@ -92,7 +93,7 @@ impl Flows {
         Some(Self { known: pairs.into_par_iter().map(flow).collect::<Option<_>>()? })
     }
 
-    /// How to make a sample.
+    /// The morph of a sample.
     pub(super) fn morph<'a>(
         &'a self,
         address: Address,
@@ -113,14 +114,14 @@ impl Flows {
     }
 }
 
-/// A painted sample and where its texels go in the others.
+/// A painted sample and its flows to the others, with their weights.
 struct Source<'a> {
     tile: &'a Tile,
     weight: f32,
     flows: Vec<(&'a Flow, f32)>,
 }
 
-/// How a sample is made.
+/// Maker of a sample's texels.
 pub(super) struct Morph<'a> {
     is_tiling: bool,
     sources: Vec<Source<'a>>,
@@ -130,7 +131,7 @@ impl Morph<'_> {
     /// The color at a texel: straight RGBA from 0 to 255.
     pub(super) fn at(&self, x: usize, y: usize) -> Color {
         let mut sum = [0.0; 4];
-        // For where nothing is seen.
+        // Colors for transparent texels.
         let mut hidden = [0.0; 3];
         for source in &self.sources {
             let [r, g, b, a] = source.at(x, y, self.is_tiling);
@@ -146,7 +147,7 @@ impl Morph<'_> {
 }
 
 impl Source<'_> {
-    /// What moves to a texel: straight times alpha, and alpha from 0 to 255.
+    /// The color that moves to a texel: straight times alpha, and alpha from 0 to 255.
     fn at(&self, x: usize, y: usize, is_tiling: bool) -> [f32; 4] {
         let size = Vec2::from(self.tile.size().map(|side| side as f32));
         let to = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size;
@@ -158,7 +159,7 @@ impl Source<'_> {
             place = to - moved(place);
         }
         let place = place * size - 0.5;
-        // A motion that is none gives the texels themselves.
+        // A motion of whole texels gives the texels themselves.
         let near = place.round();
         let place = if (place - near).abs().max_element() < 1e-3 { near } else { place };
         let (low, part) = (place.floor(), place - place.floor());

@@ -6,7 +6,7 @@ use crate::document::{Directions, Hcbtf, Rule};
 
 const SIDE: u32 = 32;
 
-/// White, with black rounds at these places, in texels.
+/// A white tile with black discs at these places, in texels.
 fn marked(places: &[[f64; 2]], radius: f64) -> Tile {
     let bytes = (0..SIDE * SIDE).flat_map(|index| {
         let (x, y) = (f64::from(index % SIDE) + 0.5, f64::from(index / SIDE) + 0.5);
@@ -20,7 +20,8 @@ fn marked(places: &[[f64; 2]], radius: f64) -> Tile {
     Tile::new([SIDE, SIDE], bytes.collect()).unwrap()
 }
 
-/// Painted for the light along the normal and on the horizon; what is between is half of both.
+/// An HCBTF painted for the light along the normal and on the horizon, and the address half way
+/// between.
 fn between(first: Tile, last: Tile, is_tiling: bool, rule: Rule) -> (Hcbtf, Address) {
     let one = Directions { theta: 1, phi: 1 };
     let grid = Grid { size: [SIDE, SIDE], light: Directions { theta: 3, phi: 1 }, view: one };
@@ -42,7 +43,7 @@ fn ink(tile: &Tile, [x, y]: [f64; 2]) -> f64 {
 #[test]
 fn a_stroke_moves_and_does_not_fade() {
     let cases = [
-        // Within the tile, across its edge, and by next to nothing.
+        // Motions within the tile, across its edge, and by a small distance.
         ([10.5, 12.5], [18.5, 16.5], [14.5, 14.5]),
         ([4.5, 16.5], [26.5, 18.5], [31.5, 17.5]),
         ([10.5, 10.5], [12.5, 10.5], [11.5, 10.5]),
@@ -54,14 +55,14 @@ fn a_stroke_moves_and_does_not_fade() {
         for place in [a, b].into_iter().filter(|place| far(*place)) {
             assert!(ink(&tile, place) < 0.1, "{a:?} to {b:?}: {place:?} has {}", ink(&tile, place));
         }
-        // As much ink as was painted.
+        // The morph has as much ink as was painted.
         let all = |tile: &Tile| {
             tile.bytes().iter().step_by(4).map(|byte| 255.0 - f64::from(*byte)).sum::<f64>()
         };
         let (got, painted) = (all(&tile), all(&marked(&[a], 3.0)));
         assert!((got - painted).abs() < 0.25 * painted, "{a:?} to {b:?}: {got} of {painted}");
     }
-    // A blend has two of half the strength.
+    // A blend has two discs of half the strength.
     let (hcbtf, at) = between(
         marked(&[[10.5, 12.5]], 3.0),
         marked(&[[18.5, 16.5]], 3.0),
@@ -89,7 +90,7 @@ fn what_is_painted_stays_and_what_is_alike_nowhere_is_blended() {
     let filled = fill(&hcbtf, &Progress::new()).unwrap();
     assert_eq!(**filled.tile(Address::new([0, 0], [0, 0])).unwrap(), first);
     assert_eq!(**filled.tile(Address::new([2, 0], [0, 0])).unwrap(), last);
-    // A mark that is in one alone fades.
+    // A mark that only one sample has fades.
     for is_tiling in [true, false] {
         let tile = middle_of(
             marked(&[[16.5, 16.5]], 4.0),
@@ -98,7 +99,7 @@ fn what_is_painted_stays_and_what_is_alike_nowhere_is_blended() {
         );
         assert!((ink(&tile, [16.5, 16.5]) - 0.5).abs() < 0.06, "{}", ink(&tile, [16.5, 16.5]));
     }
-    // Two that are equal are themselves, texel for texel.
+    // The morph of two equal samples equals them, texel for texel.
     assert_eq!(*middle_of(first.clone(), first.clone(), true), first);
     let alone = {
         let (mut hcbtf, at) = between(first.clone(), last, false, Rule::Morph { sharpness: 2.0 });
@@ -126,7 +127,7 @@ fn it_is_the_same_on_any_number_of_threads_and_can_be_stopped() {
     let progress = Progress::new();
     progress.stop();
     assert!(fill(&hcbtf, &progress).is_err());
-    // A texel is enough.
+    // A single texel is enough.
     let mut tiny = hcbtf.clone();
     tiny.grid.size = [1, 1];
     for tile in tiny.painted.values_mut() {

@@ -2,7 +2,7 @@
 //! color in every cell.
 //!
 //! Between corners the surface goes on bilinearly, so a step is a steep cell, seen, lit and shaded
-//! as any other. Texels are cut into several cells each so that the mean of what is seen in them is
+//! as any other. Texels are divided into several cells each so that the mean color in them is
 //! smooth at edges. Eye rays and light are followed from grid line to grid line: where a line is
 //! crossed the surface's height is exact.
 
@@ -12,45 +12,45 @@ use super::pattern::{Material, Sampler};
 use crate::document::Relief;
 use crate::progress::Progress;
 
-/// As many cells along a side of the tile are aimed at.
+/// Number of cells along a side of the tile that is aimed at.
 const AIM: u32 = 128;
-/// The most cells along a texel's side.
+/// Greatest number of cells along a texel's side.
 const MOST_CELLS: u32 = 4;
-/// Texels of tiles that are no larger are cut into two cells at least.
+/// Greatest side of tiles whose texels are divided into two cells at least, in texels.
 const SMALL_SIDE: u32 = 160;
 
 /// A height field that repeats with the tile. Lengths are in cells, x to the right, y down, z out
 /// of the tile.
 pub(super) struct Field {
-    /// Cells along x and y.
+    /// Number of cells along x and y.
     pub(super) size: [usize; 2],
-    /// Cells along a texel's side.
+    /// Number of cells along a texel's side.
     pub(super) per_texel: usize,
-    /// The height at the upper left corner of every cell.
+    /// Heights at the upper left corners of the cells.
     heights: Vec<f32>,
-    /// How the height changes along x and y in the middle of every cell.
+    /// Slopes along x and y in the middles of the cells.
     pub(super) slopes: Vec<[f32; 2]>,
-    /// What every cell is of.
+    /// Materials of the cells.
     pub(super) materials: Vec<Material>,
-    /// The highest corner.
+    /// Height of the highest corner.
     pub(super) top: f32,
-    /// From the lowest to the highest.
+    /// Difference between the highest and the lowest corner.
     pub(super) range: f32,
 }
 
-/// A place where a ray goes over a line of the grid.
+/// A point where a ray crosses a line of the grid.
 #[derive(Clone, Copy)]
 pub(super) struct Crossing {
-    /// From the ray's beginning, along the tile.
+    /// Distance from the ray's beginning, along the tile.
     pub(super) distance: f32,
-    /// The surface there.
+    /// Height of the surface there.
     pub(super) height: f32,
-    /// The cell that the ray went through to get there.
+    /// Cell that the ray passed through to get there.
     pub(super) cell: usize,
 }
 
 impl Field {
-    /// `None` where it is stopped.
+    /// The field of a relief; `None` if the work is stopped.
     pub(super) fn new(
         relief: &Relief,
         tile: [u32; 2],
@@ -74,7 +74,7 @@ impl Field {
                 return None;
             }
             let row = (0..width).map(cell).collect();
-            // Several rows of cells are one of texels.
+            // Several rows of cells are one row of texels.
             if (y as u32).is_multiple_of(per_texel) {
                 progress.add(super::FIELD_TILES);
             }
@@ -86,7 +86,7 @@ impl Field {
         Some(Self::of(size, per_texel as usize, heights, materials))
     }
 
-    /// A field of given heights at the corners, row by row.
+    /// The field with these heights at the corners, row by row.
     pub(super) fn of(
         size: [usize; 2],
         per_texel: usize,
@@ -120,14 +120,14 @@ impl Field {
         [0.5 * (b + d - a - c), 0.5 * (c + d - a - b)]
     }
 
-    /// The height in the middle of a cell.
+    /// The point in the middle of a cell, on the surface.
     pub(super) fn middle(&self, cell: usize) -> [f32; 3] {
         let width = self.size[0];
         let height = 0.25 * self.corners(cell).iter().sum::<f32>();
         [(cell % width) as f32 + 0.5, (cell / width) as f32 + 0.5, height]
     }
 
-    /// How far apart the lowest and the highest corner of a cell are.
+    /// The difference in height between the highest and the lowest corner of a cell.
     pub(super) fn steepness(&self, cell: usize) -> f32 {
         let corners = self.corners(cell);
         corners.iter().copied().fold(f32::MIN, f32::max)
@@ -141,14 +141,14 @@ impl Field {
         [-x / length, -y / length, 1.0 / length]
     }
 
-    /// The cell under a place.
+    /// The cell at a position.
     pub(super) fn cell(&self, x: f32, y: f32) -> usize {
         let [width, height] = self.size;
         let wrapped = |at: f32, side: usize| (at.floor() as i64).rem_euclid(side as i64) as usize;
         wrapped(y, height) * width + wrapped(x, width)
     }
 
-    /// The height at a place.
+    /// The height of the surface at a position.
     pub(super) fn height(&self, x: f32, y: f32) -> f32 {
         let [a, b, c, d] = self.corners(self.cell(x, y));
         let (fx, fy) = (x - x.floor(), y - y.floor());
@@ -156,8 +156,8 @@ impl Field {
         above + (below - above) * fy
     }
 
-    /// Follows a line along the tile from a place in a direction of length 1, and shows every
-    /// crossing with a line of the grid to `visit`, until that says no, or beyond `most`.
+    /// Follows a line along the tile from a position in a direction of length 1, and passes every
+    /// crossing with a line of the grid to `visit`, until that returns false, or beyond `most`.
     pub(super) fn follow(
         &self,
         from: [f32; 2],
@@ -203,9 +203,9 @@ impl Field {
         }
     }
 
-    /// How steeply the horizon rises over a place in a direction of length 1: the largest slope to
-    /// what stands there, and not less than `least`. What would not rise above `enough` is not
-    /// looked for further.
+    /// The slope of the horizon above a point in a direction of length 1: the greatest slope to the
+    /// surface there, and not less than `least`. The search ends where the surface could not rise
+    /// above `enough`.
     pub(super) fn horizon(
         &self,
         from: [f32; 3],
@@ -222,7 +222,7 @@ impl Field {
         slope
     }
 
-    /// Nothing is followed beyond: twice around the tile.
+    /// Greatest distance that rays are followed: twice around the tile.
     pub(super) fn farthest(&self) -> f32 {
         2.0 * (self.size[0] + self.size[1]) as f32
     }

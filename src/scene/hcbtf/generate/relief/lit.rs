@@ -1,5 +1,5 @@
-//! What a light and the sky do to the field: how much of the sun every cell sees, and what comes to
-//! it otherwise.
+//! Light of the sun and the sky on the field: the share of the sun that every cell sees, and the
+//! ambient light that reaches it.
 
 use super::field::Field;
 use super::noise::{mix3, ramp};
@@ -9,26 +9,26 @@ use crate::document::Relief;
 use crate::document::relief::Illumination;
 use crate::progress::Progress;
 
-/// A cell whose corners are farther apart than this, in cells, is a wall: its shadow is found where
-/// it is looked at.
+/// Difference in height between corners above which a cell is a wall, whose shadow is computed at
+/// each point that is seen, in cells.
 const WALL: f32 = 1.5;
 
-/// The light on the field.
+/// Light on the field.
 pub(super) struct Lit {
-    /// Toward the sun: along x, along y (down), and out of the tile.
+    /// Direction toward the sun: along x, along y (down), and out of the tile.
     pub(super) toward: [f32; 3],
-    /// The sun's own light, linear.
+    /// Color of the sun's own light, linear.
     pub(super) sun: [f32; 3],
-    /// How low the sun is, from 0 to 1.
+    /// Lowness of the sun, from 0 to 1.
     pub(super) lowness: f32,
-    /// How much of the sun's disc every cell sees.
+    /// Share of the sun's disc that every cell sees.
     pub(super) visible: Vec<f32>,
-    /// What comes from the sky and from other cells, linear.
+    /// Light that reaches every cell from the sky and from other cells, linear.
     pub(super) ambient: Vec<[f32; 3]>,
 }
 
 impl Lit {
-    /// `None` where it is stopped.
+    /// The light on a field; `None` if the work is stopped.
     pub(super) fn new(
         relief: &Relief,
         field: &Field,
@@ -79,7 +79,7 @@ impl Lit {
         Some(Self { toward, sun, lowness, visible, ambient })
     }
 
-    /// How much of the sun is seen at a place of a cell.
+    /// The share of the sun that is seen from a place of a cell.
     pub(super) fn visible_at(
         &self,
         light: &Illumination,
@@ -94,18 +94,18 @@ impl Lit {
     }
 }
 
-/// How low the sun is: 0 overhead, 1 at the horizon, or level with an upright tile.
+/// The lowness of the sun: 0 overhead, 1 at the horizon, or level with an upright tile.
 fn lowness(light: &Illumination, toward: [f32; 3]) -> f32 {
     let up = if light.is_upright { -toward[1] } else { toward[2] };
     1.0 - ramp(0.0, 0.7, up)
 }
 
-/// Shadows of a light.
+/// Computation of the shadows of a light.
 pub(super) struct Shadows {
     toward: [f32; 3],
-    /// Along the tile, of length 1.
+    /// Direction along the tile, of length 1.
     along: [f32; 2],
-    /// Above the tile, in radians.
+    /// Elevation above the tile, in radians.
     elevation: f32,
     softness: f32,
 }
@@ -130,13 +130,13 @@ impl Shadows {
         (0..3).map(|i| normal[i] * self.toward[i]).sum::<f32>().max(0.0)
     }
 
-    /// How much of the sun's disc is above the horizon of a place.
+    /// The share of the sun's disc above the horizon of a place.
     pub(super) fn visible(&self, field: &Field, cell: usize, place: [f32; 3]) -> f32 {
         if self.along == [0.0; 2] {
             return 1.0;
         }
         let [x, y] = field.slopes[cell];
-        // A cell does not stand in its own light.
+        // A cell does not shadow itself.
         let plane = x * self.along[0] + y * self.along[1];
         let slope = |elevation: f32| elevation.clamp(-1.5, 1.5).tan();
         let (lower, upper) =
@@ -146,8 +146,8 @@ impl Shadows {
         if horizon <= least {
             return 1.0;
         }
-        // The disc's lower half sinks first; as much of it as the horizon is above the cell's own
-        // plane.
+        // The disc's lower half sinks first; its hidden part counts by the horizon's height above
+        // the cell's own plane.
         let hidden = 0.5 + (horizon.atan() - self.elevation) / (2.0 * self.softness);
         let own = ((horizon.atan() - plane.atan()) / self.softness).clamp(0.0, 1.0);
         1.0 - hidden.clamp(0.0, 1.0) * own

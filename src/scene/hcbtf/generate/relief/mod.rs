@@ -1,13 +1,13 @@
 //! A relief of the tile: a height field as every eye sees it under every light.
 //!
-//! A `field` of cells finer than the texels is made of the pattern once, and `transport` finds what
-//! every cell sees of the sky and of the others. Then what an eye sees (`seen`) depends on the view
-//! alone, and what a light does (`lit`) on the light alone: each is worked out when it is first
-//! asked for and kept, and a sample puts the two together (`shade`). Light is linear; what a sample
-//! shows is in display colors, as all paint is.
+//! A `field` of cells finer than the texels is made of the pattern once, and `transport` computes
+//! the shares of the sky and of the other cells that every cell sees. Then the surface that an eye
+//! sees (`seen`) depends on the view alone, and the light on the field (`lit`) on the light alone:
+//! each is computed when it is first asked for and kept, and a sample combines the two (`shade`).
+//! Light is linear; the colors of a sample are display colors, as all paint is.
 //!
-//! Each of them is worked out on one thread, so that no thread waits for itself; samples go over
-//! all cores.
+//! Each of these results is computed on one thread, so that no thread waits for itself; samples go
+//! over all cores.
 
 mod field;
 mod lit;
@@ -32,14 +32,14 @@ use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Relief};
 use crate::hcbtf::noise;
 use crate::progress::Progress;
 
-/// How long what is made ahead of the tiles takes, in tiles: as measured for the examples, within a
+/// Time that the preparations take, in tiles, for progress: as measured for the examples, within a
 /// factor of three.
 pub(super) const FIELD_TILES: u64 = 12;
 pub(super) const TRANSPORT_TILES: u64 = 30;
 const SEEN_TILES: u64 = 1;
 const LIT_TILES: u64 = 3;
 
-/// What is made ahead of the tiles of these samples takes as long as so many tiles.
+/// The time that the preparations for these samples take, in tiles.
 pub(super) fn tiles_ahead(samples: &[Address]) -> u64 {
     let views: BTreeSet<Direction> =
         samples.iter().map(|address| address.view.canonical()).collect();
@@ -51,20 +51,21 @@ pub(super) fn tiles_ahead(samples: &[Address]) -> u64 {
         + LIT_TILES * lights.len() as u64
 }
 
-/// Ready to give tiles.
+/// A relief that is prepared and makes tiles.
 pub(in crate::hcbtf) struct Ready {
     relief: Relief,
     grid: Grid,
     field: Field,
     transport: Transport,
-    /// By the view's place in the grid; `None` in it where it was stopped.
+    /// Surface that each view sees, by the view's index in the grid; `None` within a cell if the
+    /// work was stopped.
     seen: Vec<OnceLock<Option<VisibleSurface>>>,
-    /// By the light's.
+    /// Light of each direction, by the light's index in the grid.
     lit: Vec<OnceLock<Option<Lit>>>,
 }
 
 impl Ready {
-    /// `None` where it is stopped, and where a painted sample is missing.
+    /// Prepares a relief; `None` if the work is stopped, and if a painted sample is missing.
     pub(super) fn new(relief: &Relief, hcbtf: &Hcbtf, progress: &Progress) -> Option<Self> {
         let sampler = Sampler::new(relief, hcbtf)?;
         let field = Field::new(relief, hcbtf.grid.size, &sampler, progress)?;
@@ -79,7 +80,7 @@ impl Ready {
         Some(Self { relief, grid, field, transport, seen, lit })
     }
 
-    /// The texels of a sample; `None` where it is stopped.
+    /// The texels of a sample; `None` if the work is stopped.
     pub(super) fn tile(&self, address: Address, progress: &Progress) -> Option<Vec<Color>> {
         let (view, light) =
             (toward(self.grid.view, address.view), toward(self.grid.light, address.light));
@@ -104,7 +105,7 @@ impl Ready {
     }
 }
 
-/// A direction along x, along y (down), and out of the tile.
+/// The vector of a direction, along x, along y (down), and out of the tile.
 fn toward(directions: Directions, direction: Direction) -> [f32; 3] {
     let vector = directions.vector(direction);
     [vector.x as f32, -vector.y as f32, vector.z as f32]

@@ -1,37 +1,37 @@
-//! What an eye sees of the field: for every cell of the tile as it lies there, the place that hides
-//! all behind it.
+//! Surface that an eye sees: for every cell of the tile as it lies there, the point that hides
+//! everything behind it.
 
 use super::field::Field;
 use super::noise::{ramp, rough};
 use crate::document::Relief;
 use crate::progress::Progress;
 
-/// Eyes farther from the normal look as from here: nearer to the horizon, they would see the
-/// field's tops alone.
+/// Greatest angle between the normal and an eye, in radians; eyes farther away see as from here,
+/// because nearer to the horizon they would see only the field's tops.
 pub(super) const FARTHEST_VIEW: f32 = 78.0 * std::f32::consts::PI / 180.0;
 
-/// A height that changes by more than this part of the relief's from one ray to the next but one is
-/// an edge.
+/// Least change of height, as a share of the relief's, from one ray to the next but one that counts
+/// as an edge.
 const EDGE: f32 = 0.16;
 
-/// Where an eye's ray meets the field.
+/// The point where an eye's ray meets the field.
 #[derive(Clone, Copy)]
 pub(super) struct Hit {
     pub(super) place: [f32; 3],
     pub(super) cell: u32,
 }
 
-/// What an eye sees.
+/// Surface that an eye sees.
 pub(super) struct VisibleSurface {
-    /// One a cell of the tile, row by row.
+    /// Points that are seen, one for each cell of the tile, row by row.
     pub(super) hits: Vec<Hit>,
-    /// How much ink lies there, from 0 to 255.
+    /// Amount of ink at each cell, from 0 to 255.
     pub(super) ink: Vec<u8>,
 }
 
 impl VisibleSurface {
-    /// What is seen from a direction: along x, along y (down), and out of the tile. `None` where it
-    /// is stopped.
+    /// The surface that is seen from a direction: along x, along y (down), and out of the tile.
+    /// `None` if the work is stopped.
     pub(super) fn new(
         relief: &Relief,
         field: &Field,
@@ -55,9 +55,9 @@ impl VisibleSurface {
 struct Eye<'a> {
     relief: &'a Relief,
     field: &'a Field,
-    /// Along the tile, away from the eye, of length 1.
+    /// Direction along the tile, away from the eye, of length 1.
     away: [f32; 2],
-    /// The tangent of the angle from the normal.
+    /// Tangent of the angle from the normal.
     tangent: f32,
 }
 
@@ -70,8 +70,8 @@ impl<'a> Eye<'a> {
         Self { relief, field, away, tangent: if across > 1e-6 { theta.tan() } else { 0.0 } }
     }
 
-    /// Where the ray through the middle of a cell, at the height that stays in place, meets the
-    /// field.
+    /// The point where the ray through the middle of a cell, at the height that stays in place,
+    /// meets the field.
     fn hit(&self, x: usize, y: usize) -> Hit {
         let field = self.field;
         let [width, height] = field.size.map(|side| side as f32);
@@ -91,7 +91,7 @@ impl<'a> Eye<'a> {
             let place = [start[0], start[1], field.height(start[0], start[1])];
             return Hit { place, cell: field.cell(start[0], start[1]) as u32 };
         }
-        // The ray comes in where the highest place would be.
+        // The ray starts where it is level with the highest place of the field.
         let back = (1.0 - self.relief.pivot as f32) * field.top * self.tangent;
         let entry = [start[0] - back * self.away[0], start[1] - back * self.away[1]];
         let mut before = (0.0, field.top - field.height(entry[0], entry[1]));
@@ -119,8 +119,8 @@ impl<'a> Eye<'a> {
     }
 }
 
-/// Ink where one thing stands before another: where what neighbouring rays meet is far apart in
-/// height.
+/// The ink where one part of the surface stands before another: where the points that neighboring
+/// rays meet differ greatly in height.
 fn inked(relief: &Relief, field: &Field, hits: &[Hit]) -> Vec<u8> {
     let [width, height] = field.size;
     let at = |x: usize, y: usize| hits[(y % height) * width + x % width].place[2];
@@ -136,7 +136,7 @@ fn inked(relief: &Relief, field: &Field, hits: &[Hit]) -> Vec<u8> {
     let down = ((6.0 * height as f32 / width as f32).round() as u32).max(1);
     let ink = |cell: usize| {
         let (x, y) = (cell % width, cell / width);
-        // A pen presses now more, now less.
+        // The pressure of the pen varies.
         let place = [(x as f32 + 0.5) / width as f32, (y as f32 + 0.5) / height as f32];
         let pressed =
             radius * (0.55 + 0.9 * rough(relief.seed.wrapping_add(70), [6, down], 2, place));

@@ -1,4 +1,5 @@
-//! A sample of a relief: what an eye sees, in the light that falls on it, finished as by hand.
+//! Samples of a relief: the surface that an eye sees, in the light that falls on it, finished as by
+//! hand.
 
 use std::sync::OnceLock;
 
@@ -10,7 +11,7 @@ use super::{Color, Ready};
 use crate::document::relief::Pattern;
 use crate::progress::Progress;
 
-/// The tile of a sample; `None` where it is stopped.
+/// The tile of a sample; `None` if the work is stopped.
 pub(super) fn tile(
     ready: &Ready,
     seen: &VisibleSurface,
@@ -40,7 +41,7 @@ pub(super) fn tile(
             let straight = |sum_of: f32| if sum[3] > 0.0 { 255.0 * sum_of / sum[3] } else { 0.0 };
             let count = (per_texel * per_texel) as f32;
             let [r, g, b] = [sum[0], sum[1], sum[2]].map(straight);
-            // Paper shows in texels, not in parts of them.
+            // The grain of paper is one value a texel, the same for all cells in the texel.
             let paper = shader.paper(x, y);
             texels.push(
                 [r * paper, g * paper, b * paper, 255.0 * sum[3] / count]
@@ -54,12 +55,12 @@ pub(super) fn tile(
 struct Shader<'a> {
     ready: &'a Ready,
     lit: &'a Lit,
-    /// Half way between the sun and the eye, of length 1.
+    /// Direction half way between the sun and the eye, of length 1.
     half: [f32; 3],
-    /// What lit windows give, linear.
+    /// Light of lit windows, linear.
     glow: [f32; 3],
     ink: [f32; 3],
-    /// The luminance of a white surface in the sun and under the sky.
+    /// Luminance of a white surface in the sun and under the sky.
     white: f32,
 }
 
@@ -116,7 +117,7 @@ impl<'a> Shader<'a> {
         (mix3(shown, self.ink, pen), material.alpha)
     }
 
-    /// The light in steps, and how bright it is to the eye, in parts of the full light.
+    /// The light in steps, and its brightness to the eye, as a share of the full light.
     fn in_bands(&self, light: [f32; 3]) -> ([f32; 3], f32) {
         let luminance = dot(light, [0.2126, 0.7152, 0.0722]);
         let brightness = shown(luminance / self.white);
@@ -125,7 +126,7 @@ impl<'a> Shader<'a> {
             return (light, brightness);
         }
         let at = brightness * bands as f32;
-        // Between two steps lies a short ramp, so that edges are smooth.
+        // A short ramp between two steps makes edges smooth.
         let stepped =
             (at.floor() + ramp(0.85, 1.0, at - at.floor())).min(bands as f32) / bands as f32;
         let stepped = mix(0.5 / bands as f32, 1.0, stepped);
@@ -133,7 +134,7 @@ impl<'a> Shader<'a> {
         (light.map(|channel| channel * factor), stepped)
     }
 
-    /// How much of the sun is mirrored to the eye.
+    /// The share of the sun that is mirrored to the eye.
     fn glint(&self, normal: [f32; 3], gloss: f32, grain: u32) -> f32 {
         let glint = &self.ready.relief.glint;
         if glint.amount <= 0.0 || gloss <= 0.0 {
@@ -152,7 +153,7 @@ impl<'a> Shader<'a> {
         glint.amount as f32 * gloss * mirrored
     }
 
-    /// How much hatching lies at a place: lines that grow with the dark, and a second set across
+    /// The amount of hatching at a place: lines that grow with the dark, and a second set across
     /// them in the darkest.
     fn hatching(&self, hit: &Hit, brightness: f32) -> f32 {
         let relief = &self.ready.relief;
@@ -169,14 +170,14 @@ impl<'a> Shader<'a> {
             let soft = 2.0 * lines / width.max(1.0) * 0.02 + 0.12;
             if dark <= 0.02 { 0.0 } else { 1.0 - ramp(width - soft, width + soft, off) }
         };
-        // Whole numbers of lines along both sides, so that they go on in the next tile.
+        // Whole numbers of lines along both sides make the lines go on in the next tile.
         let tall = (lines * height / width).round().max(1.0);
         let first = line(lines * place[0] + tall * place[1] + 0.7 * hand, dark - 0.3);
         let second = line(lines * place[0] - tall * place[1] + 0.7 * hand, 1.3 * (dark - 0.62));
         first.max(second)
     }
 
-    /// How bright the paper is at a texel.
+    /// The brightness of the paper at a texel.
     fn paper(&self, x: usize, y: usize) -> f32 {
         let relief = &self.ready.relief;
         if relief.finish.grain <= 0.0 {
@@ -194,10 +195,11 @@ fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Steps of the table of [`shown`].
+/// Number of steps in the table of [`shown`].
 const STEPS: usize = 1024;
 
-/// [`encode`] up to 1, from a table: by the root of the light, along which it is nearly straight.
+/// [`encode`] up to 1, from a table over the root of the light, along which the curve is nearly
+/// straight.
 fn shown(linear: f32) -> f32 {
     static TABLE: OnceLock<Vec<f32>> = OnceLock::new();
     let entry = |step: usize| encode((step as f32 / STEPS as f32).powi(2));
@@ -207,7 +209,7 @@ fn shown(linear: f32) -> f32 {
     table[step] + (table[step + 1] - table[step]) * (at - step as f32)
 }
 
-/// Linear light as sRGB shows it (IEC 61966-2-1).
+/// Encodes linear light by the sRGB curve (IEC 61966-2-1).
 fn encode(linear: f32) -> f32 {
     if linear <= 0.003_130_8 {
         12.92 * linear.max(0.0)

@@ -1,4 +1,4 @@
-//! Reliefs against what can be said of them without drawing them.
+//! Reliefs compared with properties that are known without drawing them.
 
 use std::f32::consts::FRAC_PI_2;
 use std::sync::Arc;
@@ -22,12 +22,12 @@ fn field(size: [usize; 2], color: [f32; 3], height: impl Fn(usize, usize) -> f32
     Field::of(size, 1, heights, vec![Material::of(color); size[0] * size[1]])
 }
 
-/// Numbers from 0 to 1 that look like chance.
+/// A pseudorandom number from 0 to 1.
 fn chance(x: usize, y: usize) -> f32 {
     noise::chance(5, x as i64, y as i64)
 }
 
-/// The sun alone, white, with hard shadows and without bounces.
+/// Light of the sun alone, white, with hard shadows and without bounces.
 fn sun() -> Illumination {
     Illumination {
         sun: [255; 3],
@@ -40,7 +40,7 @@ fn sun() -> Illumination {
     }
 }
 
-/// A white sky alone.
+/// Light of a white sky alone.
 fn sky(bounces: u32) -> Illumination {
     let white = [255; 3];
     Illumination {
@@ -67,7 +67,7 @@ fn a_steps_shadow_has_its_length() {
     for theta in [20.0_f32, 45.0, 60.0, 70.0] {
         let (sin, cos) = theta.to_radians().sin_cos();
         let length = high * theta.to_radians().tan();
-        // Along x and along y, from either side.
+        // Walls along x and along y, from either side.
         for (axis, side) in [(0, 1.0), (1, 1.0), (0, -1.0), (1, -1.0)] {
             let along = |x: usize, y: usize| if axis == 0 { x } else { y };
             let is_high = |at: usize| {
@@ -93,8 +93,8 @@ fn a_steps_shadow_has_its_length() {
     }
 }
 
-/// What lies higher than the pivot is seen moved toward where it stands from the eye: by its height
-/// over the tangent.
+/// Each cell sees the point of a raised plane that lies toward the eye from the cell, at a distance
+/// of the plane's height above the pivot times the tangent of the eye's angle from the normal.
 #[test]
 fn a_raised_plane_is_seen_where_it_ought_to_be() {
     let high = 5.0;
@@ -121,12 +121,12 @@ fn a_raised_plane_is_seen_where_it_ought_to_be() {
     }
 }
 
-/// The horizon in a direction is the largest slope to any place along it, however it is looked for,
-/// and rises with the field.
+/// The horizon in a direction is the greatest slope to any place along that direction, however it
+/// is searched for, and rises with the field.
 #[test]
 fn the_horizon_is_the_steepest_slope_and_rises_with_the_field() {
     let size = [19, 23];
-    // Ridges: between grid lines they are straight, so that lines tell all.
+    // Ridges are straight between grid lines, so that the crossings give exact slopes.
     let ridge = |x: usize| 4.0 * chance(x, 0);
     let low = field(size, WHITE, |x, _| ridge(x));
     let high = field(size, WHITE, |x, _| ridge(x) + if chance(x, 1) > 0.7 { 2.0 } else { 0.0 });
@@ -136,7 +136,7 @@ fn the_horizon_is_the_steepest_slope_and_rises_with_the_field() {
             let turn = 0.3 + turn as f32;
             let direction = [turn.sin(), turn.cos()];
             let found = low.horizon([x, y, z + 0.5], direction, -10.0, f32::INFINITY);
-            // By steps of a hundredth of a cell.
+            // The reference goes by steps of a hundredth of a cell.
             let steepest = (1..8400).map(|step| {
                 let far = step as f32 * 0.01;
                 (low.height(x + far * direction[0], y + far * direction[1]) - z - 0.5) / far
@@ -149,8 +149,7 @@ fn the_horizon_is_the_steepest_slope_and_rises_with_the_field() {
     }
 }
 
-/// Nothing is lost and nothing is won: a white relief under a white sky is white, whatever its
-/// form.
+/// No light is lost or gained: a white relief under a white sky is white, whatever its form.
 #[test]
 fn a_white_furnace_stays_white() {
     let size = [24, 20];
@@ -181,8 +180,8 @@ fn a_white_furnace_stays_white() {
             }
         }
         assert!(before.iter().all(|ambient| (ambient - 1.0).abs() < 0.02), "{before:?}");
-        // With a color that keeps some of the light, every place gets less than the sky alone
-        // would give.
+        // With a color that absorbs some of the light, every place gets less than under the sky
+        // alone.
         let grey = field(size, [0.5; 3], form);
         assert!(
             lit(sky(64), &grey, [0.0, 0.0, 1.0])
@@ -193,7 +192,7 @@ fn a_white_furnace_stays_white() {
     }
 }
 
-/// At the foot of a long wall the sky is what the view factor of a wall leaves: (1 + cos of its
+/// At the foot of a long wall the sky fills the view factor that a wall leaves: (1 + cos of its
 /// elevation) / 2.
 #[test]
 fn a_wall_hides_its_part_of_the_sky() {
@@ -226,7 +225,7 @@ const GRID: Grid = {
     Grid { size: [8, 6], light: directions, view: directions }
 };
 
-/// Of the painted sample at the normal.
+/// The relief of the painted sample at the normal.
 fn of_painting() -> Relief {
     let from = Address::default();
     let pattern = Pattern::Painted {
@@ -267,7 +266,7 @@ fn a_flat_relief_is_lamberts_law() {
     }
 }
 
-/// Moving what is painted around the tile moves what is seen of it, across all edges.
+/// Moving the painting around the tile moves the drawn relief, across all edges.
 #[test]
 fn reliefs_go_on_across_the_tiles_edges() {
     let hcbtf = painted(GRID, 9);
@@ -362,13 +361,13 @@ fn finished() -> Finish {
     Finish { bands: 4, ink: 0.8, hatch: 0.5, wobble: 0.01, grain: 0.2, ..Finish::default() }
 }
 
-/// Rules of every pattern, with everything on.
+/// Rules of every pattern, with every feature on.
 fn rules() -> Vec<Relief> {
     let relief = |pattern| Relief { pattern, depth: 0.15, finish: finished(), ..Relief::default() };
     patterns().into_iter().map(relief).chain([of_painting()]).collect()
 }
 
-/// The same bytes on any number of threads, and whatever sample is asked for first.
+/// The bytes are the same on any number of threads, and whatever sample is asked for first.
 #[test]
 fn a_relief_is_the_same_however_it_is_made() {
     for relief in [rules().swap_remove(2), of_painting()] {
@@ -398,14 +397,14 @@ fn a_relief_can_be_stopped_and_needs_its_paintings() {
     assert!(Ready::new(&of_painting(), &hcbtf, &stopped).is_none());
     let ready = Ready::new(&of_painting(), &hcbtf, &Progress::new()).unwrap();
     assert!(ready.tile(Address::default(), &stopped).is_none());
-    // What is not painted is filled by whoever comes next.
+    // A relief without its painted sample fills nothing, and later rules fill the samples.
     hcbtf.painted.clear();
     hcbtf.rules.push(Rule::Color { color: [9, 8, 7, 255] });
     let filled = fill(&hcbtf, &Progress::new()).unwrap();
     assert!(filled.tiles().iter().all(|tile| tile.texel(0, 0) == [9, 8, 7, 255]));
 }
 
-/// Every number has bounds, and a grid that is too fine is told of.
+/// Every number has bounds, and a grid that is too fine is reported.
 #[test]
 fn numbers_out_of_bounds_are_told() {
     let wrong = |mend: fn(&mut Relief), word: &str| {
@@ -488,12 +487,12 @@ fn how_far_it_is_goes_from_nothing_to_all_while_it_is_prepared_too() {
     });
     fill(&hcbtf, &progress).unwrap();
     let [done, total] = progress.steps();
-    // 4 x 4 samples, 4 views and 4 lights.
+    // The grid has 4 x 4 samples, 4 views and 4 lights.
     assert_eq!(total, 5 * (16 + FIELD_TILES + TRANSPORT_TILES + 4 * (SEEN_TILES + LIT_TILES)));
     assert_eq!(done, total);
     let steps = told.lock().unwrap();
     assert!(steps.iter().all(|[_, of]| *of == total), "it is laid out once");
-    // The field and what its cells see come first, row by row.
+    // The field and its light transport come first, row by row.
     let ready = 5 * (FIELD_TILES + TRANSPORT_TILES);
     assert_eq!(steps.iter().filter(|[done, _]| *done <= ready).count(), 10);
 }

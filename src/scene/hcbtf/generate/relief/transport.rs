@@ -1,12 +1,12 @@
-//! Which part of its surroundings every cell sees: how much of the sky, and how much of which other
-//! cells.
+//! Light transport on the field: the shares of the sky and of the other cells that every cell sees.
 //!
 //! Around every cell's middle the horizon is followed in [`AZIMUTHS`] directions, from the plane of
-//! the cell itself up. Each time it rises, what made it rise fills the angles between, weighed by
-//! the cosine to the cell's normal; what is left is sky. With e the elevation, n the normal's part
-//! along z and t its part along the direction, the weight below e is n sin(e)^2 / 2 + t (e + sin(e)
-//! cos(e)) / 2, the integral of the cosine over the wedge. The weights of a cell, with the sky's,
-//! add up to 1, so no light is made or lost: under a white sky a white relief of any form is white.
+//! the cell itself up. Each time the horizon rises, the cell that raised it fills the angles
+//! between, weighed by the cosine to the cell's normal; the rest is sky. With e the elevation, n
+//! the normal's part along z and t its part along the direction, the weight below e is n sin(e)^2 /
+//! 2 + t (e + sin(e) cos(e)) / 2, the integral of the cosine over the wedge. The weights of a cell,
+//! with the sky's, add up to 1, so no light is made or lost: under a white sky a white relief of
+//! any form is white.
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 
@@ -15,31 +15,31 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 use super::field::{Crossing, Field};
 use crate::progress::Progress;
 
-/// Directions around a cell.
+/// Number of directions around a cell.
 const AZIMUTHS: usize = 16;
-/// As many cells are remembered of what is seen in a direction, at most.
+/// Greatest number of cells that are stored of those seen in a direction.
 const SEEN_IN_DIRECTION: usize = 3;
-/// What would make the horizon rise by less than this slope is not looked for.
+/// Least rise of the horizon's slope that is searched for.
 const LEAST_RISE: f32 = 0.02;
 
-/// What every cell sees.
+/// Shares of the surroundings that every cell sees.
 pub(super) struct Transport {
-    /// The part of the sky, by cell.
+    /// Share of the sky, by cell.
     pub(super) sky: Vec<f32>,
-    /// Where the seen cells of each cell begin, and where the last one's end.
+    /// Index in `seen` where the cells seen from each cell begin, and the end of the last cell's.
     starts: Vec<u32>,
-    /// For one cell after the other.
+    /// Cells that are seen, one cell's after the other's.
     seen: Vec<Share>,
 }
 
-/// A cell that is seen, and the part of the whole that it fills.
+/// A cell that is seen, and the share of the surroundings that it fills.
 type Share = (u32, f32);
 
-/// The part that the sky fills, and the cells that are seen.
+/// The share that the sky fills, and the cells that are seen.
 type Around = (f32, Vec<Share>);
 
 impl Transport {
-    /// `None` where it is stopped.
+    /// The light transport of a field; `None` if the work is stopped.
     pub(super) fn new(field: &Field, progress: &Progress) -> Option<Self> {
         let [width, height] = field.size;
         let row = |y: usize| -> Option<Vec<Around>> {
@@ -48,7 +48,7 @@ impl Transport {
                 return None;
             }
             let row = (0..width).map(cell).collect();
-            // Several rows of cells are one of texels.
+            // Several rows of cells are one row of texels.
             if y.is_multiple_of(field.per_texel) {
                 progress.add(super::TRANSPORT_TILES);
             }
@@ -64,8 +64,7 @@ impl Transport {
         Some(transport)
     }
 
-    /// What comes to a cell from the cells that it sees, each sending the color that it has in
-    /// `sent`.
+    /// The light that reaches a cell from the cells that it sees, each sending its color in `sent`.
     pub(super) fn gathered(&self, cell: usize, sent: &[[f32; 3]]) -> [f32; 3] {
         let mut sum = [0.0; 3];
         for (from, weight) in &self.seen[self.starts[cell] as usize..self.starts[cell + 1] as usize]
@@ -77,13 +76,13 @@ impl Transport {
     }
 }
 
-/// The sky that a cell sees, and the other cells with their parts.
+/// The share of the sky that a cell sees, and the other cells with their shares.
 fn around(field: &Field, cell: usize) -> Around {
     let middle = field.middle(cell);
     let normal = field.normal(cell);
     let (mut sky, mut seen, mut all) = (0.0, Vec::new(), 0.0);
     for azimuth in 0..AZIMUTHS {
-        // Off the axes, where rays would run along grid lines.
+        // Directions lie off the axes, where rays would run along grid lines.
         let turn = TAU * (azimuth as f32 + 0.5) / AZIMUTHS as f32;
         let direction = [turn.sin(), turn.cos()];
         let wedge =
@@ -111,7 +110,7 @@ fn around(field: &Field, cell: usize) -> Around {
         merge(&mut risen, last - begin);
         seen.append(&mut risen);
     }
-    // Also where a cell is so steep that rounding leaves nothing.
+    // The whole is 0 also where a cell is so steep that rounding leaves nothing.
     if all <= 1e-6 {
         return (1.0, Vec::new());
     }
@@ -119,21 +118,22 @@ fn around(field: &Field, cell: usize) -> Around {
     (sky / all, seen)
 }
 
-/// A direction around a cell: its normal's parts, up and along the direction.
+/// A direction around a cell: the parts of the cell's normal, up and along the direction.
 struct Wedge {
     up: f32,
     along: f32,
 }
 
 impl Wedge {
-    /// The integral of the cosine over the elevations below one.
+    /// The integral of the cosine over the elevations below `elevation`.
     fn below(&self, elevation: f32) -> f32 {
         let (sin, cos) = elevation.sin_cos();
         0.5 * self.up * sin * sin + 0.5 * self.along * (elevation + sin * cos)
     }
 }
 
-/// Makes few of many: neighbours go together, and the largest of them stands for all.
+/// Merges the cells of a direction into few: neighbors are joined, and the largest of them stands
+/// for all.
 fn merge(risen: &mut Vec<(u32, f32)>, whole: f32) {
     if risen.len() <= SEEN_IN_DIRECTION {
         return;

@@ -1,31 +1,31 @@
-//! What is in front, at many places of the tile: a buffer of heights.
+//! Canvas of the strokes in front, at many places of the tile: a buffer of heights.
 //!
-//! All that is seen at a place of the tile lies on one ray, and what is nearer on it is higher. So
-//! the height over the surface is the depth, for the eye as for the light. Where heights are equal
-//! what is drawn later lies above.
+//! All that is seen at a place of the tile lies on one ray, and a point that is nearer on the ray
+//! is higher. So the height over the surface is the depth, for the eye as for the light. At equal
+//! heights a stroke that is drawn later lies above.
 
 use glam::Vec2;
 
-/// No stroke: the ground.
+/// Number for no stroke: the ground.
 pub(super) const GROUND: u32 = u32::MAX;
 
-/// What is seen at a place.
+/// The frontmost point at a place.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hit {
-    /// Over the surface; below 0 for the ground, which everything hides.
+    /// Height over the surface; below 0 for the ground, which everything hides.
     pub(super) height: f32,
-    /// Its number, or [`GROUND`].
+    /// Number of the stroke, or [`GROUND`].
     pub(super) stroke: u32,
-    /// Along it, in points from its root.
+    /// Position along the stroke, in points from its root.
     pub(super) along: f32,
-    /// Across it, from -1 to 1.
+    /// Position across the stroke, from -1 to 1.
     pub(super) across: f32,
 }
 
 const NOTHING: Hit = Hit { height: -1.0, stroke: GROUND, along: 0.0, across: 0.0 };
 
-/// A corner of what is drawn. Places are in cells from the upper left corner of the tile, and may
-/// lie beyond it.
+/// A corner of a triangle. Places are in cells from the upper left corner of the tile, and may lie
+/// beyond the tile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) at: Vec2,
@@ -34,7 +34,7 @@ pub(super) struct Corner {
     pub(super) across: f32,
 }
 
-/// The grain of paper: which cells a stroke leaves free.
+/// The grain of paper, which decides the cells that a stroke leaves free.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grain {
     pub(super) amount: f32,
@@ -60,30 +60,30 @@ impl Grain {
     }
 }
 
-/// Some rows of the cells of a tile.
+/// A range of rows of the cells of a tile.
 pub(super) struct Canvas {
-    /// Cells of the whole tile.
+    /// Number of cells of the whole tile, along x and y.
     size: [usize; 2],
     is_tiling: bool,
-    /// The first row, and all cells from there.
+    /// Number of the first row; `hits` are all cells from there.
     first: usize,
     hits: Vec<Hit>,
 }
 
 impl Canvas {
-    /// These rows of a tile of so many cells.
+    /// A canvas for the rows `rows` of a tile of `size` cells.
     pub(super) fn new(size: [usize; 2], is_tiling: bool, rows: std::ops::Range<usize>) -> Self {
         Self { size, is_tiling, first: rows.start, hits: vec![NOTHING; size[0] * rows.len()] }
     }
 
-    /// All that is seen in a row.
+    /// The frontmost points of a row.
     pub(super) fn row(&self, y: usize) -> &[Hit] {
         let from = (y - self.first) * self.size[0];
         &self.hits[from..from + self.size[0]]
     }
 
-    /// What is seen at a place, in cells; beyond the edge of a tile that does not repeat there is
-    /// nothing.
+    /// The frontmost point at a place, in cells; beyond the edge of a tile that does not repeat
+    /// there is no stroke.
     pub(super) fn at(&self, place: Vec2) -> Hit {
         let [width, height] = self.size.map(|side| side as i64);
         let (x, y) = (place.x.floor() as i64, place.y.floor() as i64);
@@ -104,7 +104,7 @@ impl Canvas {
         if area.abs() < 1e-9 || !area.is_finite() || !(bottom - top).is_finite() {
             return;
         }
-        // Each as a plane over the cells.
+        // Each attribute is a plane over the cells.
         let slope = |of: fn(&Corner) -> f32| {
             let (first, second) = (of(&b) - of(&a), of(&c) - of(&a));
             let (to_b, to_c) = (b.at - a.at, c.at - a.at);
@@ -133,7 +133,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a round: `along` goes from 0 in its middle to 1 at its rim.
+    /// Draws a disc: `along` goes from 0 in its middle to 1 at its rim.
     pub(super) fn disc(&mut self, middle: Corner, radius: f32, stroke: u32, grain: Grain) {
         let center = middle.at;
         if !(radius > 0.0 && center.is_finite()) {

@@ -1,4 +1,4 @@
-//! How what is seen is lit and shadowed, and its mean over a texel.
+//! Lighting and shadows of the strokes that are seen, and their mean over a texel.
 
 use glam::{Vec2, Vec3};
 
@@ -6,30 +6,31 @@ use super::canvas::{Canvas, GROUND, Hit};
 use super::seen::{Rays, VisibleStroke, slope};
 use super::{BIAS, CELLS, Color, Ready};
 
-/// What stands highest between the light and each place of the tile.
+/// Shadow map of a light: the strokes that stand highest between the light and each place of the
+/// tile.
 pub(super) struct Shadows {
     pub(super) canvas: Canvas,
-    /// Cells to a width of the tile.
+    /// Number of cells in a width of the tile.
     pub(super) scale: f32,
 }
 
-/// A light on what an eye sees.
+/// Light on the strokes that an eye sees.
 pub(super) struct Light<'a> {
     there: &'a [Option<VisibleStroke<'a>>],
     shadows: Option<&'a Shadows>,
     jitter: &'a [Vec2],
-    /// The ground's color as it is lit, and how much of it shadows take.
+    /// Color of the lit ground, and the part of it that shadows take.
     ground: Vec3,
     shadowed: Vec3,
     ground_color: Color,
-    /// How much light shadows take, and how far they are blurred for the way that they fall.
+    /// Share of the light that shadows take, and their blur for the distance over which they fall.
     amount: f32,
     softness: f32,
     tallest: f32,
-    /// By how much what is seen at a place is off from where the light through it meets the ground,
-    /// for its height; rows go down.
+    /// Offset, for its height, of a point from the place where the light through the point meets
+    /// the ground; rows go down.
     shift: Vec2,
-    /// Widths of the tile to a cell.
+    /// Size of a cell, in widths of the tile.
     cell: f32,
 }
 
@@ -60,7 +61,7 @@ impl<'a> Light<'a> {
         }
     }
 
-    /// The mean over the places of a texel; `y` is its first row of cells.
+    /// The mean color over the places of a texel; `y` is the texel's first row of cells.
     pub(super) fn texel(&self, canvas: &Canvas, x: usize, y: usize) -> Color {
         let (mut sum, mut alphas) = (Vec3::ZERO, 0.0);
         for down in 0..CELLS {
@@ -83,7 +84,7 @@ impl<'a> Light<'a> {
         }
     }
 
-    /// What is seen at a cell, lit: straight RGB from 0 to 255, and alpha.
+    /// The lit color at a cell: straight RGB from 0 to 255, and alpha.
     fn color(&self, hit: &Hit, cell: [usize; 2], jitter: Vec2) -> (Vec3, f32) {
         let shadow = self.amount * self.shadow(hit, cell, jitter);
         let seen =
@@ -107,7 +108,8 @@ impl<'a> Light<'a> {
         (color.clamp(Vec3::ZERO, Vec3::splat(255.0)), alpha)
     }
 
-    /// 1 where something stands between the light and what is seen at a cell, else 0.
+    /// The shadow on the point that is seen at a cell: 1 if a stroke stands between the light and
+    /// the point, else 0.
     fn shadow(&self, hit: &Hit, cell: [usize; 2], jitter: Vec2) -> f32 {
         let Some(shadows) = self.shadows else { return 0.0 };
         let height = hit.height.max(0.0);

@@ -1,15 +1,15 @@
-//! Strokes that stand on the tile, drawn for every eye and every light: nearer ones hide those
+//! Strokes that stand on the tile, drawn for every eye and every light: nearer strokes hide those
 //! behind, all cast shadows.
 //!
-//! What is drawn lies on the tile as the lookup will show it, so a stroke is not drawn as it looks
+//! Strokes are drawn on the tile as the lookup will show it, so a stroke is not drawn as it looks
 //! but where it is seen: a point at height h over q is seen from the view v at q - h v_t / v_n,
-//! where v_t is what v has along the surface and v_n along the normal, and its shadow falls the
-//! same way along the light. Looked at from where it was drawn for, the tile then shows the strokes
-//! in space. Toward the horizon v_t / v_n is held at four (`seen::MAX_SLOPE`).
+//! where v_t is the part of v along the surface and v_n that along the normal, and its shadow falls
+//! the same way along the light. Looked at from where it was drawn for, the tile then shows the
+//! strokes in space. Toward the horizon v_t / v_n is held at four (`seen::MAX_SLOPE`).
 //!
-//! `scatter` places the strokes once, from the seed alone; `seen` finds those that are there in a
-//! light and turns and lights them; `canvas` keeps what is in front at sixteen places of each
-//! texel, whose mean is the texel.
+//! `scatter` places the strokes once, from the seed alone; `seen` finds those that exist in a light
+//! and turns and lights them; `canvas` keeps the frontmost stroke at sixteen places of each texel,
+//! whose mean is the texel.
 
 mod canvas;
 mod light;
@@ -29,44 +29,46 @@ use super::Color;
 use crate::document::{Address, Grid, Strokes};
 use crate::progress::Progress;
 
-/// Places along a side of a texel.
+/// Number of places along a side of a texel.
 const CELLS: usize = 4;
-/// At most so many cells are drawn at once; a larger tile is drawn some rows at a time.
+/// Greatest number of cells that are drawn at once; a larger tile is drawn some rows at a time.
 const MAX_CELLS: usize = 1 << 20;
-/// Cells of a map of shadows along a side of a texel, and along its longer side at most.
+/// Number of cells of a shadow map along a side of a texel, and the greatest number along the map's
+/// longer side.
 const SHADOW_CELLS: usize = 2;
 const MAX_SHADOW_SIDE: usize = 1024;
-/// All maps of shadows that are kept, in bytes, and all that is in front for each view; where they
-/// would take more each is drawn anew.
+/// Greatest size of all shadow maps that are kept, and of the canvases of all views; where they
+/// would take more, each is drawn anew. In bytes.
 const MAX_KEPT: usize = 64 << 20;
-/// A point is in the shadow of what is higher by more than this, in widths of the tile.
+/// Least difference in height by which a higher stroke casts a shadow on a point, in widths of the
+/// tile.
 const BIAS: f32 = 2e-3;
 
-/// Ready to give tiles.
+/// Strokes that are prepared and make tiles.
 pub(in crate::hcbtf) struct Ready {
     grid: Grid,
     is_tiling: bool,
     strokes: Strokes,
     all: Vec<Stroke>,
-    /// How high the highest reaches, in widths of the tile.
+    /// Height of the highest stroke, in widths of the tile.
     tallest: f32,
-    /// A map for each light, where they are kept.
+    /// Shadow map of each light, if they are kept.
     shadows: Vec<OnceLock<Arc<Shadows>>>,
-    /// What is in front for each view, where that is the same in all lights and kept.
+    /// Canvas of each view, if it is the same in all lights and kept.
     fronts: Vec<OnceLock<Arc<Canvas>>>,
-    /// For each place of a texel, where in a round it looks for shadows.
+    /// Offset in a disc where each place of a texel looks for shadows.
     jitter: Vec<Vec2>,
 }
 
 impl Ready {
-    /// Places the strokes; `None` where it is stopped.
+    /// Places the strokes; `None` if the work is stopped.
     pub(super) fn new(
         strokes: &Strokes,
         grid: &Grid,
         is_tiling: bool,
         progress: &Progress,
     ) -> Option<Self> {
-        // What was not checked is not drawn.
+        // Strokes that fail the check are not drawn.
         let strokes = if strokes.check().is_ok() { strokes.clone() } else { Strokes::default() };
         let height = grid.size[1] as f32 / grid.size[0] as f32;
         let all = scatter::strokes(&strokes, height, is_tiling, progress)?;
@@ -83,7 +85,7 @@ impl Ready {
         let fronts =
             (0..if fits && !has_tones { views } else { 0 }).map(|_| OnceLock::new()).collect();
         let count = (CELLS * CELLS) as f32;
-        // Vogel's spiral: even in a round.
+        // Vogel's spiral is even in a disc.
         let spiral = |k: usize| {
             let (sin, cos) = (2.399_963_2 * k as f32).sin_cos();
             Vec2::new(sin, cos) * ((k as f32 + 0.5) / count).sqrt()
@@ -92,7 +94,7 @@ impl Ready {
         Some(Self { grid: *grid, is_tiling, strokes, all, tallest, shadows, fronts, jitter })
     }
 
-    /// The texels of a sample; `None` where it is stopped.
+    /// The texels of a sample; `None` if the work is stopped.
     pub(super) fn tile(&self, address: Address, progress: &Progress) -> Option<Vec<Color>> {
         let address = address.canonical();
         let rays = Rays {
@@ -119,7 +121,7 @@ impl Ready {
         Some(texels)
     }
 
-    /// What is in front in some rows; `None` where it is stopped.
+    /// The canvas of some rows as an eye sees it; `None` if the work is stopped.
     fn front(
         &self,
         address: Address,
@@ -146,18 +148,18 @@ impl Ready {
         )?;
         let canvas = Arc::new(canvas);
         if let Some(kept) = kept {
-            // Another thread may have been first; what it drew is the same.
+            // Another thread may have been first; its canvas is the same.
             let _ = kept.set(canvas.clone());
         }
         Some(canvas)
     }
 
-    /// The height of the tile in its widths.
+    /// The height of the tile, in tile widths.
     fn height(&self) -> f32 {
         self.grid.size[1] as f32 / self.grid.size[0] as f32
     }
 
-    /// The shadows in a light, where there are any; `None` where it is stopped.
+    /// The shadow map of a light, if strokes cast shadows; `None` if the work is stopped.
     #[expect(
         clippy::option_option,
         reason = "the outer is whether it was stopped, as everywhere here"
@@ -178,7 +180,7 @@ impl Ready {
         let size = shadow_size(&self.grid);
         let mut canvas = Canvas::new(size, self.is_tiling, 0..size[1]);
         let scale = size[0] as f32;
-        // As the light sees them: a thread is as wide from there.
+        // Strokes are turned as the light sees them: a thread is as wide from there.
         let from_light = Rays { view: rays.light, ..rays };
         let lit = seen(&self.strokes, &self.all, from_light);
         let casting = lit.iter().flatten().filter(|seen| seen.stroke.top() > BIAS);

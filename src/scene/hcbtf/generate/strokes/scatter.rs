@@ -1,5 +1,4 @@
-//! Where strokes are, and what each has for its own: from the seed alone, so the same in every
-//! sample.
+//! Places and properties of strokes: from the seed alone, so the same in every sample.
 
 use std::f32::consts::TAU;
 
@@ -9,49 +8,49 @@ use crate::document::{Bundle, Placement, StrokeShape, Strokes};
 use crate::hcbtf::noise::mixed;
 use crate::progress::Progress;
 
-/// Pieces of a stroke that is no path.
+/// Number of pieces of a stroke that is not a path.
 const SEGMENTS: usize = 8;
-/// So many places are tried for each stroke; the one that is farthest from all others is taken
-/// (Mitchell 1991).
+/// Number of places that are tried for each stroke; the one that is farthest from all others is
+/// taken (Mitchell 1991).
 const CANDIDATES: u64 = 12;
 
-/// A stroke as it stands before the eye has turned it.
+/// A stroke as it stands before it is turned with the eye.
 #[derive(Clone, Debug)]
 pub(super) struct Stroke {
     pub(super) bundle: usize,
-    /// Its place among the bundle, 0 to 1.
+    /// Rank of the stroke within its bundle, 0 to 1.
     pub(super) rank: f64,
-    /// What it turns about.
+    /// Place that the stroke turns about.
     pub(super) place: Vec2,
-    /// From root to tip: along u, along v, over the surface, in widths of the tile.
+    /// Points from root to tip: along u, along v, over the surface, in widths of the tile.
     pub(super) points: Vec<Vec3>,
     pub(super) half_width: f32,
-    /// Straight RGB from 0 to 255.
+    /// Color of the root, straight RGB from 0 to 255.
     pub(super) root: Vec3,
     pub(super) tip: Vec3,
 }
 
-/// Numbers that look random: each depends on the seed and on what it is for alone.
+/// Pseudorandom numbers: each depends only on the seed and on the purpose of the number.
 #[derive(Clone, Copy)]
 struct Dice {
     seed: u64,
 }
 
 impl Dice {
-    /// From 0 to below 1.
+    /// The number for a purpose and an index, from 0 to below 1.
     fn roll(self, what: u64, index: u64) -> f32 {
         (mixed(self.seed ^ mixed(what.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ mixed(index))) >> 40)
             as f32
             / 16_777_216.0
     }
 
-    /// Between two numbers.
+    /// The number for a purpose and an index, between two bounds.
     fn between(self, what: u64, index: u64, [from, to]: [f64; 2]) -> f32 {
         from as f32 + (to - from) as f32 * self.roll(what, index)
     }
 }
 
-/// All strokes of a tile that is so many of its widths high; `None` where it is stopped.
+/// All strokes of a tile that is `height` of its widths high; `None` if the work is stopped.
 pub(super) fn strokes(
     of: &Strokes,
     height: f32,
@@ -75,7 +74,8 @@ pub(super) fn strokes(
     Some(all)
 }
 
-/// Places that are evenly scattered; any first few of them are as well.
+/// Places that are evenly scattered; the first few of them, however many, are evenly scattered as
+/// well.
 fn scattered(
     count: usize,
     height: f32,
@@ -99,7 +99,7 @@ fn scattered(
             };
             (places.iter().map(squared).fold(f32::INFINITY, f32::min), place)
         };
-        // Of equal ones the first, so that rounding has no say.
+        // Of equal candidates the first is taken, so that rounding does not decide.
         let best = (0..CANDIDATES)
             .map(candidate)
             .reduce(|best, next| if next.0 > best.0 { next } else { best });
@@ -108,7 +108,7 @@ fn scattered(
     Some(places)
 }
 
-/// Rows that are shifted by half, in an order that looks random.
+/// Places on rows that are shifted by half, in a pseudorandom order.
 fn lattice(count: u32, height: f32, dice: Dice) -> Vec<Vec2> {
     let columns = (count as f32 / (2.0 * height)).sqrt().round().max(1.0) as u32;
     let rows = 2 * (columns as f32 * height).round().max(1.0) as u32;
@@ -125,7 +125,7 @@ fn lattice(count: u32, height: f32, dice: Dice) -> Vec<Vec2> {
     places.into_iter().map(|(_, place)| place).collect()
 }
 
-/// Strokes at places.
+/// Appends the strokes of a bundle at these places.
 fn grow(all: &mut Vec<Stroke>, number: usize, bundle: &Bundle, places: &[Vec2], dice: Dice) {
     for (index, place) in places.iter().enumerate() {
         let rank = (index as f64 + 0.5) / places.len() as f64;
@@ -138,7 +138,7 @@ fn grow(all: &mut Vec<Stroke>, number: usize, bundle: &Bundle, places: &[Vec2], 
     }
 }
 
-/// A stroke that leans, bends and curls.
+/// The points of a stroke that leans, bends and curls.
 fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
     let is_flat = bundle.shape == StrokeShape::Ribbon;
     let length = dice.between(4, index, bundle.length);
@@ -152,10 +152,10 @@ fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
         let lean = (bundle.lean + bundle.bend * f64::from(part)) as f32;
         let heading = heading + curl * (part - if is_flat { 0.5 } else { 0.0 });
         let (sin, cos) = lean.sin_cos();
-        // A quarter of a turn lies, but for rounding.
+        // A quarter of a turn lies flat, but for rounding.
         let up = if cos.abs() < 1e-6 { 0.0 } else { cos };
         at += Vec3::new(sin * heading.sin(), sin * heading.cos(), up) * (length / SEGMENTS as f32);
-        // Nothing grows into the ground.
+        // Strokes do not grow into the ground.
         at.z = at.z.max(0.0);
         points.push(at);
     }
@@ -166,7 +166,7 @@ fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
     points
 }
 
-/// Strokes that somebody drew.
+/// Appends strokes along paths that somebody drew.
 fn along(
     all: &mut Vec<Stroke>,
     number: usize,
@@ -216,8 +216,8 @@ fn stroke(
 }
 
 impl Stroke {
-    /// Its points as an eye at this step around the normal finds them, after so many turns about
-    /// its place.
+    /// The points as an eye sees them at a step around the normal, after `turns` turns about the
+    /// stroke's place.
     pub(super) fn turned(&self, turns: f64) -> Vec<Vec3> {
         let turns = turns.rem_euclid(1.0) as f32;
         if turns == 0.0 {
@@ -226,14 +226,14 @@ impl Stroke {
         let (sin, cos) = (TAU * turns).sin_cos();
         let turned = |point: &Vec3| {
             let from = point.truncate() - self.place;
-            // From v toward u.
+            // Turns go from v toward u.
             let by = Vec2::new(from.x * cos + from.y * sin, from.y * cos - from.x * sin);
             (self.place + by).extend(point.z)
         };
         self.points.iter().map(turned).collect()
     }
 
-    /// How high it reaches.
+    /// The greatest height of the stroke.
     pub(super) fn top(&self) -> f32 {
         self.points.iter().map(|point| point.z).fold(0.0, f32::max)
     }

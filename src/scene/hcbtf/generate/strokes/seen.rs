@@ -1,5 +1,5 @@
-//! Strokes as one eye and one light find them: which are there, where they are drawn on the tile,
-//! and how they are lit.
+//! Strokes as one eye and one light find them: those that exist, their places on the tile, and
+//! their lighting.
 
 use glam::{Vec2, Vec3};
 
@@ -8,12 +8,12 @@ use super::scatter::Stroke;
 use crate::document::{Bundle, StrokeShape, Strokes};
 use crate::progress::Progress;
 
-/// Toward the horizon the way that a point moves by its height grows without bound: it counts as no
-/// more than this many times the height, as for a direction 76 degrees from the normal.
+/// Greatest factor by which a point moves for its height: toward the horizon it would grow without
+/// bound. 4 is that of a direction 76 degrees from the normal.
 pub(super) const MAX_SLOPE: f32 = 4.0;
 
-/// By how much a point moves on the tile for its height, away from where it is seen from: a point
-/// at height h over q is seen at q - h slope. Along u and v.
+/// The move of a point on the tile for its height, away from the eye or light: a point at height h
+/// over q is seen at q - h slope. Along u and v.
 pub(super) fn slope(toward: Vec3) -> Vec2 {
     let along = toward.truncate();
     let length = along.length();
@@ -23,12 +23,12 @@ pub(super) fn slope(toward: Vec3) -> Vec2 {
     along / length * (length / toward.z.max(1e-6)).min(MAX_SLOPE)
 }
 
-/// An eye and a light, unit vectors along u, along v and along the normal.
+/// Directions toward an eye and a light: unit vectors along u, along v and along the normal.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rays {
     pub(super) view: Vec3,
     pub(super) light: Vec3,
-    /// The share of a turn that the eye went around the normal.
+    /// Share of a turn that the eye went around the normal.
     pub(super) around: f64,
 }
 
@@ -36,26 +36,26 @@ pub(super) struct Rays {
 #[derive(Clone, Copy, Debug)]
 struct Node {
     point: Vec3,
-    /// To its edge, along the surface and up.
+    /// Vector to the stroke's edge, along the surface and up.
     side: Vec3,
-    /// The cosines between the light, and its face and its side.
+    /// Cosines between the light and the stroke's face, and between the light and its side.
     facing: f32,
     aside: f32,
-    /// Its highlight.
+    /// Strength of the highlight.
     shine: f32,
 }
 
-/// A stroke that is there.
+/// A stroke that exists in a light.
 pub(super) struct VisibleStroke<'a> {
     pub(super) number: u32,
     pub(super) stroke: &'a Stroke,
     pub(super) bundle: &'a Bundle,
-    /// Its radius, for a dot.
+    /// Radius, for a dot.
     radius: f32,
     nodes: Vec<Node>,
 }
 
-/// All strokes that are there in a light, by number.
+/// All strokes that exist in a light, by number.
 pub(super) fn seen<'a>(
     of: &'a Strokes,
     all: &'a [Stroke],
@@ -76,7 +76,7 @@ fn one<'a>(
     if share <= 0.0 {
         return None;
     }
-    // The area of a dot grows as that of a line does.
+    // The area of a dot grows as that of a line does, so its radius goes by the root.
     let grown = if bundle.shape == StrokeShape::Dot { share.sqrt() } else { share };
     let radius = stroke.half_width * grown;
     let points = stroke.turned(bundle.turns * rays.around);
@@ -99,13 +99,14 @@ fn one<'a>(
     })
 }
 
-/// How a point of a stroke is lit, and where its side is.
+/// The lighting and the side of a point of a stroke.
 fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays) -> Node {
     let Rays { view, light, .. } = rays;
     let half = (view + light).normalize_or(Vec3::Z);
     let sharpness = bundle.highlight.sharpness as f32;
     if bundle.shape == StrokeShape::Thread {
-        // As a round thread: its side is at a right angle to the eye, its face toward it.
+        // A thread is lit as a round body: its side is at a right angle to the eye, its face toward
+        // the eye.
         let level = Vec3::new(tangent.y, -tangent.x, 0.0).normalize_or(Vec3::X);
         let side = tangent.cross(view).normalize_or(level);
         let face = side.cross(tangent);
@@ -127,8 +128,8 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
     Node { point, side: side * half_width, facing: face.dot(light), aside: 0.0, shine }
 }
 
-/// Draws strokes as they are found along a slope; `None` where it is stopped. `scale` is cells to a
-/// width of the tile, `height` that of the tile in its widths.
+/// Draws strokes along a slope; `None` if the work is stopped. `scale` is the number of cells in a
+/// width of the tile, `height` the tile's height in its widths.
 pub(super) fn draw<'a>(
     canvas: &mut Canvas,
     all: impl Iterator<Item = &'a VisibleStroke<'a>>,
@@ -170,8 +171,8 @@ pub(super) fn draw<'a>(
 }
 
 impl VisibleStroke<'_> {
-    /// How it is lit between two nodes: the cosines between the light, and its face and its side,
-    /// and its highlight.
+    /// The lighting between two nodes: the cosines between the light and the stroke's face and
+    /// side, and the strength of the highlight.
     pub(super) fn lit(&self, along: f32) -> [f32; 3] {
         let last = self.nodes.len() - 1;
         let low = (along.max(0.0) as usize).min(last.saturating_sub(1));
@@ -181,7 +182,7 @@ impl VisibleStroke<'_> {
         [mix(a.facing, b.facing), mix(a.aside, b.aside), mix(a.shine, b.shine)]
     }
 
-    /// Its own color along it.
+    /// The stroke's own color at a position along it.
     pub(super) fn color(&self, along: f32) -> Vec3 {
         let last = if self.nodes.len() == 1 { 1.0 } else { (self.nodes.len() - 1) as f32 };
         self.stroke.root.lerp(self.stroke.tip, (along / last).clamp(0.0, 1.0))

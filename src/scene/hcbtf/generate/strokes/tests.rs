@@ -36,12 +36,12 @@ fn tile(strokes: &Strokes, grid: Grid, is_tiling: bool, address: Address) -> Vec
     ready.tile(address, &Progress::new()).unwrap()
 }
 
-/// How much darker than white each texel is, 0 to 1.
+/// The darkness of each texel, relative to white, 0 to 1.
 fn darkness(texels: &[Color]) -> Vec<f64> {
     texels.iter().map(|texel| 1.0 - f64::from(texel[1]) / 255.0).collect()
 }
 
-/// The middle of what is dark on a tile that repeats: along u and v in widths of the tile, by the
+/// The middle of the dark parts of a tile that repeats: along u and v in widths of the tile, by the
 /// mean of angles.
 fn middle(dark: &[f64]) -> DVec2 {
     let mut sums = [DVec2::ZERO; 2];
@@ -56,7 +56,7 @@ fn middle(dark: &[f64]) -> DVec2 {
     DVec2::new(u, v)
 }
 
-/// How far apart two places are on a tile that repeats.
+/// The distance between two places on a tile that repeats.
 fn apart(a: DVec2, b: DVec2) -> f64 {
     let off = (a - b).abs();
     off.min(DVec2::ONE - off).length()
@@ -83,7 +83,7 @@ fn what_stands_is_seen_moved_by_its_height() {
             "{view}: {:?}, wanted {expected:?}",
             middle(&dark)
         );
-        // A round of its own size, wherever it is.
+        // The disc has its own size, wherever it is.
         let area = dark.iter().sum::<f64>() / f64::from(SIDE * SIDE);
         assert!((area - std::f64::consts::PI * 0.07 * 0.07).abs() < 4e-4, "{view}: {area}");
     }
@@ -114,7 +114,7 @@ fn a_thread_is_equally_wide_from_every_side() {
 fn nearer_strokes_hide_those_behind() {
     let view = Direction { theta: 1, phi: 3 };
     let at = DVec2::new(0.4, 0.6);
-    // Both are seen at one place.
+    // Both dots are seen at one place.
     let along = |height: f64| {
         let place = at + height * tangent(GRID.view, view);
         [place.x, place.y, height]
@@ -130,14 +130,14 @@ fn nearer_strokes_hide_those_behind() {
     };
     assert_eq!(seen(vec![red.clone(), green.clone()]), [0.0, 255.0, 0.0, 255.0]);
     assert_eq!(seen(vec![green.clone(), red.clone()]), [0.0, 255.0, 0.0, 255.0]);
-    // Where none is higher, the later one.
+    // Of equally high strokes the later one is in front.
     let level =
         |of: &Bundle| Bundle { place: Placement::Paths(vec![vec![along(0.1)]]), ..of.clone() };
     assert_eq!(seen(vec![level(&green), level(&red)]), [255.0, 0.0, 0.0, 255.0]);
     assert_eq!(seen(vec![level(&red), level(&green)]), [0.0, 255.0, 0.0, 255.0]);
 }
 
-/// White all over, and black where no light comes.
+/// Strokes on a white ground that is black where no light comes.
 fn shadowed(bundles: Vec<Bundle>) -> Strokes {
     Strokes {
         ground: StrokeGround { color: [255; 4], ambient: 0.0, diffuse: 2.0 },
@@ -149,7 +149,7 @@ fn shadowed(bundles: Vec<Bundle>) -> Strokes {
 #[test]
 fn shadows_fall_along_the_light() {
     let (place, height) = (DVec2::new(0.2, 0.7), 0.3);
-    // White itself, so that its shadow alone is dark.
+    // The dot is white, so that only its shadow is dark.
     let dot = Bundle {
         root: [[255; 3]; 2],
         tip: [[255; 3]; 2],
@@ -163,7 +163,7 @@ fn shadows_fall_along_the_light() {
             let ground = 1.0 - (2.0 * lambert).min(1.0);
             let shadow: Vec<f64> = dark.iter().map(|dark| (dark - ground).max(0.0)).collect();
             let expected = (place - height * tangent(GRID.light, light)).rem_euclid(DVec2::ONE);
-            // Where the dot itself is not seen before it.
+            // Places where the dot hides its own shadow are skipped.
             if apart(expected, place - height * tangent(GRID.view, view)) < 0.13 {
                 continue;
             }
@@ -240,7 +240,8 @@ fn darker_is_more_strokes_and_those_of_lighter_tones_stay() {
     assert!((bright.share(0.5, 0.3) - 0.25).abs() < 1e-9, "and lighter may be more strokes, too");
 }
 
-/// A field that lies half a tile further is the same field, rolled: nothing happens at the edges.
+/// A field that lies half a tile further is the same field, rolled: the tile's edges leave no
+/// trace.
 #[test]
 fn strokes_go_on_across_the_edges() {
     let field = |shift: f64| {
@@ -278,7 +279,7 @@ fn strokes_go_on_across_the_edges() {
     worst.sort_by(f32::total_cmp);
     // A place on an edge may fall to either side of it by rounding.
     assert!(worst[worst.len() * 98 / 100] < 0.5, "{:?}", &worst[worst.len() * 98 / 100..]);
-    // Without repeating, what leaves the tile is gone.
+    // Without tiling, strokes beyond the tile's edges are not seen.
     let dot = with(vec![dots(&[[0.1, 0.5, 0.3]], 0.1)]);
     let beyond = Address::new([0, 0], [2, 2]);
     assert!(darkness(&tile(&dot, GRID, false, beyond)).iter().all(|dark| *dark == 0.0));
@@ -434,7 +435,7 @@ fn numbers_are_bounded() {
         "cover the tile 16002 times",
     );
     assert!(with(vec![Bundle::default(); 40]).check().unwrap_err().contains("40 bundles"));
-    // The hardest of what may be is drawn without harm: ends that meet, nothing at all, strokes as
+    // The most extreme strokes are drawn without harm: ends that meet, no points at all, strokes as
     // wide as the tile.
     let odd = |place: Placement, shape: StrokeShape| Bundle {
         place,

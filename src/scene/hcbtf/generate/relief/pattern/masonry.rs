@@ -1,4 +1,4 @@
-//! What people build: bricks, facades, arches.
+//! Built patterns: bricks, facades, arches.
 
 use std::f32::consts::PI;
 
@@ -6,16 +6,16 @@ use super::{Material, linear, part};
 use crate::document::relief::Pattern;
 use crate::hcbtf::noise::{chance, chances, hash, mix, mix3, ramp, rough};
 
-/// A built pattern.
+/// A built pattern, ready to be sampled.
 pub(in crate::hcbtf::generate::relief) struct Masonry<'a> {
     pub(super) pattern: &'a Pattern,
     pub(super) seed: u32,
-    /// The tile's height in tile widths.
+    /// Height of the tile, in tile widths.
     pub(super) aspect: f32,
 }
 
 impl Masonry<'_> {
-    /// Height and material at a place of the tile.
+    /// The height and the material at a position on the tile.
     pub(super) fn at(&self, place: [f32; 2]) -> (f32, Material) {
         match self.pattern {
             Pattern::Bricks { .. } => self.bricks(place),
@@ -24,7 +24,7 @@ impl Masonry<'_> {
         }
     }
 
-    /// How rough the surface is there, from -1 to 1, with as many bumps along the tile.
+    /// The roughness of the surface at a position, from -1 to 1, with `bumps` bumps along the tile.
     fn roughness(&self, bumps: u32, salt: u32, place: [f32; 2]) -> f32 {
         let down = ((bumps as f32 * self.aspect).round() as u32).max(1);
         2.0 * rough(self.seed.wrapping_add(salt), [bumps, down], 3, place) - 1.0
@@ -73,7 +73,8 @@ impl Masonry<'_> {
             return (0.12 * roughness * sand, Material { gloss: 0.1, ..Material::of(color) });
         }
         let edge = (*bevel as f32 * 0.5 * course).max(1e-5);
-        // Rounded corners: the farther of the two edges does not count once it is beyond the bevel.
+        // Corners are rounded: the farther of the two edges does not count once it is beyond the
+        // bevel.
         let short = [from_side, from_bed].map(|from| (1.0 - from / edge).max(0.0));
         let rounded = (1.0 - short[0].hypot(short[1])).max(0.0);
         let top = 1.0 - *unevenness as f32 * (0.45 * high + 0.25 * (lean - 0.5) * (fx - 0.5));
@@ -110,8 +111,8 @@ impl Masonry<'_> {
         let (rough, sill) = (*roughness as f32, *sill as f32);
         let plaster = self.roughness(6 * (*columns).max(*floors), 21, place);
         let level = 1.0 - 0.35 * sill;
-        // From the window's edge inward, in tile widths; it stands a little above the middle of its
-        // bay.
+        // Distance from the window's edge inward, in tile widths; the window stands a little above
+        // the middle of its bay.
         let [half_width, half_height] =
             [0.5 * window[0] as f32 * bay_size[0], 0.5 * window[1] as f32 * bay_size[1]];
         let (across, down) = ((fx - 0.5) * bay_size[0], (fy - 0.48) * bay_size[1]);
@@ -123,7 +124,7 @@ impl Masonry<'_> {
                 return (0.3, Material { gloss: 0.2, ..Material::of(linear(*trim)) });
             }
             let is_lit = first < *lit as f32;
-            // Curtains and what is mirrored make no two panes alike.
+            // Curtains and reflections make every pane different.
             let curtain = if second < 0.4 && across * (third - 0.5) > 0.0 { 1.5 } else { 1.0 };
             let color =
                 linear(*glass).map(|channel| (channel * curtain * (0.75 + 0.5 * third)).min(1.0));
@@ -184,10 +185,11 @@ impl Masonry<'_> {
         let ring_width = *ring as f32 * radius;
         let groove = 0.012 * bay[0];
         if y < 0.0 {
-            // A ledge runs under all of them.
+            // A ledge runs under all openings.
             return (1.0, Material { gloss: 0.1, ..Material::of(stone(*trim, 0.95)) });
         }
-        // The opening's side leans a little, so that it has a side at all.
+        // The opening's side is inclined a little, because a vertical side would have no area in
+        // the field.
         let side = 0.05 * radius;
         if from_middle > radius - side && from_middle <= radius {
             let height = ramp(0.0, side, from_middle - radius + side);
@@ -201,7 +203,7 @@ impl Masonry<'_> {
             );
         }
         if from_middle < radius + ring_width {
-            // Wedges of the ring around the arch, blocks beside the opening.
+            // Stones are wedges in the ring around the arch, blocks beside the opening.
             let (index, off) = if y > spring {
                 let wedges = 9.0;
                 let at = (y - spring).atan2(x) / PI * wedges;

@@ -1,4 +1,5 @@
-//! What a relief is of, at any place of the tile: heights from 0 to 1, and colors in linear light.
+//! Patterns of a relief: heights from 0 to 1, and colors in linear light, at any position on the
+//! tile.
 
 mod masonry;
 mod nature;
@@ -7,18 +8,18 @@ mod painted;
 use crate::document::relief::Pattern;
 use crate::document::{Hcbtf, Relief, srgb_to_linear};
 
-/// What a cell is of.
+/// Material of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::hcbtf::generate::relief) struct Material {
-    /// Which part of the light it gives back, linear RGB.
+    /// Share of the light that the material reflects, linear RGB.
     pub(in crate::hcbtf::generate::relief) color: [f32; 3],
-    /// From 0 to 1.
+    /// Alpha, from 0 to 1.
     pub(in crate::hcbtf::generate::relief) alpha: f32,
-    /// How much it shines, in parts of the glint.
+    /// Gloss, as a factor of the glint.
     pub(in crate::hcbtf::generate::relief) gloss: f32,
-    /// How much of the light within is seen.
+    /// Share of the light within that is seen.
     pub(in crate::hcbtf::generate::relief) glow: f32,
-    /// Which grain it belongs to.
+    /// Number of the grain that the cell belongs to.
     pub(in crate::hcbtf::generate::relief) grain: u32,
 }
 
@@ -28,7 +29,7 @@ impl Material {
     }
 }
 
-/// A pattern, ready to be asked.
+/// Sampler of a pattern.
 pub(in crate::hcbtf::generate::relief) enum Sampler<'a> {
     Painted(painted::Painted<'a>),
     Masonry(masonry::Masonry<'a>),
@@ -36,7 +37,7 @@ pub(in crate::hcbtf::generate::relief) enum Sampler<'a> {
 }
 
 impl<'a> Sampler<'a> {
-    /// `None` where it needs a sample that is not painted.
+    /// A sampler for a relief's pattern; `None` if the pattern needs a sample that is not painted.
     pub(in crate::hcbtf::generate::relief) fn new(
         relief: &'a Relief,
         hcbtf: &'a Hcbtf,
@@ -59,7 +60,7 @@ impl<'a> Sampler<'a> {
         }
     }
 
-    /// The height at a place of the tile, each coordinate a part of its side, y downward.
+    /// The height at a position on the tile, each coordinate a share of its side, y downward.
     pub(in crate::hcbtf::generate::relief) fn height(&self, place: [f32; 2]) -> f32 {
         let height = match self {
             Self::Painted(painted) => painted.height(place),
@@ -69,7 +70,7 @@ impl<'a> Sampler<'a> {
         height.clamp(0.0, 1.0)
     }
 
-    /// What is at a place of the tile.
+    /// The material at a position on the tile.
     pub(in crate::hcbtf::generate::relief) fn material(&self, place: [f32; 2]) -> Material {
         match self {
             Self::Painted(painted) => painted.material(place),
@@ -84,7 +85,8 @@ pub(in crate::hcbtf::generate::relief) fn linear(color: [u8; 3]) -> [f32; 3] {
     color.map(|byte| srgb_to_linear(f64::from(byte) / 255.0) as f32)
 }
 
-/// A place scaled to a count of equal parts: which of them, and where in it from 0 to 1.
+/// A coordinate scaled to a count of equal parts: the index of its part, and its position in that
+/// part from 0 to 1.
 fn part(at: f32, count: u32) -> (i64, f32) {
     let scaled = at * count as f32;
     ((scaled.floor() as i64).rem_euclid(i64::from(count.max(1))), scaled - scaled.floor())

@@ -1,4 +1,4 @@
-//! What nobody builds: stones, ripples.
+//! Natural patterns: stones, ripples.
 
 use std::f32::consts::TAU;
 
@@ -6,23 +6,23 @@ use super::{Material, linear};
 use crate::document::relief::Pattern;
 use crate::hcbtf::noise::{chances, hash, mix, mix3, ramp, rough};
 
-/// A pattern without straight lines.
+/// A pattern without straight lines, ready to be sampled.
 pub(in crate::hcbtf::generate::relief) struct Nature<'a> {
     pub(super) pattern: &'a Pattern,
     pub(super) seed: u32,
-    /// The tile's height in tile widths.
+    /// Height of the tile, in tile widths.
     pub(super) aspect: f32,
 }
 
-/// A stone under a place.
+/// The stone at a position.
 struct Stone {
-    /// 1 in its middle, 0 at its edge and beyond.
+    /// Height of the dome: 1 in the stone's middle, 0 at its edge and beyond.
     dome: f32,
     own: u64,
 }
 
 impl Nature<'_> {
-    /// Height and material at a place of the tile.
+    /// The height and the material at a position on the tile.
     pub(super) fn at(&self, place: [f32; 2]) -> (f32, Material) {
         match self.pattern {
             Pattern::Stones { .. } => self.stones(place),
@@ -34,8 +34,8 @@ impl Nature<'_> {
         ((across as f32 * self.aspect).round() as u32).max(1)
     }
 
-    /// The stone at a place, of stones scattered one to each of `count` parts along the tile, of
-    /// which a share is there.
+    /// The stone at a position, of stones scattered one to each of `count` parts along the tile, of
+    /// which the share `share` exists.
     fn stone(&self, salt: u32, count: u32, share: f32, place: [f32; 2]) -> Stone {
         let cells = [count, self.down(count)];
         let at = [place[0] * cells[0] as f32, place[1] * cells[1] as f32];
@@ -57,7 +57,7 @@ impl Nature<'_> {
                 second = second.min(distance);
             }
         }
-        // Half way to the neighbour it ends, and nowhere is it larger than its own part.
+        // A stone ends half way to its neighbor, and nowhere is it larger than its own part.
         let [size, ..] = chances(own.rotate_left(17));
         let radius = 0.42 + 0.24 * size;
         let to_edge = (0.5 * (second - nearest)).min(radius - nearest);
@@ -108,7 +108,7 @@ impl Nature<'_> {
             0 => hills,
             _ => {
                 let phase = *count as f32 * place[1] + 2.0 * *bend as f32 * (hills - 0.5);
-                // Steeper on one side, as the wind leaves it.
+                // Ripples are steeper on one side, as the wind leaves them.
                 let phase = phase + 0.08 * (TAU * phase).sin();
                 0.5 + 0.5 * (TAU * phase).sin()
             }

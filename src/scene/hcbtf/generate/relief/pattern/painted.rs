@@ -1,4 +1,4 @@
-//! A relief of what is painted.
+//! Pattern of a relief from painted samples.
 
 use super::{Material, linear};
 use crate::document::Tile;
@@ -38,7 +38,7 @@ impl<'a> Painted<'a> {
         }
     }
 
-    /// Bilinear between the middles of texels.
+    /// The height at a position: bilinear between the middles of texels.
     pub(super) fn height(&self, place: [f32; 2]) -> f32 {
         let [(x, fx), (y, fy)] = [0, 1].map(|axis| {
             let at = place[axis] * self.size[axis] as f32 - 0.5;
@@ -53,7 +53,7 @@ impl<'a> Painted<'a> {
         row(0) + (row(1) - row(0)) * fy
     }
 
-    /// The texel that the place is in.
+    /// The material of the texel at a position.
     pub(super) fn material(&self, place: [f32; 2]) -> Material {
         let [width, height] = self.colors.size().map(|side| side as f32);
         let (x, y) = ((place[0] * width).floor() as i64, (place[1] * height).floor() as i64);
