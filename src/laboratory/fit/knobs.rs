@@ -18,8 +18,8 @@ use super::state::{Setting, Shape};
 /// The ports of a profile, which belong together.
 const ENDS: [&str; 3] = ["offset", "falloff", "cutoff"];
 
-/// Largest number of ramp stops that are turned: each is a color of its own, and a few strokes could
-/// not determine more of them.
+/// Largest number of ramp stops that are turned: each is a color of its own, and a few strokes
+/// could not determine more of them.
 const MOST_STOPS: usize = 24;
 
 /// A part of a look that a fit turns.

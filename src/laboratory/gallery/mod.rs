@@ -70,7 +70,7 @@ fn is_page(bytes: &[u8]) -> bool {
 /// with its pictures, all at once.
 ///
 /// # Errors
-/// A folder that cannot be written, a file of somebody else in the way, or `Stopped` if `progress`
+/// A folder that cannot be written, a file of somebody else in the way, or `stopped` if `progress`
 /// was stopped: the finished pages stay.
 pub async fn build(
     list: &List,

@@ -30,7 +30,7 @@ pub struct NodePictures {
 /// Draws every kind of a library and passes its pictures to `done`, in the library's order.
 ///
 /// # Errors
-/// Kinds that cannot be drawn, errors of `done`, or `Stopped` if `progress` was stopped.
+/// Kinds that cannot be drawn, errors of `done`, or `stopped` if `progress` was stopped.
 pub async fn draw_nodes(
     library: &Library,
     gpu: &Gpu,
