@@ -1,4 +1,4 @@
-//! From the GPU back to memory.
+//! Readback of textures and buffers from the GPU.
 
 use std::time::Duration;
 
@@ -76,10 +76,11 @@ pub(super) async fn read_texture(
         .collect())
 }
 
-/// Waits for the GPU, then gives what a buffer holds that can be mapped.
+/// Waits for the GPU, then returns the content of a mappable buffer.
 pub(super) async fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
-    /// Another thread that waits for the same device may be the one that brings the answer, and may
-    /// do so a moment after this one has seen that nothing is left to wait for.
+    /// Timeout of the mapping. Another thread that waits for the same device may be the one that
+    /// delivers the result, and may do so a moment after this thread has seen that nothing is left
+    /// to wait for.
     const PATIENCE: Duration = Duration::from_secs(30);
     let (tell, told) = std::sync::mpsc::sync_channel(1);
     buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(tell.send(mapped)));
