@@ -18,7 +18,7 @@ fn guarded_square(n: vec3f, l: vec3f, s: f32) -> f32 {
     return v.x + 1.5 * v.y + v.z;
 }
 
-/// Not normalised in the fragment at all, but per vertex.
+/// No normalization in the fragment, as if done per vertex.
 fn per_vertex(n: vec3f, l: vec3f, s: f32) -> f32 {
     let v = 1.5 * n;
     return v.x + 1.5 * v.y + v.z;

@@ -32,7 +32,8 @@ fn short_polynomials(n: vec3f, l: vec3f, s: f32) -> f32 {
     return rotated(angle_here(n), t);
 }
 
-/// A rational rotation by the tangent of the quarter angle (no trigonometry at all): tan(h/2) as a polynomial.
+/// A rational rotation by the tangent of the quarter angle (no trigonometry at all): tan(h/2) as a
+/// polynomial.
 fn rational(n: vec3f, l: vec3f, s: f32) -> f32 {
     let h = 0.5 * clamp(s * 1.5, -PI, PI);
     let h2 = h * h;
