@@ -67,7 +67,7 @@ fn bulge(kappa: f32, slope: f32) -> f32 {
     return tanh(clamp(kappa * slope, -10.0, 10.0));
 }
 
-/// The profile at an angle beyond the offset, whose half has the sine `s`.
+/// Profile at an angle beyond the offset; `s` is the sine of half the angle between the two.
 fn falling(s: f32) -> f32 {
     let q = clamp(s * SCALE, 0.0, 1.0);
     return pow(1.0 - q * q, EXPONENT);

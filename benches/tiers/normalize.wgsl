@@ -9,7 +9,7 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return v.x + 1.5 * v.y + v.z;
 }
 
-/// Guarded at the square alone: vectors below 1e-15 or beyond 1e18 have no direction.
+/// Normalization guarded at the square alone: vectors below 1e-15 or beyond 1e18 have no direction.
 fn guarded_square(n: vec3f, l: vec3f, s: f32) -> f32 {
     let w = 1.5 * n;
     let square = dot(w, w);

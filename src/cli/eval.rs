@@ -214,7 +214,7 @@ fn json_lines(answers: &[Json]) -> String {
     if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) }
 }
 
-/// As many of the four numbers as the type has; an angle in radians.
+/// The first of the four numbers, as many as the type has; an angle in radians.
 fn numbers_of(ty: &Type, value: [f32; 4]) -> Vec<Json> {
     // An f32 goes through its shortest decimal, so that the printed number is the computed one,
     // without further digits.

@@ -282,6 +282,7 @@ fn map(curvature: Option<&Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic
 }
 
 fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
+    // Missing channels read as 0 and a missing alpha as 1, as on a GPU.
     let pixels = texels.values.chunks_exact(texels.channels.max(1)).map(|pixel| {
         let channel =
             |index: usize| pixel.get(index).copied().unwrap_or(if index == 3 { 1.0 } else { 0.0 });

@@ -143,6 +143,7 @@ impl<'a> Work<'a> {
                 .extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
             if *bytes > self.options.budget {
                 self.draw(false)?;
+                // The vertices stay in memory as long as the draw has more triangles.
                 *bytes = if begin + wave < pieces { geometry.bytes() } else { 0 };
             }
         }
@@ -245,6 +246,7 @@ struct Worker<'a> {
 
 impl<'a> Worker<'a> {
     fn batch(&mut self, geometry: &'a Geometry<'_>, target: &Target) -> &mut Batcher<'a> {
+        // All batches are empty here, as a tile flushes the batch of a draw before the next draw.
         if self.batches.len() >= BATCHES && !self.batches.contains_key(&geometry.draw) {
             self.batches.clear();
         }

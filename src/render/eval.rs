@@ -58,6 +58,7 @@ impl Renderer {
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        // Each sample fills a quad of 2x2 pixels, so that derivatives are 0.
         let size = [2 * SAMPLES_PER_ROW, 2 * rows];
         self.gpu.check_size(size)?;
         let target = texture(&self.gpu, size, wgpu::TextureFormat::Rgba32Float, 1, usage);

@@ -38,8 +38,8 @@ pub(super) struct Guard {
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 
-/// Description of the device to open on an adapter: the adapter's limits, and those of its
-/// timestamps, blending of 32-bit floats and compressed textures that it has.
+/// Descriptor of the device to open on an adapter: all of the adapter's limits, and timestamps,
+/// blending of 32-bit floats and compressed textures if it has them.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("chiaro"),

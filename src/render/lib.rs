@@ -86,6 +86,7 @@ impl Renderer {
     pub async fn draw(&mut self, plan: &FramePlan) -> Result<Vec<PassId>, RenderError> {
         self.gpu.check_size(plan.size)?;
         let guard = self.gpu.guard();
+        // New targets are empty, so every pass has to run again.
         if self.targets.fit(&self.gpu, plan) {
             self.done.clear();
         }
@@ -106,6 +107,7 @@ impl Renderer {
             ran.push(pass.id);
         }
         self.gpu.queue.submit([encoder.finish()]);
+        // After an error the content of the targets is unknown, so no pass counts as done.
         if let Err(error) = guard.finish().await {
             self.done.clear();
             if matches!(error, RenderError::OutOfMemory { .. }) {

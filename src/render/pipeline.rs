@@ -96,6 +96,8 @@ impl Pipelines {
         }
         let stack = stack_of(shader).map_err(|message| RenderError::TooDeep { message })?;
         let make = || make(gpu, shader, samples, sides);
+        // A driver's compiler recurses over deep modules, so these get a thread with a larger
+        // stack.
         let made = if stack <= SMALL_STACK { make() } else { with_stack(stack, make)? };
         *slot = Some(made.clone());
         Ok(made)

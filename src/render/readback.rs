@@ -28,6 +28,7 @@ pub(super) async fn read_picture(
                 ]),
                 false => f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32(),
             };
+            // The target is premultiplied, and the picture straight.
             let alpha = channel(3);
             let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
             [channel(0) * scale, channel(1) * scale, channel(2) * scale, alpha]

@@ -157,6 +157,7 @@ impl Bench<'_> {
         plan: &FramePlan,
         truth: Option<&Truth>,
     ) -> Result<Option<ErrorFigures>, MeasureError> {
+        // The picture is compared with one sample a pixel, as the truth has.
         let plan = FramePlan { samples: 1, ..plan.clone() };
         match truth {
             Some(truth) => Ok(Some(truth.compare(&mut self.precise, &plan).await?)),

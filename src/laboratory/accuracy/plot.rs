@@ -34,7 +34,7 @@ impl Axis {
         if !low.is_finite() {
             (low, high) = (-1.0, 0.0);
         }
-        // Room around the points, and never less than half a decade.
+        // The axis leaves room around the points, even if all lie on one.
         let room = 0.12 * (high - low) + 0.15;
         Self { from: low - room, to: high + room, start, end }
     }

@@ -53,7 +53,7 @@ pub struct TuneOptions {
 /// A tier that a node may have instead of the exact one, with its error and the time it saves.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Candidate {
-    /// The look, by its index in the setup.
+    /// Index of the look in the setup.
     pub look: usize,
     /// The node.
     pub node: NodeId,

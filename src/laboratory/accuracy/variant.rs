@@ -16,16 +16,16 @@ pub enum Variant {
     Looks(Tier),
     /// One node of one look in this tier, all else exact.
     Node {
-        /// The look, by its index in the setup.
+        /// Index of the look in the setup.
         look: usize,
         /// The node.
         node: NodeId,
-        /// Its tier.
+        /// Tier of the node.
         tier: Tier,
     },
     /// One node of one look left out, all else exact.
     Without {
-        /// The look, by its index in the setup.
+        /// Index of the look in the setup.
         look: usize,
         /// The node.
         node: NodeId,

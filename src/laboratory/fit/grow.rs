@@ -76,7 +76,7 @@ pub fn fit_layers(
     }
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
     let rest = Rest::new(&shot, target, options.keep_rest)?;
-    // The less is painted, the less calls for a hard edge.
+    // The smaller the painted part, the less evidence there is for a hard edge.
     let soft = SOFT * rest.share;
     let mut given = thinned(target);
     given.extend(rest.wishes);

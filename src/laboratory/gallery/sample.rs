@@ -211,8 +211,8 @@ impl Build<'_> {
         id
     }
 
-    /// Lights the sample's node with the light that it gives, and returns the node of the lit
-    /// color.
+    /// Adds nodes that show the light of the sample's node: a diffuse profile in the light's color.
+    /// Returns the last of these nodes.
     fn lit(&mut self) -> &'static str {
         let turn = self.then("lit_turn", "parametrization", "light", &[], NODE);
         let soft = [("offset", 0.0), ("falloff", 1.6), ("cutoff", 1.6)];

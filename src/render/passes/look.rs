@@ -55,11 +55,13 @@ impl Renderer {
             return Ok(());
         };
         let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
+        // The backdrop is straight, and the target premultiplied.
         let background = wgpu::Color { r: r * a, g: g * a, b: b * a, a };
         let color = match &self.targets.multisampled {
             Some(multisampled) => {
                 let mut attachment = cleared(multisampled, background);
                 attachment.resolve_target = Some(&picture);
+                // The samples are not needed once they are resolved into the picture.
                 attachment.ops.store = wgpu::StoreOp::Discard;
                 attachment
             }
