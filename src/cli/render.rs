@@ -154,6 +154,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
+    // The reference draws the truth, in which nothing is folded.
     let is_truth = arguments.on == Some(On::Reference);
     let mut planner = if is_truth { Planner::for_truth(assets) } else { Planner::new(assets) };
     let options = PlanOptions { size, samples: arguments.samples, time: arguments.time };

@@ -108,6 +108,7 @@ pub fn execute(
     for pass in &plan.passes {
         let progress = progress.part(1);
         let id = pass.id;
+        // Later passes also read this pass's pixels around the wanted ones.
         let around = options.widened(plan.margin(id));
         let made = match id.stage() {
             Some(Stage::Draw) => {

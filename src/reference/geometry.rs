@@ -51,6 +51,7 @@ impl<'a> Geometry<'a> {
         let indices = triangles.indices;
         let first = indices.iter().copied().min().unwrap_or(0);
         let count = indices.iter().copied().max().map_or(0, |last| (last - first) as usize + 1);
+        // Vertices that no triangle uses are not shaded.
         let mut places = vec![u32::MAX; count];
         indices.iter().for_each(|&index| places[(index - first) as usize] = 0);
         let mut used = Vec::new();

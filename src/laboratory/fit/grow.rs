@@ -282,6 +282,8 @@ impl Grower<'_> {
             return Ok(Vec::new());
         }
         let lights = self.lights(missing);
+        // Every light is tried at few pixels, and only the best descend at all pixels of the
+        // search.
         let few = search.thinned(FEW_PIXELS);
         let below = few.taken_over(layers);
         let places = places(layers.len(), search);

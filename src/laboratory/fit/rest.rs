@@ -83,6 +83,7 @@ fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     };
     let nearest = target.wishes.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt();
     let part = (nearest / reach.max(1.0)).min(1.0);
+    // A smooth step, so that the weight of the rest has no visible edge.
     part * part * (3.0 - 2.0 * part)
 }
 

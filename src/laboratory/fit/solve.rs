@@ -101,6 +101,7 @@ pub(super) fn descend<P: Problem>(
             }
         }
         age += 1;
+        // No step along a fresh Jacobian is better: the point is a minimum.
         if error >= before && age == 1 {
             break;
         }
@@ -108,6 +109,7 @@ pub(super) fn descend<P: Problem>(
         if error > 0.5 * before || age > problem.patience() {
             columns.clear();
         }
+        // Three steps in a row that gain next to nothing end the descent.
         slow = if error > 0.999 * before { slow + 1 } else { 0 };
     }
     Ok(Minimum { point, error })

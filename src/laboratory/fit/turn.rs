@@ -274,6 +274,7 @@ fn starts(
             let mut next = start;
             let turned = |setting: &Setting| match setting {
                 Setting::Direction(_) => {
+                    // A large prime as the step spreads the lights over these pixels.
                     let pixel = order[next * 7919 % far];
                     next += count;
                     Setting::Direction(surface[pixel][start % 2])

@@ -307,6 +307,8 @@ pub async fn measure_look(
                     let drawn = Variant::Looks(tier).of(&seen);
                     let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;
                     let got = Colors::from(&precise.picture(&plan).await?);
+                    // Settling renders further truths, which only a bound on single pixels calls
+                    // for.
                     if bounds[number].max.is_some() {
                         settled[number] += truth.settle(
                             &got,
