@@ -1,6 +1,6 @@
 //! Choice of tiers: the cheapest within a stated error, or the most accurate within a stated time.
 //!
-//! Each node's tiers are first measured alone, in error over every station (a view, a turn of the
+//! Each node's tiers are first measured alone, in error over every viewpoint (a view, a turn of the
 //! lights, a time) and in time against the exact tier. A choice is then made from these
 //! measurements, and measured as a whole; where the errors of several nodes add up beyond the
 //! bound, the node that errs most for the time it saves goes back, until the whole is within the
@@ -59,7 +59,7 @@ pub struct Candidate {
     pub node: NodeId,
     /// The tier.
     pub tier: Tier,
-    /// Error over all stations with this node alone in this tier, by the measure of the options.
+    /// Error over all viewpoints with this node alone in this tier, by the measure of the options.
     pub error: f64,
     /// Time saved against the exact tier, in milliseconds.
     pub saves: Estimate,
@@ -67,7 +67,7 @@ pub struct Candidate {
     pub ties: Vec<Tier>,
 }
 
-/// The pixel that is farthest from the truth, over all setups and stations.
+/// The pixel that is farthest from the truth, over all setups and viewpoints.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Worst {
     /// Error of the pixel: the largest difference of a channel.
@@ -95,7 +95,7 @@ pub struct TuneReport {
     pub chosen: Vec<usize>,
     /// All candidates that were measured.
     pub candidates: Vec<Candidate>,
-    /// Error of the whole with the choice, over all stations.
+    /// Error of the whole with the choice, over all viewpoints.
     pub error: ErrorFigures,
     /// The pixel that is farthest off with the choice.
     pub worst: Worst,
@@ -111,7 +111,7 @@ pub struct TuneReport {
     pub saves: Estimate,
     /// The GPU's name.
     pub adapter: String,
-    /// Number of stations that the errors are taken over.
+    /// Number of viewpoints that the errors are taken over.
     pub stations: usize,
 }
 
@@ -341,7 +341,7 @@ struct Tuner<'a> {
     precise: Renderer,
     options: &'a TuneOptions,
     planner: Planner,
-    /// Truth of each station, with the index of its setup.
+    /// Truth of each viewpoint, with the index of its setup.
     truths: Vec<(usize, Viewpoint, Truth)>,
 }
 
@@ -392,7 +392,7 @@ impl<'a> Tuner<'a> {
         })
     }
 
-    /// The worst error of the choice over all stations, and the pixel where it is.
+    /// The worst error of the choice over all viewpoints, and the pixel where it is.
     async fn error(
         &mut self,
         chosen: &[Candidate],

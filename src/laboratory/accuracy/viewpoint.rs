@@ -34,8 +34,8 @@ impl Viewpoint {
     }
 }
 
-/// `count` stations: the first one as the scene is, the others spread evenly over views, lights and
-/// times.
+/// `count` viewpoints: the first one as the scene is, the others spread evenly over views, lights
+/// and times.
 pub fn viewpoints(setup: &Setup, count: usize) -> Vec<Viewpoint> {
     // Multiples of powers of the generalized golden ratio fill a cube evenly (Roberts 2018).
     const STEPS: [f64; 5] =

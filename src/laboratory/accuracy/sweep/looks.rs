@@ -107,13 +107,13 @@ pub struct LookEffort {
     pub meshes: Vec<&'static str>,
     /// Tiers that are compared.
     pub tiers: Vec<Tier>,
-    /// Number of views, each with its lights.
+    /// Number of viewpoints: views, each with its lights and time.
     pub stations: usize,
-    /// Distances of the camera, as factors of the document's; stations take turns with the
+    /// Distances of the camera, as factors of the document's; viewpoints take turns with the
     /// distances.
     pub distances: Vec<f64>,
-    /// Sides of the pictures, in pixels; stations take turns with the sides, but the first station
-    /// has all of them.
+    /// Sides of the pictures, in pixels; viewpoints take turns with the sides, but the first
+    /// viewpoint has all of them.
     pub sides: Vec<u32>,
     /// Number of rows in the middle of each picture that are compared; all rows if `None`.
     pub rows: Option<u32>,
@@ -224,7 +224,7 @@ pub fn looks_in(folder: &Path) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
 
 /// Passes to `sink` everything that decides on a look's pictures, except the engines that judge
 /// them, always in the same order: for each mesh the plans of the truth and of each tier, with the
-/// camera as in the file. The other stations follow from these.
+/// camera as in the file. The other viewpoints follow from these.
 ///
 /// # Errors
 /// Problems of the look.
