@@ -8,7 +8,8 @@ use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Setup};
 
 /// A file or a folder that a command writes. Every argument that names an output is of this type,
-/// and is written through [`Outputs`] alone; tests/outputs.rs finds the arguments by this type.
+/// and is written through [`Outputs`] alone; tests/program/outputs.rs finds the arguments by this
+/// type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputPath(PathBuf);
 

@@ -33,7 +33,7 @@ fn from_nothing(hidden: &Hidden, target: &Target) -> FittedLook {
 /// Largest error of a fitted look on the new view.
 const NEAR: f64 = 2.0 / 255.0;
 
-/// Proof of the recovery rate: `cargo test --test fit -- soak --ignored --nocapture`; with
+/// Proof of the recovery rate: `cargo test --test program fit::soak -- --ignored --nocapture`; with
 /// `CHIARO_FIT=10+5` for the five looks from number 10.
 #[test]
 #[ignore = "minutes; `the_fit_recovers_a_hidden_look` is the quick part of it"]
@@ -76,8 +76,8 @@ fn soak_the_rate_over_fifty_hidden_looks() {
     assert!(5 * near >= 4 * count, "fewer than four in five");
 }
 
-/// Figures of docs/performance.md on strokes and the rest: `cargo test --test fit -- soak_strokes
-/// --ignored --nocapture`.
+/// Figures of docs/performance.md on strokes and the rest: `cargo test --test program soak_strokes
+/// -- --ignored --nocapture`.
 #[test]
 #[ignore = "minutes; `colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked` is the \
             quick part of it"]
@@ -124,8 +124,8 @@ fn soak_strokes_and_how_far_the_rest_moves() {
 }
 
 /// Pictures for people of looks as they are, painted, and fitted with new layers, with nothing and
-/// a quarter of the rest kept: `cargo test --test fit -- shots --ignored --nocapture` writes them
-/// to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
+/// a quarter of the rest kept: `cargo test --test program fit::shots -- --ignored --nocapture`
+/// writes them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 #[allow(clippy::print_stdout, reason = "what was laid is read beside its picture")]

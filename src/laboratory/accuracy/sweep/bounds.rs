@@ -20,7 +20,7 @@ pub enum Judging {
     /// Distance from the truth.
     Plain,
     /// Distance from the span of all true results for inputs within four units in the last place of
-    /// the given ones: for steep or cancelling functions, where rounding of the inputs themselves
+    /// the given ones: for steep or canceling functions, where rounding of the inputs themselves
     /// decides. Such a result is right for inputs that no f32 can tell from the given ones;
     /// anything worse still shows.
     Steep,
