@@ -1,6 +1,6 @@
-//! What compiling costs: chains of math nodes, from document to WGSL, with naga's share told apart.
+//! Benchmark of compilation: chains of math nodes, from document to WGSL, with naga's share apart.
 //!
-//! `cargo bench` prints it; docs/performance.md holds the figures.
+//! `cargo bench` prints the times; docs/performance.md holds the figures.
 
 use std::hint::black_box;
 

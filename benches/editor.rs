@@ -1,9 +1,9 @@
-//! What the window costs a hand: frames of the canvas, opening, the way from an edit to its
-//! picture, strokes, startup, memory.
+//! Benchmark of the window's responsiveness: frames of the canvas, opening, latency from an edit to
+//! its picture, strokes, startup, memory.
 //!
 //! `cargo bench --profile dev --bench editor` prints tables; docs/performance.md holds the figures.
-//! With arguments after `--` only the parts so named run: `canvas`, `latency`, `painting`,
-//! `startup`, `memory`; with numbers, looks of so many nodes.
+//! With arguments after `--` only the named parts run: `canvas`, `latency`, `painting`, `startup`,
+//! `memory`; with numbers, looks of that many nodes.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it starts programs and reads what they say")]
@@ -31,12 +31,12 @@ mod times;
 #[path = "editor/window.rs"]
 mod window;
 
-/// Whether a window can be opened.
+/// True if a window can be opened.
 fn has_display() -> bool {
     ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| std::env::var_os(name).is_some())
 }
 
-/// One of the example looks.
+/// Path of an example look.
 fn example(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks").join(name).with_extension("json")
 }

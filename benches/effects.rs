@@ -1,10 +1,10 @@
-//! What is saved by what a scene does not call for: pictures with a thing against pictures without
-//! it.
+//! Benchmark of the savings by leaving out effects that a scene does not need: pictures with an
+//! effect against pictures without it.
 //!
 //! `cargo bench --profile dev --no-default-features --features gpu --bench effects` prints medians
 //! of wall-clock times, taken in turns so that a busy machine slows both. docs/performance.md holds
 //! the figures. A node that could be left out is kept by exposing the value that makes it useless:
-//! the picture is the same, and nothing is proved of it.
+//! the picture is the same, and the compiler can prove nothing about the node.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
 use std::sync::Arc;
@@ -72,8 +72,8 @@ fn median(times: &mut [f64]) -> f64 {
     times[times.len() / 2]
 }
 
-/// Medians of drawing the plans in turn; what else a plan needs (pipelines, meshes) is made in a
-/// first turn.
+/// Median times of drawing the plans in turns; pipelines and meshes of the plans are created in a
+/// first turn that is not counted.
 fn draw(renderer: &mut Renderer, plans: [&FramePlan; 2]) -> [f64; 2] {
     let mut times = [Vec::new(), Vec::new()];
     for turn in 0..=TURNS {
@@ -87,7 +87,7 @@ fn draw(renderer: &mut Renderer, plans: [&FramePlan; 2]) -> [f64; 2] {
     times.map(|mut times| median(&mut times))
 }
 
-/// A look of some layers under its own name, so that none is like another.
+/// A look of some layers under its own name, so that no two looks are alike.
 fn layered(name: &str, color: f64) -> SetupLook {
     let layer = |id: &str, kind: &str, offset: f64| {
         json!({
@@ -106,7 +106,7 @@ fn layered(name: &str, color: f64) -> SetupLook {
             {"from": "three.below", "to": "output.color"}]}))
 }
 
-/// Ten objects before the camera, and `others` far to the side of it, each with a look of its own.
+/// Ten objects before the camera, and `others` far to the side, each with a look of its own.
 fn crowd(mesh: &Arc<Mesh>, others: usize) -> Setup {
     let mut setup = Setup {
         scene: Scene { camera: Camera::default(), ..Scene::default() },
@@ -159,8 +159,8 @@ fn fifty_looks(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
 
 type Case = (&'static str, &'static str, Json, Json);
 
-/// A look for each kind of reason: what goes, the value to expose so that it stays, nodes and
-/// wires.
+/// A look for each kind of reason: the part that is left out, the value to expose so that it stays,
+/// nodes and wires.
 fn cases() -> Vec<Case> {
     let facing = json!({"id": "facing", "kind": "facing"});
     let noise =

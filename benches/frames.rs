@@ -1,9 +1,9 @@
-//! What a frame costs: every example look in the paper's own setting, how cost grows, and how far
-//! looks are from what the machine can do.
+//! Benchmark of frames: every example look in the paper's own setting, growth of the cost, and
+//! distance of looks from the machine's limits.
 //!
 //! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times
-//! (timestamps where there are any) as medians with their 95% confidence interval, measured in
-//! turns. docs/performance.md holds the figures. With arguments after `--` only the parts so named
+//! (timestamps if the device has them) as medians with their 95% confidence interval, measured in
+//! turns. docs/performance.md holds the figures. With arguments after `--` only the named parts
 //! run: `looks`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
@@ -32,7 +32,7 @@ use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
 
-/// The setting of the BADF paper.
+/// Picture size of the BADF paper, in pixels.
 const PAPER: [u32; 2] = [1600, 1200];
 const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 
@@ -58,7 +58,7 @@ fn worn(json: &Json, mesh: &str) -> Setup {
     default_setup(look, mesh, &mut Assets::default()).expect("a mesh").value
 }
 
-/// Layers over a base, each with a light of its own from one of `lights`.
+/// JSON of a look with layers over a base, each with a light of its own from one of `lights`.
 fn layers(count: usize, lights: usize, kind: &str) -> Json {
     let mut nodes =
         vec![json!({"id": "base", "kind": "base", "values": {"color": [0.1, 0.1, 0.15]}})];
@@ -93,8 +93,8 @@ fn told(series: &Series) -> String {
     format!("{:.1} ({:.1} to {:.1})", time.median, time.low, time.high)
 }
 
-/// Nanoseconds that one instruction takes in one fragment where nothing but arithmetic is done: a
-/// long chain of products and sums over all pixels of a quad.
+/// Time that one instruction takes in one fragment of a shader that does nothing but arithmetic, in
+/// nanoseconds: a long chain of products and sums over all pixels of a quad.
 fn instruction_price(renderer: &mut Renderer) -> f64 {
     let chain = |count: usize| {
         let mut nodes = vec![json!({"id": "start", "kind": "facing"})];
@@ -117,7 +117,7 @@ fn instruction_price(renderer: &mut Renderer) -> f64 {
     series[1].over(&series[0]).median * 1e6 / (more * covered(&plans[0]))
 }
 
-/// How many pixels of a plan show an object.
+/// Number of pixels of a plan that show an object.
 fn covered(plan: &FramePlan) -> f64 {
     let modules = Modules::new(plan, chiaro::interp::Precision::F32).expect("it runs");
     let picture = execute(plan, &modules, &reference::Options::default(), &Progress::new())
@@ -125,8 +125,8 @@ fn covered(plan: &FramePlan) -> f64 {
     picture.coverage.iter().filter(|pixel| pixel.draw.is_some()).count() as f64
 }
 
-/// Bytes a second that the adapter moves where it does nothing else: reading and writing a large
-/// buffer.
+/// Bandwidth of the adapter while it does nothing else, by reading and writing a large buffer, in
+/// bytes a second.
 fn bandwidth(renderer: &Renderer) -> f64 {
     const BYTES: u64 = 256 << 20;
     let gpu = renderer.gpu();
@@ -142,11 +142,11 @@ fn bandwidth(renderer: &Renderer) -> f64 {
     let (from, to) = (buffer(wgpu::BufferUsages::COPY_SRC), buffer(wgpu::BufferUsages::COPY_DST));
     let mut times: Vec<f64> = (0..15).map(|_| copy_time(gpu, &from, &to, BYTES)).collect();
     times.sort_by(f64::total_cmp);
-    // The fastest is what the machine can do; the others were disturbed.
+    // The fastest copy shows the machine's limit; the others were disturbed.
     2.0 * BYTES as f64 / times[0]
 }
 
-/// Seconds.
+/// Time of a copy between two buffers, in seconds.
 fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f64 {
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_buffer_to_buffer(from, 0, to, 0, bytes);
@@ -157,15 +157,15 @@ fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f
     start.elapsed().as_secs_f64()
 }
 
-/// Instructions of a module after `spirv-opt -O`, or as naga writes them where that is not
+/// Number of instructions of a module after `spirv-opt -O`, or as naga writes them if that is not
 /// installed.
 fn instructions(valid: &wgsl::Valid) -> f64 {
     let words = spirv_words(valid).expect("SPIR-V can express it");
     spirv::instructions(spirv::optimised(&words).as_ref().unwrap_or(&words)) as f64
 }
 
-/// Instructions that a plan's passes run for a pixel that shows an object, as far as those of the
-/// first draw tell.
+/// Number of instructions that a plan's passes run for a pixel that shows an object, as estimated
+/// by the first draw.
 fn instructions_of(plan: &FramePlan) -> f64 {
     let of = |pass: &frame::Pass| match pass.id.stage() {
         Some(stage) => {
@@ -174,7 +174,7 @@ fn instructions_of(plan: &FramePlan) -> f64 {
         None => {
             let module = ScreenModule::of(pass.id).expect("a pass that is shipped");
             let module = module.expect("a pass over the picture");
-            // Nearly all of it is the loop over rings of neighbours: three of them, or one.
+            // Nearly all instructions are in the loop over rings of neighbors: three rings, or one.
             let rounds = if pass.id.row().module() == "curvature" { 3.0 } else { 1.0 };
             rounds * instructions(&module.valid)
         }
@@ -182,8 +182,8 @@ fn instructions_of(plan: &FramePlan) -> f64 {
     plan.passes.iter().map(of).sum()
 }
 
-/// What the machine would take at least for a frame: for its instructions, and for the bytes that
-/// it must move, in milliseconds.
+/// Least times that the machine takes for a frame: for its instructions, and for the bytes that it
+/// must move, in milliseconds.
 fn limits(plan: &FramePlan, fragments: f64, price: f64, bandwidth: f64) -> [f64; 2] {
     [
         price * 1e-6 * instructions_of(plan) * fragments,
@@ -214,7 +214,7 @@ fn looks(renderer: &mut Renderer) {
             .value;
         let plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), PAPER));
         let series = measure(renderer, &plans, 7);
-        // What is drawn in a quarter of the size covers a sixteenth of the pixels.
+        // A picture of a quarter of the size covers a sixteenth of the pixels.
         let fragments = 16.0 * covered(&plan(&setup, PAPER.map(|side| side / 4)));
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let [exact, balanced, fast] = [0, 1, 2].map(|tier| told(&series[tier]));

@@ -1,11 +1,11 @@
-//! Generated modules against WGSL that an expert writes by hand for the same picture
-//! (`tests/truth/handwritten.rs` holds that it is the same).
+//! Benchmark of generated modules against WGSL that an expert writes by hand for the same picture
+//! (`tests/truth/handwritten.rs` checks that the pictures are the same).
 //!
 //! `cargo bench --no-default-features --features gpu --bench handwritten` prints a row for each
-//! look of `benches/handwritten/` and each tier: how many times as many SPIR-V instructions (in
-//! functions, both stages; as naga writes them, and after `spirv-opt -O` where that is installed),
-//! as much time of the look pass (the GPU's own clock, in turns, median with its 95% interval) and
-//! as many lines (without comments) the generated module takes.
+//! look of `benches/handwritten/` and each tier, with ratios of the generated module to the
+//! handwritten one: SPIR-V instructions (in functions, both stages; as naga writes them, and after
+//! `spirv-opt -O` if that is installed), time of the look pass (the GPU's own clock, in turns,
+//! median with its 95% interval) and lines (without comments).
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
@@ -26,19 +26,19 @@ use spirv::{instructions, optimised};
 const SIZE: [u32; 2] = [800, 600];
 const ROUNDS: usize = 41;
 
-/// A module as naga writes it, and as `spirv-opt -O` leaves it.
+/// Instructions of a module as naga writes it, and as `spirv-opt -O` leaves it.
 fn sizes(shader: &CompiledShader) -> [Option<usize>; 2] {
     let words = spirv_words(&shader.valid).expect("SPIR-V can express it");
     [Some(instructions(&words)), optimised(&words).map(|words| instructions(&words))]
 }
 
-/// Lines that hold more than a comment.
+/// Number of lines that hold more than a comment.
 fn lines(shader: &CompiledShader) -> usize {
     let is_code = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with("//");
     shader.wgsl.lines().filter(is_code).count()
 }
 
-/// The look pass alone.
+/// Times of the look pass alone.
 fn look_pass(series: &Series) -> &[f64] {
     series.passes.iter().find(|(pass, _)| *pass == PassId::LOOK).map_or(&[], |(_, times)| times)
 }

@@ -1,8 +1,8 @@
-//! What HCBTFs cost: the thesis's two scenes (chapter 11) in each tier and storage, what it takes
-//! to fill and to store one, and how much memory grids of growing size take.
+//! Benchmark of HCBTFs: the thesis's two scenes (chapter 11) in each tier and storage, the times of
+//! filling and storing an HCBTF, and the memory of grids of growing size.
 //!
-//! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints it all,
-//! with `-- frames`, `-- baking` or `-- memory` a part; docs/performance.md holds the figures.
+//! `cargo bench --profile dev --no-default-features --features gpu --bench hcbtf` prints all parts,
+//! `-- frames`, `-- baking` or `-- memory` a single one; docs/performance.md holds the figures.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 
 use std::hint::black_box;
@@ -32,7 +32,7 @@ use serde_json::json;
 const SIZE: [u32; 2] = [1280, 720];
 const ROUNDS: usize = 5;
 
-/// Every sample of its own texels, of so many colors.
+/// An HCBTF whose samples are all painted, with texels of `colors` different colors.
 fn painted(grid: Grid, colors: u32) -> Hcbtf {
     let mut hcbtf = Hcbtf::new(grid);
     for (number, address) in (1_u32..).zip(grid.addresses()) {
@@ -159,7 +159,7 @@ fn seconds<T>(of: impl FnOnce() -> T) -> (T, f64) {
     (made, start.elapsed().as_secs_f64())
 }
 
-/// How long it takes until a shader has it: to fill by rules, and to lay it out.
+/// Prints the time until a shader can read an HCBTF: of filling it by rules, and of laying it out.
 fn baking(grid: Grid) {
     let all = painted(grid, 100_000);
     let few: Vec<Address> = all.painted.keys().step_by(97).copied().collect();

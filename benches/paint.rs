@@ -1,6 +1,6 @@
-//! What painting costs: a stamp, a stroke, the edit at its end, a flood.
+//! Benchmark of painting: a stamp, a stroke, the edit at its end, a flood fill.
 //!
-//! `cargo bench` prints it; docs/performance.md holds the figures.
+//! `cargo bench` prints the times; docs/performance.md holds the figures.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use glam::DVec2;
 
 const SIZE: [u32; 2] = [512, 512];
 
-/// A tile that does not pack.
+/// A tile of noise, which does not compress.
 fn noise(size: [u32; 2]) -> Tile {
     let mut state = 1_u32;
     let mut next = || {
@@ -32,7 +32,7 @@ fn benchmark(criterion: &mut Criterion) {
         [("paint", Tool::Paint), ("erase", Tool::Erase), ("smudge", Tool::Smudge), ("stamp", stamp)]
     {
         let brush = Brush { tool, ..soft.clone() };
-        // One step of the spacing: one stamp.
+        // One step of the spacing draws one stamp.
         let mut stroke = Stroke::begin(&base, &brush, &Symmetry::default(), true);
         let mut x = 0.0;
         stroke.to(DVec2::new(x, 250.0), 1.0);

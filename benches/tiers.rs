@@ -1,14 +1,14 @@
-//! What a cheaper form of a node wins: each candidate against the exact form, on the GPU.
+//! Benchmark of cheaper forms of nodes: each candidate against the exact form, on the GPU.
 //!
 //! `cargo bench --no-default-features --features gpu --bench tiers [-- FILTER]` prints a table for
-//! each file of `benches/tiers/` (`-- looks` or `-- looks/figure6`: of the example looks, as whole
-//! frames; `-- curvature`: of its tiers and per vertex, with errors); docs/performance.md holds the
-//! figures. Such a file is WGSL with functions `fn name(n: vec3f, l: vec3f, s: f32) -> f32`, of
-//! which `exact` is what the others are held against, and `nothing` what all of them cost before
-//! they begin. Each is drawn over the whole target, many times in each pixel, with unit vectors n
-//! and l that change smoothly over the screen and s in [-1, 1]. All of a file take turns, round by
-//! round; a ratio is the median over the rounds of (candidate - nothing) / (exact - nothing), with
-//! its 95% confidence interval.
+//! each file of `benches/tiers/` (`-- looks` or `-- looks/figure6`: for the example looks, as whole
+//! frames; `-- curvature`: for its tiers and per vertex, with errors); docs/performance.md holds
+//! the figures. Such a file is WGSL with functions `fn name(n: vec3f, l: vec3f, s: f32) -> f32`:
+//! the others are compared with `exact`, and `nothing` is the cost that all of them share. Each
+//! function is drawn over the whole target, many times in each pixel, with unit vectors n and l
+//! that change smoothly over the screen and s in [-1, 1]. All functions of a file take turns, round
+//! by round; a ratio is the median over the rounds of (candidate - nothing) / (exact - nothing),
+//! with its 95% confidence interval.
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
 
@@ -108,7 +108,7 @@ impl Bench {
     fn candidate(&self, name: &str, library: &str) -> Candidate {
         let source = format!("{library}\n{}", FRAME.replace("CANDIDATE", name));
         let device = &self.gpu.device;
-        // Our own validator has no f16.
+        // Our own validator has no f16, so such modules are not validated here.
         if !source.starts_with("enable") {
             chiaro::wgsl::parse(&source)
                 .unwrap_or_else(|error| panic!("{name}: {}", error.message));
@@ -144,7 +144,7 @@ impl Bench {
         Candidate { name: name.to_owned(), pipeline, times: Vec::new() }
     }
 
-    /// Milliseconds of one pass.
+    /// Time of one pass, in milliseconds.
     fn time(&self, candidate: &Candidate) -> f64 {
         let device = &self.gpu.device;
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -180,7 +180,7 @@ impl Bench {
     }
 }
 
-/// The numbers, and a picture of 512x512 texels with its samplers.
+/// Bindings of the numbers, and of a picture of 512x512 texels with its samplers.
 fn bindings(gpu: &Gpu, uniform: &wgpu::Buffer) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
     let device = &gpu.device;
     let size = wgpu::Extent3d { width: 512, height: 512, depth_or_array_layers: 1 };
@@ -260,7 +260,7 @@ fn median(numbers: &mut [f64]) -> (f64, f64, f64) {
 fn run(bench: &Bench, file: &Path) {
     let text = std::fs::read_to_string(file).expect("a file that can be read");
     let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    // naga wants it first, before what is imported.
+    // naga requires the directive at the start, before imported code.
     let (enabled, text) =
         text.strip_prefix("enable f16;").map_or(("", &*text), |rest| ("enable f16;\n", rest));
     if !enabled.is_empty() && !bench.gpu.device.features().contains(wgpu::Features::SHADER_F16) {
@@ -310,8 +310,8 @@ fn run(bench: &Bench, file: &Path) {
     }
 }
 
-/// Milliseconds of a whole frame, passes included, by the clock: looks have no timestamps of their
-/// own.
+/// Time of a whole frame, passes included, by the clock, in milliseconds: looks have no timestamps
+/// of their own.
 #[expect(clippy::disallowed_methods, reason = "a benchmark reads the clock")]
 fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
     let start = std::time::Instant::now();
@@ -320,7 +320,7 @@ fn frame_time(renderer: &mut Renderer, plan: &FramePlan) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
 }
 
-/// Whole frames of the example looks in each tier, the tiers taking turns.
+/// Prints the times of whole frames of the example looks in each tier, the tiers taking turns.
 fn looks(filter: &str) {
     let mut renderer = Renderer::new(gpu());
     println!(
@@ -340,8 +340,8 @@ fn looks(filter: &str) {
             open(file, None, &mut assets).unwrap_or_else(|problems| panic!("{problems:?}")).value;
         let mut plans = Vec::new();
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-            // No frame is seen from where the one before it was, or passes would be left out
-            // because nothing changed.
+            // No two frames in a row have the same camera, or passes would be left out because
+            // nothing changed.
             for _ in 0..2 {
                 setup.looks.iter_mut().for_each(|worn| worn.look.tier = tier);
                 setup.scene.camera.target = [0.002 * plans.len() as f64, 0.0, 0.0];
@@ -377,7 +377,7 @@ fn looks(filter: &str) {
     }
 }
 
-/// As `Gpu::headless`, with 16-bit numbers where the adapter has them.
+/// A GPU as `Gpu::headless` opens it, with 16-bit numbers if the adapter has them.
 fn gpu() -> Gpu {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::PRIMARY;

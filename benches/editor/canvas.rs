@@ -1,4 +1,4 @@
-//! Frames of large looks, how long they take to open, and how long an edit takes to be validated.
+//! Times of large looks: frames of the canvas, opening, and validation of an edit.
 
 use std::sync::Arc;
 
@@ -11,22 +11,22 @@ use crate::looks::{saved, sizes};
 use crate::times::{timed, told};
 use crate::window::{Frames, SIZE, Window, button, moved};
 
-/// Frames to begin with, which are not counted.
+/// Number of frames at the start that are not counted.
 const WARM_UP: usize = 8;
 const FRAMES: usize = 120;
 
-/// What a hand does to the canvas.
+/// Motion of a hand on the canvas.
 #[derive(Clone, Copy)]
 enum Motion {
-    /// The view moves, all of it in view.
+    /// The view moves, with all nodes in view.
     PanFar,
-    /// The view moves, some thirty nodes in view.
+    /// The view moves, with some thirty nodes in view.
     PanNear,
-    /// From all in view to a few nodes and back.
+    /// The view zooms from all nodes to a few and back.
     Zoom,
     /// A selection box is drawn over all nodes.
     Box,
-    /// The pointer goes over nodes and wires, all in view.
+    /// The pointer moves over nodes and wires, all in view.
     Hover,
 }
 
@@ -39,7 +39,7 @@ impl Motion {
         (Self::Hover, "hover"),
     ];
 
-    /// Moves the view, and tells what the hand does in a frame.
+    /// Moves the view, and returns the hand's events in a frame.
     fn step(self, canvas: &mut Canvas, (fit, center): (f32, Pos2), frame: usize) -> Vec<Event> {
         const NEAR: f32 = 0.9;
         let share = frame as f32 / FRAMES as f32;
@@ -59,7 +59,7 @@ impl Motion {
     }
 }
 
-/// Seconds of frames of the canvas alone.
+/// Times of frames of the canvas alone, in seconds.
 fn canvas_frames(path: &std::path::Path, motion: Motion) -> Vec<f64> {
     let mut session = Session::new(Arc::new(Library::built_in().clone()), || {});
     session.open(path).expect("the example opens");
@@ -81,7 +81,8 @@ fn canvas_frames(path: &std::path::Path, motion: Motion) -> Vec<f64> {
     (0..FRAMES).map(step).collect()
 }
 
-/// Seconds of frames of the whole window, of which the canvas is a part, while the view moves.
+/// Times of frames of the whole window, of which the canvas is a part, while the view moves, in
+/// seconds.
 fn window_frames(window: &mut Window) -> Vec<f64> {
     let view = window.app.canvas().zoom_and_center();
     let step = |index| {
@@ -91,8 +92,8 @@ fn window_frames(window: &mut Window) -> Vec<f64> {
     (0..FRAMES).map(step).collect()
 }
 
-/// For each of many edits that take a wire away and put it back: the frame that applies it, the
-/// frame after, and all of it until naga has validated both shaders. In seconds.
+/// Times of many edits that remove a wire and put it back: of the frame that applies the edit, of
+/// the frame after, and of all frames until naga has validated both shaders, in seconds.
 fn structural_edits(window: &mut Window) -> [Vec<f64>; 3] {
     let mut times = [const { Vec::new() }; 3];
     let wires = &window.app.session().look().graph.wires;

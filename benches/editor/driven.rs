@@ -1,4 +1,4 @@
-//! A real window that is driven by a hand of its own making, where there is a display.
+//! Benchmark in a real window on a display, with input from a simulated hand.
 
 use std::path::Path;
 
@@ -10,27 +10,27 @@ use crate::times::told;
 use crate::window::{button, moved};
 
 const FRAMES: u16 = 80;
-/// Frames without anything to be made before a drag begins.
+/// Number of idle frames before a drag begins.
 const QUIET: u16 = 30;
 
-/// Where the window has something to be dragged.
+/// Function that finds the point of the window to begin a drag at.
 type Find = fn(&App) -> Option<Pos2>;
 
-/// What is dragged, one after the other.
+/// Drags, one after the other.
 const DRAGS: [(&str, Find); 3] = [
     ("a line on the object", |app| app.viewport().curve("cutoff").first().copied()),
     ("a light", |app| app.viewport().middle()),
     ("the camera", |app| app.viewport().rect().map(|rect| rect.min + vec2(60.0, 60.0))),
 ];
 
-/// The window, and how far the hand is.
+/// The window, and the progress of the hand.
 struct Driven {
     app: App,
     drag: usize,
     from: Option<Pos2>,
-    /// Frames since the last step of the hand's plan.
+    /// Number of frames since the last step of the hand's plan.
     frame: u16,
-    /// Since the input of the last frame of a drag.
+    /// Clock since the input of a drag's last frame.
     since_input: Option<Clock>,
     in_time: u16,
     times: Vec<f64>,
@@ -84,8 +84,8 @@ impl eframe::App for Driven {
     }
 }
 
-/// Drags in a window of its own, and tells how many pictures were with the GPU before the frame of
-/// their edit was, and how long it took from the pointer's move until that frame was presented.
+/// Drags in a window of its own, and prints how many pictures were submitted to the GPU before the
+/// frame of their edit, and the time from the pointer's move until that frame was presented.
 pub(crate) fn run(look: &Path) {
     println!(
         "\nThe same in a window of 1600x960 points on a display, until it is presented; ms, \

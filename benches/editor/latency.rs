@@ -1,4 +1,4 @@
-//! From a drag to its picture, in frames and in milliseconds, on the device that there is.
+//! Latency from a drag to its picture, in frames and in milliseconds, on the present device.
 
 use chiaro::clock::Clock;
 use eframe::egui::{Pos2, Rect, vec2};
@@ -8,10 +8,10 @@ use crate::times::told;
 use crate::{driven, example, has_display};
 
 const FRAMES: u8 = 80;
-/// Half of a drag's width where there is room, in points.
+/// Half of a drag's width if there is room, in points.
 const REACH: f32 = 40.0;
 
-/// The pixels of the picture in the window as it is drawn now, which waits for the GPU.
+/// Pixels of the picture in the window as it is drawn now; waits for the GPU.
 fn pixels(hand: &mut Hand) -> Vec<u8> {
     let rect: Rect = hand.app().viewport().rect().expect("the picture is shown");
     let image = hand.harness.render().expect("it draws");
@@ -20,8 +20,8 @@ fn pixels(hand: &mut Hand) -> Vec<u8> {
     image::imageops::crop_imm(&image, x, y, width, height).to_image().into_raw()
 }
 
-/// Drags along a small loop as wide as twice `reach` in points, and tells how many pictures were in
-/// the very frame of their edit, of all whose edit changed anything, and how long it took from the
+/// Drags along a small loop that is twice `reach` wide, in points. Prints how many pictures were in
+/// the very frame of their edit, of all whose edit changed anything, and the time from the
 /// pointer's move until that frame was drawn.
 fn drag(hand: &mut Hand, from: Pos2, reach: f32, what: &str) {
     hand.hold(from);
@@ -36,7 +36,8 @@ fn drag(hand: &mut Hand, from: Pos2, reach: f32, what: &str) {
         times.push(clock.seconds());
         hand.app().wait();
         let right = pixels(hand);
-        // A value that is at its end already draws the same again, which tells nothing.
+        // A value that is at the end of its range draws the same picture again, which tells
+        // nothing.
         changed += u32::from(right != last);
         in_time += u32::from(shown == right && right != last);
         last = right;
@@ -60,7 +61,7 @@ pub(crate) fn run() {
         hand.app_mut().session_mut().select(vec!["diffuse".into()]);
         hand.settle();
         let slider = hand.slider("Cut-off");
-        // A first drag, for the live shader's pipeline.
+        // A first drag creates the live shader's pipeline.
         let at = slider.left_center() + vec2(slider.width() * 0.5, 0.0);
         hand.drag(at, at + vec2(5.0, 0.0));
         hand.settle();

@@ -1,4 +1,4 @@
-//! Large looks to open.
+//! Large looks for benchmarks.
 
 use std::path::PathBuf;
 
@@ -6,17 +6,17 @@ use chiaro::document::{Endpoint, Look, Node, Wire};
 use chiaro::files::TextDocument as _;
 use chiaro::library::Library;
 
-/// The sizes that are measured, in nodes: those that are asked for, else all.
+/// Numbers of nodes to measure: those among the arguments, else the usual ones.
 pub(crate) fn sizes() -> Vec<usize> {
     let asked: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     if asked.is_empty() { vec![200, 1_000, 5_000, 20_000] } else { asked }
 }
 
-/// What most nodes are.
+/// Kind of most nodes.
 const KIND: &str = "map_range";
 
-/// A grid of nodes, each wired to its left and upper neighbour, one in ten also to a far earlier
-/// one. The first tells how the surface faces the viewer and the last is the output, so that
+/// A grid of nodes, each wired to its left and upper neighbor, one in ten also to a much earlier
+/// node. The first node is the facing ratio of the surface and the last is the output, so that
 /// nothing can be folded away.
 pub(crate) fn grid(count: usize) -> Look {
     let columns = (count as f64).sqrt().ceil() as usize;
@@ -62,7 +62,7 @@ pub(crate) fn grid(count: usize) -> Look {
     look
 }
 
-/// A folder with the file of a grid in it.
+/// A folder that contains the file of a grid.
 pub(crate) fn saved(count: usize) -> (tempfile::TempDir, PathBuf) {
     let folder = tempfile::tempdir().expect("a folder for the look");
     let path = folder.path().join("grid.json");

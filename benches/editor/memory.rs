@@ -1,4 +1,5 @@
-//! Memory of the window, each look in a process of its own, and that it does not grow with edits.
+//! Memory of the window, with each look in a process of its own, and after many edits, which must
+//! not make it grow.
 
 use std::process::Command;
 
@@ -7,19 +8,19 @@ use chiaro::document::{Edit, GraphId, Value};
 use crate::looks::{saved, sizes};
 use crate::window::Window;
 
-/// The argument that makes this program measure one look and print it.
+/// Argument that makes this program measure one look and print the result.
 pub(crate) const CHILD: &str = "memory-of";
 const EDITS: usize = 1_000;
 
-/// Resident memory of this process in MiB; `None` where the system does not tell.
+/// Resident memory of this process, in MiB; `None` if the system does not tell.
 fn resident() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
     Some(line.trim().strip_suffix("kB")?.trim().parse::<f64>().ok()? / 1024.0)
 }
 
-/// A thousand values one after the other, each in a frame of its own; then all of it taken back and
-/// done again.
+/// Sets a thousand values one after the other, each in a frame of its own; then undoes and redoes
+/// them all.
 fn edit(window: &mut Window, id: &str) {
     for index in 0..EDITS {
         let value = Value::Number(index as f64 / EDITS as f64);

@@ -1,4 +1,5 @@
-//! From the pointer to the stroke on the screen: on the tile, and on the surface that shows it.
+//! Latency from the pointer to the stroke on the screen: on the tile, and on the surface that shows
+//! it.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -12,10 +13,10 @@ use crate::editor_support::Hand;
 use crate::times::told;
 
 const FRAMES: u8 = 60;
-/// Half of a stroke's loop on the screen, in points.
+/// Half of the size of a stroke's loop on the screen, in points.
 const REACH: f32 = 60.0;
 
-/// A tile that is nowhere of one color.
+/// A tile of noise, without areas of one color.
 fn noise(size: [u32; 2]) -> Tile {
     let mut state = 1_u32;
     let mut next = || {
@@ -26,7 +27,7 @@ fn noise(size: [u32; 2]) -> Tile {
     Tile::new(size, texels.collect()).expect("four bytes a texel")
 }
 
-/// A window in which an HCBTF is painted whose rules blend two samples.
+/// A window with an open HCBTF whose rules blend two painted samples.
 fn opened(folder: &Path, grid: Grid) -> Hand {
     let mut hcbtf = Hcbtf { rules: vec![Rule::Blend { sharpness: 4.0 }], ..Hcbtf::new(grid) };
     for light in [[0, 0], [grid.light.theta - 1, 0]] {
@@ -41,14 +42,14 @@ fn opened(folder: &Path, grid: Grid) -> Hand {
     hand
 }
 
-/// The pixels of a part of the window as it is drawn now, which waits for the GPU.
+/// Pixels of a part of the image.
 fn pixels(image: &image::RgbaImage, rect: Rect) -> Vec<u8> {
     let [x, y, width, height] =
         [rect.min.x, rect.min.y, rect.width(), rect.height()].map(|side| side as u32);
     image::imageops::crop_imm(image, x, y, width, height).to_image().into_raw()
 }
 
-/// How often what a part of the window shows was in the very frame of its stamp.
+/// Number of pictures of a part of the window that were in the very frame of their stamp.
 #[derive(Default)]
 struct Shown {
     in_time: u32,

@@ -1,4 +1,4 @@
-//! From the start of the program to its first picture, as a real `chiaro` tells it.
+//! Time from the start of the program to its first picture, as a real `chiaro` reports it.
 
 use std::collections::BTreeMap;
 use std::io::{BufRead as _, BufReader};
@@ -10,13 +10,13 @@ use chiaro::milestones;
 use crate::times::spread;
 use crate::{example, has_display};
 
-/// Starts that are counted; one more comes before them, so that files and the driver's cache are
-/// warm.
+/// Number of starts that are counted; one more comes before them to warm up files and the driver's
+/// cache.
 const STARTS: usize = 7;
-/// What the window tells last.
+/// Name of the last milestone.
 const LAST: &str = "picture on the screen";
 
-/// One start: seconds of every milestone since the program was asked for.
+/// Times of one start: seconds from the program's start to every milestone.
 fn start(has_display: bool) -> BTreeMap<String, f64> {
     let look = example("figure1-layers");
     let folder = tempfile::tempdir().expect("a folder for what the program remembers");
@@ -48,7 +48,8 @@ fn start(has_display: bool) -> BTreeMap<String, f64> {
             continue;
         };
         if told.is_empty() {
-            // The program counts from its own beginning; what came before is seen from outside.
+            // The program counts from its own beginning; the time before that is measured from
+            // outside.
             before = clock.seconds() - seconds;
         }
         told.insert(milestone.to_owned(), before + seconds);
@@ -56,7 +57,7 @@ fn start(has_display: bool) -> BTreeMap<String, f64> {
             break;
         }
     }
-    // The window stays open otherwise; a program that is at its end needs no end.
+    // The window stays open until killed; for a program that has ended, killing does nothing.
     let _ = program.kill();
     let _ = program.wait();
     told

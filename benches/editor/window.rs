@@ -1,5 +1,5 @@
-//! A window without display, GPU and accessibility, of which a frame is what egui runs and
-//! tessellates.
+//! A window without display, GPU and accessibility: a frame is the work of egui, including
+//! tessellation.
 
 use std::path::Path;
 
@@ -8,13 +8,13 @@ use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, RawInput, Rect, 
 
 use crate::times::timed;
 
-/// In points.
+/// Size of the window, in points.
 pub(crate) const SIZE: egui::Vec2 = vec2(1500.0, 900.0);
 
-/// A context that is given frames one by one.
+/// An egui context that is given frames one by one.
 pub(crate) struct Frames {
     ctx: egui::Context,
-    /// In seconds.
+    /// Time of the context, in seconds.
     time: f64,
 }
 
@@ -27,12 +27,12 @@ impl Frames {
         &self.ctx
     }
 
-    /// Lets time go by.
+    /// Advances the context's time.
     pub(crate) fn rest(&mut self, seconds: f64) {
         self.time += seconds;
     }
 
-    /// Seconds that a frame takes, all of it on this thread.
+    /// Runs a frame. Returns the time it takes, all of it on this thread, in seconds.
     pub(crate) fn frame(&mut self, events: Vec<Event>, mut show: impl FnMut(&mut egui::Ui)) -> f64 {
         let input = RawInput {
             screen_rect: Some(Rect::from_min_size(pos2(0.0, 0.0), SIZE)),
@@ -43,7 +43,7 @@ impl Frames {
         self.time += 1.0 / 60.0;
         let (seconds, ()) = timed(|| {
             let mut output = self.ctx.run_ui(input, &mut show);
-            // Nothing is drawn, so the fonts' image goes nowhere.
+            // Nothing is drawn, so the fonts' image is not needed.
             output.textures_delta.clear();
             drop(self.ctx.tessellate(output.shapes, output.pixels_per_point));
         });
@@ -66,13 +66,14 @@ impl Window {
         window
     }
 
-    /// Seconds that a frame takes.
+    /// Runs a frame of the window. Returns the time it takes, in seconds.
     pub(crate) fn frame(&mut self, events: Vec<Event>) -> f64 {
         let app = &mut self.app;
         self.frames.frame(events, |ui| app.show(ui))
     }
 
-    /// Opens a look; seconds until the first frame shows it, and until its shaders are there too.
+    /// Opens a look. Returns the times until the first frame shows it, and until its shaders are
+    /// validated, too, in seconds.
     pub(crate) fn open(&mut self, path: &Path) -> [f64; 2] {
         let (opening, ()) = timed(|| self.app.open(path));
         let shown = opening + self.frame(Vec::new());
@@ -80,10 +81,10 @@ impl Window {
         [shown, shown + compiling + self.frame(Vec::new())]
     }
 
-    /// Shows frames until nothing is being made.
+    /// Runs frames until the window is idle.
     pub(crate) fn settle(&mut self) {
         for _ in 0..20 {
-            // A second of the window's clock goes by, after which a look is at rest.
+            // A second of the window's time passes, after which a look is at rest.
             for _ in 0..4 {
                 self.frames.rest(0.25);
                 self.frame(Vec::new());
@@ -96,12 +97,12 @@ impl Window {
     }
 }
 
-/// The pointer goes there.
+/// Event of the pointer's move to a point.
 pub(crate) fn moved(at: Pos2) -> Event {
     Event::PointerMoved(at)
 }
 
-/// The first button goes down or up.
+/// Event of the first button's press or release.
 pub(crate) fn button(pos: Pos2, pressed: bool) -> Event {
     Event::PointerButton {
         pos,

@@ -3,7 +3,7 @@
 struct View {
     clip_from_world: mat4x4f,
     camera_from_world: mat4x4f,
-    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    /// Eye and 1; for parallel projection the direction toward the viewer and 0.
     eye: vec4f,
 }
 
@@ -13,7 +13,7 @@ struct Object {
 }
 
 struct Light {
-    /// Unit, toward the light, in world space.
+    /// Unit vector toward the light, in world space.
     @align(16) direction: vec3f,
     own_direction: vec3f,
     color: vec3f,
@@ -37,9 +37,8 @@ const DIFFUSE_CONCAVE = vec3f(0.3608, 0.1216, 0.1725);
 const SLOPE = 0.3;
 const AMOUNT = 0.75;
 
-/// Offset 0.25, fall-off 1.2, cut-off 1.6: cosine and sine of half the offset, 1 / sin((cut-off -
-/// offset) / 2), gamma, and
-/// from which footprint on one point is not enough.
+/// Profile of offset 0.25, fall-off 1.2 and cut-off 1.6: cosine and sine of half the offset, 1 /
+/// sin((cut-off - offset) / 2), gamma, and the footprint from which on one point is not enough.
 const OFFSET = vec2f(0.9921977, 0.12467473);
 const SCALE = 1.6002629;
 const EXPONENT = 1.3188459;
@@ -59,23 +58,23 @@ fn shifted(half: vec2f, shift: f32) -> vec2f {
         turned.x <= 0.0);
 }
 
-/// Radians per pixel, at most 0.5.
+/// Footprint of an angle: radians per pixel, at most 0.5.
 fn footprint(half: vec2f) -> f32 {
     return min(2.0 * length(vec4f(dpdx(half), dpdy(half))), 0.5);
 }
 
-/// tanh, for convex and hollow places, from -1 to 1.
+/// Convexity by tanh, positive for convex and negative for hollow places, from -1 to 1.
 fn bulge(kappa: f32, slope: f32) -> f32 {
     return tanh(clamp(kappa * slope, -10.0, 10.0));
 }
 
-/// The profile at an angle beyond the offset, whose half has the sine `s`.
+/// Profile at an angle beyond the offset; `s` is the sine of half the angle between the two.
 fn falling(s: f32) -> f32 {
     let q = clamp(s * SCALE, 0.0, 1.0);
     return pow(1.0 - q * q, EXPONENT);
 }
 
-/// The profile over a pixel: three points where it is wide.
+/// Mean of the profile over a pixel, from three points if the footprint is wide.
 fn tone(half: vec2f, w: f32) -> f32 {
     let place = vec2f(half.x * OFFSET.x - half.y * OFFSET.y, half.y * OFFSET.x + half.x * OFFSET.y);
     if w < WIDE {
@@ -87,12 +86,12 @@ fn tone(half: vec2f, w: f32) -> f32 {
     return (5.0 * before + 8.0 * falling(place.x) + 5.0 * after) / 18.0;
 }
 
-/// A light's share of a tone, which fades with it.
+/// Tone under a light, which fades with it.
 fn dimmed(tone: f32, light: Light) -> f32 {
     return tone * min(light.intensity, 1.0);
 }
 
-/// A color under a light, which brightens it.
+/// Color under a light, which brightens it.
 fn lit(color: vec3f, light: Light) -> vec3f {
     return color * light.color * max(light.intensity, 1.0);
 }

@@ -3,7 +3,7 @@
 struct View {
     clip_from_world: mat4x4f,
     camera_from_world: mat4x4f,
-    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    /// Eye and 1; for parallel projection the direction toward the viewer and 0.
     eye: vec4f,
 }
 
@@ -13,7 +13,7 @@ struct Object {
 }
 
 struct Light {
-    /// Unit, toward the light, in world space.
+    /// Unit vector toward the light, in world space.
     @align(16) direction: vec3f,
     own_direction: vec3f,
     color: vec3f,
@@ -45,25 +45,26 @@ fn shifted(half: vec2f, shift: f32) -> vec2f {
         turned.x <= 0.0);
 }
 
-/// Radians per pixel, at most 0.5.
+/// Footprint of an angle: radians per pixel, at most 0.5.
 fn footprint(half: vec2f) -> f32 {
     return min(2.0 * length(vec4f(dpdx(half), dpdy(half))), 0.5);
 }
 
-/// tanh, for convex and hollow places, from -1 to 1.
+/// Convexity by tanh, positive for convex and negative for hollow places, from -1 to 1.
 fn bulge(kappa: f32, slope: f32) -> f32 {
     return tanh(clamp(kappa * slope, -10.0, 10.0));
 }
 
-/// 1 up to the offset, whose half has this cosine and sine, 0 beyond, with an edge one pixel wide.
+/// Hard profile: 1 up to the offset, whose half has this cosine and sine, 0 beyond, with an edge
+/// one pixel wide.
 fn cel(half: vec2f, shift: f32, offset: vec2f) -> f32 {
     let angle = shifted(half, shift);
     let s = angle.x * offset.x - angle.y * offset.y;
-    // 2 asin(s), which is small where it matters.
+    // 2 asin(s) by its series; s is small at the edge.
     return saturate(0.5 - s * (2.0 + s * s / 3.0) / max(footprint(angle), 1e-6));
 }
 
-/// A layer between the colors of hollow and of convex places.
+/// Lays a layer over the color below, between its colors for hollow and for convex places.
 fn laid(below: vec3f, convex: vec3f, concave: vec3f, bulge: f32, tone: f32, light: Light) -> vec3f {
     let color = mix(concave, convex, 0.5 + 0.5 * bulge) * light.color * max(light.intensity, 1.0);
     return saturate(mix(below, color, tone * min(light.intensity, 1.0)));

@@ -3,7 +3,7 @@
 struct View {
     clip_from_world: mat4x4f,
     camera_from_world: mat4x4f,
-    /// The eye and 1; for parallel projection the direction toward the viewer and 0.
+    /// Eye and 1; for parallel projection the direction toward the viewer and 0.
     eye: vec4f,
 }
 
@@ -13,7 +13,7 @@ struct Object {
 }
 
 struct Light {
-    /// Unit, toward the light, in world space.
+    /// Unit vector toward the light, in world space.
     @align(16) direction: vec3f,
     own_direction: vec3f,
     color: vec3f,
@@ -32,15 +32,15 @@ struct Lights {
 const SLOPE = 0.35;
 const AMOUNT = 0.7;
 
-/// Offset 0.35, fall-off 0.62, cut-off 0.9: cosine and sine of half the offset, 1 / sin((cut-off -
-/// offset) / 2), gamma,
-/// from which footprint on one point is not enough, and from which on a ramp stands for the edge.
+/// Profile of offset 0.35, fall-off 0.62 and cut-off 0.9: cosine and sine of half the offset, 1 /
+/// sin((cut-off - offset) / 2), gamma, the footprint from which on one point is not enough, and the
+/// one from which on a ramp stands for the edge.
 const OFFSET = vec2f(0.98472655, 0.17410813);
 const SCALE = 3.6826046;
 const EXPONENT = 2.506993;
 const WIDE = 0.0116;
 const NARROW = 0.40167;
-/// Where the edge is in the mean, from the offset, and 12 times its variance.
+/// Mean place of the edge, from the offset, and 12 times its variance.
 const MEAN = 0.26755187;
 const SPREAD = 0.161339;
 
@@ -58,23 +58,23 @@ fn shifted(half: vec2f, shift: f32) -> vec2f {
         turned.x <= 0.0);
 }
 
-/// Radians per pixel, at most 0.5.
+/// Footprint of an angle: radians per pixel, at most 0.5.
 fn footprint(half: vec2f) -> f32 {
     return min(2.0 * length(vec4f(dpdx(half), dpdy(half))), 0.5);
 }
 
-/// tanh, for convex and hollow places, from -1 to 1.
+/// Convexity by tanh, positive for convex and negative for hollow places, from -1 to 1.
 fn bulge(kappa: f32, slope: f32) -> f32 {
     return tanh(clamp(kappa * slope, -10.0, 10.0));
 }
 
-/// The profile at an angle beyond the offset, whose half has the sine `s`.
+/// Profile at an angle beyond the offset; `s` is the sine of half the angle between the two.
 fn falling(s: f32) -> f32 {
     let q = clamp(s * SCALE, 0.0, 1.0);
     return pow(1.0 - q * q, EXPONENT);
 }
 
-/// The profile over a pixel: three points where it is wide.
+/// Mean of the profile over a pixel, from three points if the footprint is wide.
 fn tone(half: vec2f, w: f32) -> f32 {
     let place = vec2f(half.x * OFFSET.x - half.y * OFFSET.y, half.y * OFFSET.x + half.x * OFFSET.y);
     if w < WIDE {

@@ -1,8 +1,8 @@
-//! SPIR-V as compilers see it.
+//! SPIR-V modules: counting of instructions, and optimization.
 
 use std::process::Command;
 
-/// Instructions of a SPIR-V module from its first function on.
+/// Number of instructions of a SPIR-V module from its first function on.
 pub(crate) fn instructions(words: &[u32]) -> usize {
     const OP_FUNCTION: u32 = 54;
     let (mut at, mut count) = (5, 0);
@@ -15,7 +15,7 @@ pub(crate) fn instructions(words: &[u32]) -> usize {
     count
 }
 
-/// What `spirv-opt -O` makes of a module, where it is installed.
+/// The module that `spirv-opt -O` makes of a module; `None` if it is not installed.
 pub(crate) fn optimised(words: &[u32]) -> Option<Vec<u32>> {
     let folder = tempfile::tempdir().ok()?;
     let [before, after] = ["before.spv", "after.spv"].map(|name| folder.path().join(name));

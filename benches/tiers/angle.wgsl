@@ -9,20 +9,20 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return u.half_sin + 2.0 * u.half_cos;
 }
 
-/// The chords halved, for vectors that are known to be unit.
+/// Angle by halved chords, for vectors that are known to be unit.
 fn unit_chords(n: vec3f, l: vec3f, s: f32) -> f32 {
     let u = Angle(0.5 * length(n - l), 0.5 * length(n + l));
     return u.half_sin + 2.0 * u.half_cos;
 }
 
-/// Half-angle formulas of the dot product.
+/// Angle by half-angle formulas of the dot product.
 fn half_dot(n: vec3f, l: vec3f, s: f32) -> f32 {
     let c = 0.5 * dot(n, l);
     let u = Angle(sqrt(max(0.5 - c, 0.0)), sqrt(max(0.5 + c, 0.0)));
     return u.half_sin + 2.0 * u.half_cos;
 }
 
-/// One chord; the other half by Pythagoras.
+/// Angle by one chord; the other half by Pythagoras.
 fn one_chord(n: vec3f, l: vec3f, s: f32) -> f32 {
     let d = n - l;
     let square = min(0.25 * dot(d, d), 1.0);
@@ -35,7 +35,7 @@ fn hardware_acos(n: vec3f, l: vec3f, s: f32) -> f32 {
     return sin(h) + 2.0 * cos(h);
 }
 
-/// Abramowitz and Stegun 4.4.45, and the hardware's sine and cosine.
+/// Angle by the arc cosine of Abramowitz and Stegun 4.4.45, and the hardware's sine and cosine.
 fn polynomial_acos(n: vec3f, l: vec3f, s: f32) -> f32 {
     let c = clamp(dot(n, l), -1.0, 1.0);
     let a = abs(c);

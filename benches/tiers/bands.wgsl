@@ -11,7 +11,7 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return clamp(stairs_filtered(x, count, edge_width(count * w, 0.0)) / (count - 1.0), 0.0, 1.0);
 }
 
-/// One edge at a time, whose width is the sum of both derivatives.
+/// Bands with one edge at a time, whose width is the sum of both derivatives.
 fn width_by_sum(n: vec3f, l: vec3f, s: f32) -> f32 {
     let count = 4.0 + f32(repeats.y);
     let x = count * clamp(bounded(n.x), 0.0, 1.0);

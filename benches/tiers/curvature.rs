@@ -1,9 +1,10 @@
-//! Curvature in each tier and per vertex: what a frame takes, and how far a look that shows nothing
-//! else is from the truth.
+//! Curvature in each tier and per vertex: the time of a frame, and the error of a look that shows
+//! nothing else.
 //!
-//! Per vertex, mean curvature is computed once from the mesh (the normals along the edges of each
-//! vertex), handed over as a vertex color, interpolated, and made a matter of the picture by the
-//! distance; `slanted` also counts the angle at which the surface is seen, as a ball's would be.
+//! Per vertex, mean curvature is computed once from the mesh (from the normals along the edges of
+//! each vertex), passed as a vertex color, interpolated, and converted to picture units by the
+//! distance; `slanted` also accounts for the angle at which the surface is seen, for the curvature
+//! of a ball.
 
 use std::sync::Arc;
 
@@ -24,10 +25,10 @@ use chiaro_test_drawing::wait::block_on;
 const SIZES: [[u32; 2]; 2] = [[256, 256], [800, 600]];
 const MESHES: [&str; 3] = ["shape:sphere", "shape:torus", "shape:creature"];
 const ROUNDS: usize = 11;
-/// That of figure 4.
+/// Slope of figure 4.
 const SLOPE: f64 = 0.3;
 
-/// Mean curvature at each vertex in 1/unit of object space, convex positive: along each edge the
+/// Mean curvature at each vertex in object space, convex positive, in 1/unit: along each edge the
 /// normal turns by (n1 - n0) . (p1 - p0) / |p1 - p0|^2.
 fn mean_curvature(mesh: &Mesh) -> Vec<f32> {
     let mut sums = vec![(0.0_f32, 0.0_f32); mesh.positions.len()];
@@ -57,7 +58,7 @@ fn setup(json: &Json, mesh: &str) -> Setup {
     default_setup(look, mesh, &mut Assets::default()).expect("a mesh").value
 }
 
-/// A look that shows how convex the surface is, by curvature that `wires` bring to
+/// A look that shows how convex the surface is, by the curvature that `wires` bring to
 /// `convexity.kappa`.
 fn convexity(mut nodes: Vec<Json>, mut wires: Vec<Json>) -> Json {
     nodes.push(json!({"id": "convexity", "kind": "transition", "values": {"slope": SLOPE}}));
@@ -71,8 +72,8 @@ fn per_pixel(tier: &str) -> Json {
     convexity(vec![kappa], vec![json!({"from": "kappa", "to": "convexity.kappa"})])
 }
 
-/// The red of the vertex color times the distance and `scale`; where `slanted`, times (1 + z^2) /
-/// (2 z^3).
+/// Curvature from the red of the vertex color, times the distance and `scale`; if `slanted`, also
+/// times (1 + z^2) / (2 z^3).
 fn per_vertex(scale: f64, slanted: bool) -> Json {
     let mut nodes = vec![
         json!({"id": "color", "kind": "vertex_color"}),
@@ -119,7 +120,7 @@ fn per_vertex(scale: f64, slanted: bool) -> Json {
     convexity(nodes, wires)
 }
 
-/// The setup whose mesh has its curvature in world space as its vertices' red.
+/// The setup whose mesh holds its curvature in world space as the red of its vertices.
 fn with_vertex_curvature(json: &Json, mesh: &str) -> Setup {
     let mut setup = setup(json, mesh);
     for object in &mut setup.objects {
@@ -202,7 +203,7 @@ pub(crate) fn run(gpu: Gpu) {
     }
 }
 
-/// Checks the arithmetic of [`mean_curvature`] where it is known: a ball's is 1 over its radius.
+/// Checks [`mean_curvature`] on a ball, whose curvature is 1 over its radius.
 pub(crate) fn check() {
     let setup = setup(&per_pixel("exact"), "shape:sphere");
     let curvature = mean_curvature(&setup.objects[0].mesh);

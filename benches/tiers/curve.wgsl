@@ -18,7 +18,7 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return curve_at(curve_here(), bounded(n.x), w);
 }
 
-/// Steps are not antialiased.
+/// Curve without antialiasing of its steps.
 fn not_filtered(n: vec3f, l: vec3f, s: f32) -> f32 {
     return curve_at(curve_here(), bounded(n.x), 0.0);
 }

@@ -12,7 +12,7 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return clamp(a * (945.0 + a2 * (105.0 + a2)) / (945.0 + a2 * (420.0 + a2 * 15.0)), -1.0, 1.0);
 }
 
-/// The same in 16 bits.
+/// The rational form of the transition in 16 bits.
 fn half_precision(n: vec3f, l: vec3f, s: f32) -> f32 {
     let a = f16(clamp(n.x * 3.0, -3.6467, 3.6467));
     let a2 = a * a;

@@ -10,7 +10,7 @@ fn nearest(n: vec3f, l: vec3f, s: f32) -> f32 {
     return textureSample(image, nearest_sampler, n.xy).x;
 }
 
-/// Nothing is asked of the screen, because there is one level only.
+/// Sampling without derivatives, which one level of detail does not need.
 fn at_level_0(n: vec3f, l: vec3f, s: f32) -> f32 {
     return textureSampleLevel(image, linear_sampler, n.xy, 0.0).x;
 }

@@ -9,7 +9,7 @@ fn place(n: vec3f, s: f32) -> vec3f {
     return bounded_vec3(vec3f(n.xy, s) * (5.0 + f32(repeats.y)));
 }
 
-/// Perlin, 4 octaves.
+/// Perlin noise of 4 octaves.
 fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     let p = place(n, s);
     return fractal_noise(NOISE_PERLIN, p, 4 + i32(repeats.y), 0.5, 1, footprint_of_vec3(p));
@@ -35,7 +35,7 @@ fn value_noise_4(n: vec3f, l: vec3f, s: f32) -> f32 {
     return fractal_noise(NOISE_VALUE, p, 4 + i32(repeats.y), 0.5, 1, footprint_of_vec3(p));
 }
 
-/// One multiplication and two shifts a lattice point in place of PCG3D.
+/// Hash by one multiplication and two shifts a lattice point, in place of PCG3D.
 fn small_hash(cell: vec3i, seed: u32) -> vec3u {
     let c = bitcast<vec3u>(cell) * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u);
     var h = c.x ^ c.y ^ c.z ^ seed;

@@ -9,7 +9,7 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return v.x + 1.5 * v.y + v.z;
 }
 
-/// Guarded at the square alone: vectors below 1e-15 or beyond 1e18 have no direction.
+/// Normalization guarded at the square alone: vectors below 1e-15 or beyond 1e18 have no direction.
 fn guarded_square(n: vec3f, l: vec3f, s: f32) -> f32 {
     let w = 1.5 * n;
     let square = dot(w, w);
@@ -18,7 +18,7 @@ fn guarded_square(n: vec3f, l: vec3f, s: f32) -> f32 {
     return v.x + 1.5 * v.y + v.z;
 }
 
-/// Not normalised in the fragment at all, but per vertex.
+/// No normalization in the fragment, as if done per vertex.
 fn per_vertex(n: vec3f, l: vec3f, s: f32) -> f32 {
     let v = 1.5 * n;
     return v.x + 1.5 * v.y + v.z;

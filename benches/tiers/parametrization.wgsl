@@ -4,7 +4,7 @@ fn nothing(n: vec3f, l: vec3f, s: f32) -> f32 {
     return n.x * 1.5 + l.y;
 }
 
-/// Diffuse, with its normal made unit.
+/// Diffuse parametrization of a normalized normal.
 fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     let u = angle_between(normalize_or(1.5 * n, vec3f(0.0, 0.0, 1.0)), l);
     return u.half_sin + 2.0 * u.half_cos;

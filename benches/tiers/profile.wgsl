@@ -8,7 +8,7 @@ fn angle_here(n: vec3f) -> Angle {
     return Angle(sqrt(0.5 - 0.5 * n.x), sqrt(0.5 + 0.5 * n.x));
 }
 
-/// Tau 0.2, fall-off 0.9, cut-off 1.8; nothing of it known to the compiler.
+/// Profile with offset (tau) 0.2, fall-off 0.9 and cut-off 1.8; the compiler knows no value of it.
 fn shape_here() -> ProfileShape {
     let zero = f32(repeats.y);
     return ProfileShape(0.99500416 + zero, 0.0998334 + zero, 1.39466 + zero, 2.6 + zero, 0.2 + zero,
@@ -56,7 +56,7 @@ fn ramp_here(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
 }
 
-/// pow in place of the log1p form, filtered as before.
+/// Profile by pow in place of the log1p form, filtered as the exact one.
 fn hardware_pow(n: vec3f, l: vec3f, s: f32) -> f32 {
     let u = angle_shifted(angle_here(n), s);
     let w = angle_footprint(u);
@@ -73,7 +73,7 @@ fn hardware_pow(n: vec3f, l: vec3f, s: f32) -> f32 {
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// The hardware's log2 and exp2 with a series near 0, filtered as before.
+/// Profile by the hardware's log2 and exp2 with a series near 0, filtered as the exact one.
 fn series(n: vec3f, l: vec3f, s: f32) -> f32 {
     let u = angle_shifted(angle_here(n), s);
     let w = angle_footprint(u);
@@ -90,7 +90,8 @@ fn series(n: vec3f, l: vec3f, s: f32) -> f32 {
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
-/// A ramp where the edge is narrower than the pixel, else the point: no quadrature.
+/// Profile without quadrature: a ramp if the edge is narrower than the pixel, else the value at the
+/// point.
 fn series_without_gauss(n: vec3f, l: vec3f, s: f32) -> f32 {
     let u = angle_shifted(angle_here(n), s);
     let w = angle_footprint(u);
@@ -121,7 +122,7 @@ fn exact_without_gauss(n: vec3f, l: vec3f, s: f32) -> f32 {
     return profile_point(u, shape);
 }
 
-/// The rotation by short polynomials, the hardware's power, hard edges.
+/// Profile by short polynomials for the rotation and the hardware's power, with hard edges.
 fn not_filtered(n: vec3f, l: vec3f, s: f32) -> f32 {
     return point_series(angle_shifted(angle_here(n), s), shape_here());
 }
@@ -135,8 +136,8 @@ fn short_shift(u: Angle, shift: f32) -> Angle {
         clamp(u.half_cos * b + u.half_sin * a, 0.0, 1.0));
 }
 
-/// All short forms, and a step filtered by a ramp in the half-sine alone: no inverse trigonometry
-/// anywhere.
+/// Profile by all short forms, and a step filtered by a ramp in the half-sine alone: no inverse
+/// trigonometry anywhere.
 fn short_forms(n: vec3f, l: vec3f, s: f32) -> f32 {
     let shape = shape_here();
     let u = short_shift(angle_here(n), s);
@@ -150,7 +151,7 @@ fn short_forms(n: vec3f, l: vec3f, s: f32) -> f32 {
     return select(edge, 1.0, shape.kind == PROFILE_AMBIENT);
 }
 
-/// The same with pow.
+/// Profile by all short forms, with pow.
 fn short_forms_pow(n: vec3f, l: vec3f, s: f32) -> f32 {
     let shape = shape_here();
     let u = short_shift(angle_here(n), s);
@@ -175,8 +176,8 @@ var<private> table: array<vec4f, 16> = array<vec4f, 16>(
         vec4f(0.04, 0.02, 0.01, 0.0),
 );
 
-/// 64 values of the profile, straight between them, looked up by the half-sine: a table in an
-/// array.
+/// Profile from a table of 64 values in an array, looked up by the half-sine, with linear
+/// interpolation.
 fn table_of_64(n: vec3f, l: vec3f, s: f32) -> f32 {
     let shape = shape_here();
     let u = angle_shifted(angle_here(n), s);

@@ -9,7 +9,7 @@ fn exact(n: vec3f, l: vec3f, s: f32) -> f32 {
     return step_filtered(bounded(n.x), bounded(0.3 * s), edge_width(w, 0.0));
 }
 
-/// The sum of both derivatives in place of the gradient's length.
+/// Threshold with the sum of both derivatives in place of the gradient's length.
 fn width_by_sum(n: vec3f, l: vec3f, s: f32) -> f32 {
     let w = abs(dpdx(n.x)) + abs(dpdy(n.x));
     return clamp(0.5 + (n.x - 0.3 * s) / max(w, 1e-30), 0.0, 1.0);

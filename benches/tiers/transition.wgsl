@@ -21,14 +21,14 @@ fn hardware_exp2(n: vec3f, l: vec3f, s: f32) -> f32 {
     return 1.0 - 2.0 / (1.0 + exp2(2.8853901 * a));
 }
 
-/// Continued fraction to a^5 over a^4 (error 6e-4), clamped.
+/// Transition by a continued fraction to a^5 over a^4 (error 6e-4), clamped.
 fn rational_5(n: vec3f, l: vec3f, s: f32) -> f32 {
     let a = clamp(finite_argument(n, s), -3.6467, 3.6467);
     let a2 = a * a;
     return clamp(a * (945.0 + a2 * (105.0 + a2)) / (945.0 + a2 * (420.0 + a2 * 15.0)), -1.0, 1.0);
 }
 
-/// Continued fraction to a^7 over a^6 (error 1e-4), clamped.
+/// Transition by a continued fraction to a^7 over a^6 (error 1e-4), clamped.
 fn rational_7(n: vec3f, l: vec3f, s: f32) -> f32 {
     let a = clamp(finite_argument(n, s), -4.97, 4.97);
     let a2 = a * a;

@@ -24,7 +24,7 @@ fn hardware_sin_cos(n: vec3f, l: vec3f, s: f32) -> f32 {
     return rotated(angle_here(n), vec2f(sin(h), cos(h)));
 }
 
-/// Short polynomials of the quarter turn, without halving (error 1.6e-4).
+/// Rotation by short polynomials of the quarter turn, without halving (error 1.6e-4).
 fn short_polynomials(n: vec3f, l: vec3f, s: f32) -> f32 {
     let h = 0.5 * clamp(s * 1.5, -PI, PI);
     let h2 = h * h;

@@ -1,5 +1,4 @@
-//! `chiaro accuracy`: how far every node and every example look is from the truth, and where it is
-//! farthest.
+//! `chiaro accuracy`: the errors of every node and every example look, and their worst inputs.
 
 use std::path::PathBuf;
 
@@ -106,7 +105,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Err(broken.into_iter().map(|words| Diagnostic::error("beyond-bound", words)).collect())
 }
 
-/// The command that gives the same document again.
+/// The command that produces the same document again.
 fn command_of(arguments: &Arguments) -> String {
     let mut command = "chiaro accuracy".to_owned();
     if arguments.quick {

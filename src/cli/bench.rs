@@ -1,4 +1,4 @@
-//! `chiaro bench`: what a look costs and how far it is from the truth, whole and node by node.
+//! `chiaro bench`: cost and error of a look, whole and node by node.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! `chiaro check`: everything that is wrong or odd in looks and scenes, without drawing anything.
+//! `chiaro check`: all problems and oddities of looks and scenes, without drawing anything.
 
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// Whether any error was found is the answer.
+/// Checks the files. Returns true if any error was found.
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<bool, Vec<Diagnostic>> {
     check_nodes_folder(arguments.nodes.as_deref())?;
     let mut checker = Checker { nodes: arguments.nodes.as_deref(), ..Checker::default() };
@@ -80,7 +80,7 @@ fn summary(files: usize, problems: &[Diagnostic]) -> String {
 
 #[derive(Default)]
 struct Checker<'a> {
-    /// Whether folders are checked, with all that is in them.
+    /// True if folders are checked, with all documents in them.
     is_project: bool,
     nodes: Option<&'a Path>,
     assets: Assets,
@@ -90,13 +90,13 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    /// Looks and scenes in a folder and below; other JSON files are left alone, broken ones are
-    /// not.
+    /// Finds looks and scenes in a folder and below; other JSON files are left alone, broken ones
+    /// are not.
     fn folder(&mut self, folder: &Path, found: &mut Vec<PathBuf>) {
-        // Deep enough for any project.
+        // Depth of folders that is deep enough for any project.
         const MAX_DEPTH: usize = 16;
         let before = found.len();
-        // Groups for the library are read with it.
+        // Groups in a `nodes` folder are read with the library.
         let is_library = |path: &Path| path.file_name().is_some_and(|name| name == "nodes");
         let walked = files::walk(folder, MAX_DEPTH, &|path| !is_library(path));
         for (path, error) in walked.unreadable {
@@ -131,7 +131,7 @@ impl Checker<'_> {
         }
         let library = library_for(document, self.nodes);
         // A broken node file is an error of the nodes that use it, which the compiler tells, and of
-        // the project as a whole; to a look that does without it, it is a warning.
+        // the project as a whole; to a look that does not use it, it is a warning.
         let severity = if self.is_project { Severity::Error } else { Severity::Warning };
         let aside = |problem: &Diagnostic| Diagnostic { severity, ..problem.clone() };
         self.problems.extend(library.problems.iter().map(aside));
@@ -175,7 +175,8 @@ impl Checker<'_> {
         if !loaded.has_errors() {
             found.extend(Rig::new(look).warnings);
         } else {
-            // What could not be read was left out; that something is missing now is no news.
+            // Files that could not be read were left out, and told before; the missing parts that
+            // follow from that are no news.
             found.retain(|problem| !FOLLOWS.contains(&problem.code));
         }
         loaded.source.locate_all(&mut found);
@@ -189,13 +190,13 @@ impl Checker<'_> {
         let looks = scene::looks(scene, folder);
         looks.iter().for_each(|(name, look)| self.look(&folder.join(name), look, library));
         let mut found = scene::value_problems(scene, &looks, library);
-        // An object that is not drawn now may be later.
+        // An object that is hidden now may be shown later.
         let mut all = scene.clone();
         all.objects.values_mut().for_each(|object| object.visible = true);
         let mut of_setup = Vec::new();
         let setup = scene_setup(all, folder, &loaded.source, None, &mut self.assets, &mut of_setup);
         self.problems.extend(missing_uvs(&setup, library));
-        // Those of the looks were told with the looks.
+        // Problems of the looks were told with the looks.
         let file = path.display().to_string();
         found.extend(of_setup.into_iter().filter(|problem| {
             let place = problem.place.file.as_deref();
@@ -208,15 +209,15 @@ impl Checker<'_> {
     }
 }
 
-/// Codes of what follows from something that could not be read.
+/// Codes of problems that follow from a file that could not be read.
 const FOLLOWS: [&str; 5] =
     ["no-output", "unwired", "unknown-node", "unknown-target", "unknown-light"];
 
-/// Whether a JSON file in a folder is one of ours, or broken, which is worth telling.
+/// True if a JSON file in a folder is a document of ours, or broken, which is worth telling.
 fn may_be_document(path: &Path) -> bool {
     let Ok(text) = crate::files::read_text(path) else { return true };
     match serde_json::from_str::<serde_json::Value>(&text) {
-        // What lies beside the images of an exported HCBTF is neither look nor scene.
+        // The JSON file beside the images of an exported HCBTF is neither look nor scene.
         Ok(serde_json::Value::Object(fields))
             if fields.get("chiaro").is_some_and(|kind| kind == "hcbtf") =>
         {

@@ -1,4 +1,4 @@
-//! `chiaro eval`: a look's value, or any node's, at given surface samples.
+//! `chiaro eval`: the value of a look, or of any node, at given surface samples.
 
 use std::path::PathBuf;
 
@@ -41,7 +41,7 @@ CONTEXTS                (the picture of a sample is one pixel high)
 The answer is a list of {"value": [...]} in the same order: straight RGBA for a look, the numbers of
 the output's type for a node (an angle in radians; a light's direction and intensity)."#;
 
-/// The help, with what each context is that a sample may give numbers of.
+/// The help, with a description of each context that a sample may give numbers for.
 fn help() -> String {
     let context = |(context, _): (Context, _)| {
         let mut lines = vec![format!("  {:13}", context.word())];
@@ -57,7 +57,7 @@ fn help() -> String {
     HELP.replace("CONTEXTS", &samples::own_contexts().map(context).collect::<String>())
 }
 
-/// The columns of the help.
+/// Width of the help, in columns.
 const HELP_WIDTH: usize = 100;
 
 /// What `chiaro eval` is given.
@@ -97,7 +97,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         unspecialized: arguments.unspecialized,
         ..Options::default()
     };
-    // Said even where there is no sample to run, and once where there are many.
+    // Warnings are told even without a sample to run, and only once for many samples.
     let located = |mut problems: Vec<Diagnostic>| {
         setup.source.locate_all(&mut problems);
         problems
@@ -139,7 +139,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Ok(())
 }
 
-/// Where `--output` names what there is not, and nothing is like it: says what could be named.
+/// Adds a list of the look's outputs to the problem of an unknown `--output` that resembles no
+/// name.
 fn list_outputs(
     problem: &mut Diagnostic,
     root: &(NodePath, PortName),
@@ -162,7 +163,7 @@ fn list_outputs(
     if is_of_node {
         let of_node = format!("{path}.");
         outputs.retain(|output| output.starts_with(&of_node));
-        // Of a node in a group.
+        // The node may lie in a group.
         let typed = outputs.is_empty().then(|| check(look, library, None).ok()).flatten();
         let inner =
             typed.iter().flat_map(|typed| &typed.value.nodes).find(|node| node.path == *path);
@@ -182,7 +183,7 @@ fn list_outputs(
     problem.hints.push(format!("the outputs are {}{rest}", told.join(", ")));
 }
 
-/// The outputs of a node of the look: of the library, a group, or with code of its own.
+/// Names of a node's outputs, for nodes of the library, groups, and nodes with code of their own.
 fn output_names(node: &Node, look: &Look, library: &Library) -> Vec<String> {
     let ports = |outputs: &[Port]| outputs.iter().map(|output| output.name.to_string()).collect();
     if let Some(def) = library.nodes.get(&node.kind) {
@@ -207,16 +208,16 @@ fn output_names(node: &Node, look: &Look, library: &Library) -> Vec<String> {
     }
 }
 
-/// A list with one answer a line.
+/// A JSON list with one answer a line.
 fn json_lines(answers: &[Json]) -> String {
     let lines: Vec<String> = answers.iter().map(|answer| format!("  {answer}")).collect();
     if lines.is_empty() { "[]".to_owned() } else { format!("[\n{}\n]", lines.join(",\n")) }
 }
 
-/// As many of the four numbers as the type has; an angle in radians.
+/// The first of the four numbers, as many as the type has; an angle in radians.
 fn numbers_of(ty: &Type, value: [f32; 4]) -> Vec<Json> {
-    // An f32 goes through its shortest decimal, so that what is printed is what was computed and no
-    // more.
+    // An f32 goes through its shortest decimal, so that the printed number is the computed one,
+    // without further digits.
     let number = |x: f32| {
         let shortest: f64 = x.to_string().parse().unwrap_or(f64::from(x));
         if shortest.is_finite() { json!(shortest) } else { json!(x.to_string()) }
@@ -233,7 +234,7 @@ fn numbers_of(ty: &Type, value: [f32; 4]) -> Vec<Json> {
     }
 }
 
-/// `group/node.port`; the port may be left out for a node's first output.
+/// Parses `group/node.port`; the port may be left out for a node's first output.
 fn parse_output(text: &str) -> (NodePath, PortName) {
     let (node, port) = text.rsplit_once('.').unwrap_or((text, ""));
     (NodePath::parse(node), PortName::from(port))

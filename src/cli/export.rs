@@ -1,4 +1,5 @@
-//! `chiaro export`: a look as shaders for other programs, with a description of all that they need.
+//! `chiaro export`: a look as shaders for other programs, with a description of all inputs that
+//! they need.
 
 use std::path::{Path, PathBuf};
 
@@ -106,8 +107,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// Refuses what is no folder, or is called like a file of some language: nobody looks for shaders
-/// in a folder `rim.wgsl`.
+/// Refuses a path that is no folder, or whose name ends like a file of some language: nobody looks
+/// for shaders in a folder `rim.wgsl`.
 fn check_folder(path: &Path) -> Result<(), Diagnostic> {
     const ENDINGS: [&str; 12] = [
         "wgsl", "glsl", "vert", "frag", "hlsl", "msl", "metal", "spv", "spirv", "json", "png",

@@ -1,4 +1,4 @@
-//! `chiaro fit`: a look from what was painted on its picture.
+//! `chiaro fit`: a look from strokes painted on its picture.
 
 use std::path::{Path, PathBuf};
 
@@ -167,7 +167,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// The look on its mesh, or where there is none to begin with, a grey one.
+/// The look on its mesh; without a look, a gray one.
 fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic>> {
     let mut assets = Assets::default();
     let mesh = arguments.mesh.as_deref();
@@ -189,14 +189,14 @@ fn setup(arguments: &Arguments, output: &Output) -> Result<Setup, Vec<Diagnostic
     Ok(setup)
 }
 
-/// A base and nothing over it.
+/// A look with a base and no layers.
 const NOTHING: &str = r##"{"chiaro": "look", "version": 1,
     "nodes": [{"id": "base", "kind": "base", "values": {"color": "#808080"}},
         {"id": "output", "kind": "output"}],
     "wires": [{"from": "base.below", "to": "output.color"}]}"##;
 
-/// What is written, refused where it would take the place of what is read or of another document.
-/// The look itself is changed, unless there is a place for it.
+/// The planned outputs, refused if one would replace an input or another document. The look itself
+/// is changed, unless `--output` names a file.
 fn planned(arguments: &Arguments) -> Result<Outputs, Diagnostic> {
     let read = [
         Some(arguments.target.as_path()),
@@ -228,7 +228,7 @@ fn add(
     Ok(path)
 }
 
-/// The report as people read it. Errors are told in steps of an eight-bit channel.
+/// The report for people, with errors in steps of an eight-bit channel.
 fn told(report: &Report) -> String {
     let steps = |error: f64| format!("{:.2}/255", 255.0 * error);
     let mut lines = vec![format!(

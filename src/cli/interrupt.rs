@@ -1,23 +1,25 @@
-//! Ctrl-C: what is half written goes, and so does the program.
+//! Ctrl-C: unfinished files are removed, and the program ends.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::files::remove_unfinished;
 
-/// What a shell gives for a program ended by Ctrl-C: 128 and the signal's number.
+/// Exit code of a program that was ended by Ctrl-C, as shells have it: 128 and the signal's number.
 pub(super) const INTERRUPTED: u8 = 130;
 
 static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Whether the program is ending by Ctrl-C. Work that is refused for that has not gone wrong.
+/// True if the program is ending by Ctrl-C. Work that is refused for that reason has not gone
+/// wrong.
 pub(super) fn is_interrupted() -> bool {
     IS_INTERRUPTED.load(Ordering::SeqCst)
 }
 
-/// From now on Ctrl-C (and a polite request to end) removes unfinished files and ends the program.
+/// Installs a handler that removes unfinished files and ends the program on Ctrl-C (and on a polite
+/// request to end).
 ///
-/// Files are written beside their final place and then renamed, so what is there is whole at any
-/// moment; without this the unfinished one would stay behind.
+/// Files are written beside their final path and then renamed, so every file is whole at any
+/// moment; without the handler the unfinished one would stay behind.
 #[expect(
     clippy::disallowed_methods,
     reason = "nothing is left to be saved, and main waits for the GPU"
@@ -28,7 +30,7 @@ pub(super) fn clean_up_on_interrupt() {
         remove_unfinished();
         std::process::exit(INTERRUPTED.into());
     };
-    // It fails where a handler is set already, which a program that embeds us may have done: then
-    // it is theirs.
+    // Setting the handler fails if the process has one already, as a program that embeds us may
+    // have: then its handler stays.
     let _ = ctrlc::set_handler(handler);
 }

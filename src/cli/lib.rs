@@ -1,8 +1,8 @@
 //! The command line: one file a subcommand.
 //!
-//! Results go to standard output, messages to standard error. Exit codes: 0 done; 1 a document, an
-//! asset or the GPU is at fault, and a diagnostic says how; 2 the command line is; 130 ended by
-//! Ctrl-C, with no file half written.
+//! Results go to standard output, messages to standard error. Exit codes: 0 for success; 1 if a
+//! document, an asset or the GPU is at fault, as a diagnostic tells; 2 if the command line is; 130
+//! if the program was ended by Ctrl-C, with no file half written.
 
 use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
@@ -134,30 +134,30 @@ Examples:
   chiaro edit
   chiaro edit examples/looks/figure1-layers.json";
 
-/// Codes of diagnostics about the command line itself, which are told as the argument parser's own
-/// are.
+/// Codes of diagnostics about the command line itself, which are printed like the argument parser's
+/// own.
 const USAGE: [&str; 2] = ["bad-argument", "unknown-language"];
 
-/// What `main` does after the command line was read.
+/// Task for `main` after the command line was read.
 #[derive(Debug)]
 pub enum Outcome {
-    /// It is done.
+    /// The command has run; `main` exits with this code.
     Done(ExitCode),
     /// The editor is to be opened with these files.
     Edit {
-        /// Looks; the first is shown.
+        /// Paths of looks; the first one is shown.
         files: Vec<PathBuf>,
         /// The mesh to see it on.
         mesh: Option<String>,
     },
 }
 
-/// All that the command line takes.
+/// The argument parser of the command line.
 pub fn command() -> clap::Command {
     Arguments::command()
 }
 
-/// Reads the command line and does what it says, but for the editor, which `main` opens.
+/// Reads the command line and runs the subcommand, except for the editor, which `main` opens.
 pub fn run() -> Outcome {
     milestones::reached("program");
     threads::prepare_pool();
@@ -165,7 +165,7 @@ pub fn run() -> Outcome {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() => error.exit(),
-        // Help, or the version: a result like any other.
+        // Help and the version are results like any other.
         Err(help) => {
             output.help(&help);
             return Outcome::Done(finished(Ok(()), &output));
@@ -187,8 +187,8 @@ pub fn run() -> Outcome {
     threads::with_room(|| wait(carry_out(&command, &output)))
 }
 
-/// Waits for a future: the one place of the command line that does, which has nothing else to do
-/// meanwhile.
+/// Blocks until a future is done: the one place of the command line that does, as it has no other
+/// work meanwhile.
 #[expect(
     clippy::disallowed_methods,
     reason = "the command line waits for the GPU, and nobody else"
@@ -197,13 +197,13 @@ fn wait<T>(future: impl Future<Output = T>) -> T {
     pollster::block_on(future)
 }
 
-/// Does what a subcommand says.
+/// Runs a subcommand.
 async fn carry_out(command: &Command, output: &Output) -> Outcome {
     let result = match command {
         Command::Edit { .. } => Ok(()),
         Command::New(arguments) => new::run(arguments, output),
         Command::Check(arguments) => match check::run(arguments, output) {
-            // Its problems are told: they are the result.
+            // The problems were printed: they are the result of a check.
             Ok(true) => Err(Vec::new()),
             found => found.map(drop),
         },
@@ -229,7 +229,8 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
     Outcome::Done(finished(result, output))
 }
 
-/// Tells what went wrong, a result that could not be printed included.
+/// Prints the errors of a command, including a result that could not be printed. Returns the exit
+/// code.
 fn finished(result: Result<(), Vec<Diagnostic>>, output: &Output) -> ExitCode {
     if result.is_err() && interrupt::is_interrupted() {
         return ExitCode::from(interrupt::INTERRUPTED);
@@ -250,7 +251,8 @@ fn finished(result: Result<(), Vec<Diagnostic>>, output: &Output) -> ExitCode {
     code
 }
 
-/// Whether a word that is no subcommand was meant as one: it is no file, and looks like none.
+/// True if a word that is no subcommand was meant as one: no file has this name, and it does not
+/// look like a file name.
 fn is_mistyped(word: &Path) -> bool {
     !word.exists() && word.extension().is_none() && word.components().count() == 1
 }

@@ -1,4 +1,4 @@
-//! `chiaro new`: a look to begin with.
+//! `chiaro new`: a new look or scene to begin with.
 
 use std::path::{Path, PathBuf};
 
@@ -47,14 +47,14 @@ const SCENE: &str = include_str!("templates/scene.json");
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let files =
         files(arguments.name.as_ref(), arguments.template).map_err(|problem| vec![problem])?;
-    // All or none: a scene without its look would be no start.
+    // All files are written, or none: a scene without its look would be no start.
     let mut outputs = Outputs::new(arguments.force);
     let check = |(path, _): &(PathBuf, String)| outputs.check(path, OutputKind::DOCUMENT).err();
     let taken: Vec<Diagnostic> = files.iter().filter_map(check).collect();
     if !taken.is_empty() {
         return Err(taken);
     }
-    // What a scene wears is there before it.
+    // The looks of a scene are written before it.
     for (path, text) in files.iter().rev() {
         outputs
             .add(path, OutputKind::DOCUMENT, text.as_bytes())
@@ -72,7 +72,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// Paths and texts, the one to open first.
+/// Paths and texts of the files, the one to open first.
 fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diagnostic> {
     let is_json = name.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
     let stem = if is_json { name.file_stem() } else { name.file_name() };
@@ -95,7 +95,7 @@ fn files(name: &Path, template: Template) -> Result<Vec<(PathBuf, String)>, Diag
     })
 }
 
-/// `rim_light-2` becomes `Rim light 2`.
+/// Title for a file's stem: `rim_light-2` becomes `Rim light 2`.
 fn title(stem: &str) -> String {
     let spaced = stem.replace(['_', '-'], " ");
     let mut characters = spaced.chars();
@@ -104,13 +104,13 @@ fn title(stem: &str) -> String {
         .map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// The inside of a JSON text.
+/// The text escaped for JSON, without quotes.
 fn in_json(text: &str) -> String {
     let quoted = serde_json::Value::from(text).to_string();
     quoted[1..quoted.len() - 1].to_owned()
 }
 
-/// As a shell takes it.
+/// The path quoted for a shell.
 fn quoted(path: &Path) -> String {
     let text = path.display().to_string();
     let is_plain = text.chars().all(|c| c.is_alphanumeric() || "/._-\\:".contains(c));

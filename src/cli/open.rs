@@ -1,4 +1,4 @@
-//! What several subcommands do first: find the library, read the look.
+//! First steps of several subcommands: finding the library, reading the look.
 
 use std::path::{Component, Path, PathBuf};
 
@@ -8,8 +8,8 @@ use crate::document::{Document, Look, Scene};
 use crate::frame::SetupLook;
 use crate::library::Library;
 
-/// The built-in library with a project's own nodes: those of `nodes`, else of the folder `nodes/`
-/// beside the document.
+/// The built-in library with a project's own nodes: those in the folder `nodes`, else those in
+/// `nodes/` beside the document.
 pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
     let beside = document.parent().unwrap_or(Path::new("")).join("nodes");
     match nodes {
@@ -19,7 +19,8 @@ pub(super) fn library_for(document: &Path, nodes: Option<&Path>) -> Library {
     }
 }
 
-/// The folder given as `--nodes` must be there: a mistyped one would only be seen as unknown kinds.
+/// Checks that the folder given as `--nodes` exists: a mistyped one would only show as unknown
+/// kinds.
 pub(super) fn check_nodes_folder(nodes: Option<&Path>) -> Result<(), Vec<Diagnostic>> {
     match nodes.filter(|folder| !folder.is_dir()) {
         None => Ok(()),
@@ -31,10 +32,10 @@ pub(super) fn check_nodes_folder(nodes: Option<&Path>) -> Result<(), Vec<Diagnos
     }
 }
 
-/// As many looks of a scene are named.
+/// Largest number of a scene's looks that a message names.
 const NAMED: usize = 6;
 
-/// A scene where a look is wanted: which looks it has, as they would be given in its place.
+/// Error for a scene given in place of a look, with the paths of the scene's looks as a hint.
 pub(super) fn not_a_look(path: &Path, scene: Option<&Scene>) -> Diagnostic {
     let problem =
         Diagnostic::error("not-a-look", "this is a scene").in_file(path.display().to_string());
@@ -59,7 +60,7 @@ pub(super) fn not_a_look(path: &Path, scene: Option<&Scene>) -> Diagnostic {
     problem.hint(format!("name one of its looks in its place: {}{more}", looks.join(", ")))
 }
 
-/// A path of a document, as one would give it: `scenes/../looks/a.json` is `looks/a.json`.
+/// A path of a document in its shortest form: `scenes/../looks/a.json` is `looks/a.json`.
 fn beside(folder: &Path, path: &str) -> String {
     let mut short = PathBuf::new();
     for part in folder.join(path).components() {
@@ -71,7 +72,7 @@ fn beside(folder: &Path, path: &str) -> String {
     short.display().to_string()
 }
 
-/// Reads a look; where there is a scene or something wrong, says so.
+/// Reads a look; prints its warnings, and returns errors for a scene or a broken look.
 pub(super) fn open_look(path: &Path, output: &Output) -> Result<SetupLook, Vec<Diagnostic>> {
     let loaded = match Document::load(&crate::files::Disk, path) {
         Document::Look(loaded) => loaded,

@@ -1,4 +1,5 @@
-//! What is printed, in one place: results to standard output, everything else to standard error.
+//! Output of the program, in one place: results to standard output, everything else to standard
+//! error.
 
 use std::collections::HashSet;
 use std::io::{self, IsTerminal as _, Write as _};
@@ -9,10 +10,10 @@ use serde_json::Value as Json;
 use crate::diag::{Diagnostic, reason};
 use crate::progress::Progress;
 
-/// Where results and messages go.
+/// Output of results and messages.
 #[derive(Debug, Default)]
 pub(super) struct Output {
-    /// Why a result could not be written; nothing is written after that.
+    /// Error that kept a result from being written; nothing is written after it.
     failed: Mutex<Option<io::Error>>,
 }
 
@@ -21,21 +22,21 @@ impl Output {
         Self::default()
     }
 
-    /// A result. What keeps it from being written is told by [`finish`](Self::finish).
+    /// Prints a result. An error of printing is returned by [`finish`](Self::finish).
     pub(super) fn result(&self, text: &str) {
         self.write(|out| writeln!(out, "{text}"));
     }
 
-    /// What the argument parser has to say, in colors where a terminal shows them.
+    /// Prints a text of the argument parser, in colors if the terminal shows them.
     pub(super) fn help(&self, help: &clap::Error) {
         *self.failed() = help.print().err();
     }
 
-    /// Sees that every result has been written, at the end of the program.
+    /// Makes sure, at the end of the program, that every result has been written.
     ///
     /// # Errors
-    /// `cannot-print`: a disk is full, or whatever else took no more. A reader that has gone away
-    /// is no error, as with other tools.
+    /// `cannot-print`: a disk is full, or standard output takes no more for another reason. A
+    /// reader that has gone away is no error, as with other tools.
     pub(super) fn finish(&self) -> Result<(), Diagnostic> {
         self.write(|out| out.flush());
         match self.failed().take() {
@@ -63,26 +64,25 @@ impl Output {
         }
     }
 
-    /// A result as JSON.
+    /// Prints a result as JSON.
     pub(super) fn json(&self, value: &Json) {
         self.result(&serde_json::to_string_pretty(value).unwrap_or_default());
     }
 
-    /// A message about what is being done.
+    /// Prints a message about the work that is done.
     pub(super) fn message(&self, text: &str) {
         let _ = writeln!(std::io::stderr().lock(), "{text}");
     }
 
-    /// Does long work, and shows how far it has come on one line that is written over and taken
-    /// away at the end; nothing where nobody watches.
+    /// Does long work, and shows its progress on one line that is overwritten and erased at the
+    /// end; shows nothing if standard error is no terminal.
     pub(super) fn watch<T>(&self, label: &'static str, work: impl FnOnce(&Progress) -> T) -> T {
         let made = work(&watched(label));
         on_terminal("\r\x1b[K");
         made
     }
 
-    /// Does long work that waits for a GPU, and shows how far it has come as [`watch`](Self::watch)
-    /// does.
+    /// Does long work that waits for a GPU, and shows its progress as [`watch`](Self::watch) does.
     pub(super) async fn watch_async<T>(
         &self,
         label: &'static str,
@@ -93,7 +93,7 @@ impl Output {
         made
     }
 
-    /// Diagnostics, each once.
+    /// Prints diagnostics, each once.
     pub(super) fn diagnostics(&self, diagnostics: &[Diagnostic]) {
         let mut shown: HashSet<String> = HashSet::new();
         for diagnostic in diagnostics {
@@ -105,14 +105,14 @@ impl Output {
     }
 }
 
-/// Work whose percents are written over each other on a terminal.
+/// Progress whose percents overwrite each other on a terminal.
 fn watched(label: &'static str) -> Progress {
     Progress::observed_by_percent(move |percent| {
         on_terminal(&format!("\r{label}: {percent} %\x1b[K"));
     })
 }
 
-/// Writes to standard error where that is a terminal.
+/// Writes to standard error if it is a terminal.
 fn on_terminal(text: &str) {
     let mut err = io::stderr().lock();
     if err.is_terminal() {
@@ -121,7 +121,7 @@ fn on_terminal(text: &str) {
     }
 }
 
-/// The same diagnostics, each once.
+/// The diagnostics, each once.
 pub(super) fn once(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut seen: HashSet<String> = HashSet::new();
     diagnostics.retain(|diagnostic| seen.insert(format!("{diagnostic}{:?}", diagnostic.place)));

@@ -154,6 +154,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
+    // The reference draws the truth, in which nothing is folded.
     let is_truth = arguments.on == Some(On::Reference);
     let mut planner = if is_truth { Planner::for_truth(assets) } else { Planner::new(assets) };
     let options = PlanOptions { size, samples: arguments.samples, time: arguments.time };
@@ -184,9 +185,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Ok(())
 }
 
-/// What nobody asked otherwise for: the shape that the camera was placed for. Where it does not
-/// say, whoever places a camera places it for a picture that is wider than high, which a square
-/// would cut.
+/// Default size of a picture: the shape that the camera was placed for. A camera without an aspect
+/// was usually placed for a picture that is wider than high, which a square would cut.
 fn usual_size(camera: &Camera) -> [u32; 2] {
     const SIDE: f64 = 800.0;
     let unsaid = if *camera == Camera::default() { 1.0 } else { 1.5 };
@@ -194,12 +194,12 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
     [(SIDE * aspect).round() as u32, SIDE as u32]
 }
 
-/// A picture, and who drew it.
+/// A picture, and the executor that drew it.
 struct RenderedPicture {
     picture: Picture,
     passes: Vec<PassId>,
     adapter: String,
-    /// What the device could not do as it was asked to.
+    /// Warnings about options that the device could not fulfill.
     warnings: Vec<Diagnostic>,
 }
 
@@ -218,7 +218,7 @@ async fn draw(
     Ok(RenderedPicture { picture, passes, adapter: executor.name(), warnings })
 }
 
-/// Who draws: a GPU where there is one and nobody asked otherwise, else the reference.
+/// The executor: a GPU if there is one and the reference was not asked for, else the reference.
 async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
@@ -248,7 +248,7 @@ pub(super) fn parse_time(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "it is a number of seconds".to_owned())
 }
 
-/// Whether a file can be written there, asked before the work is done.
+/// Checks that a file can be written to a path, before the work is done.
 pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
     let problem = |message: String| {
         Diagnostic::error("cannot-write", message)
@@ -270,7 +270,7 @@ pub(super) fn check_target(path: &Path) -> Result<(), Diagnostic> {
     if !folder.is_dir() {
         return Err(problem(format!("there is no folder `{}`", folder.display())));
     }
-    // A file without a name, gone as soon as it is closed.
+    // The file has no name, and is gone as soon as it is closed.
     let tried = tempfile::tempfile_in(folder);
     tried.map(drop).map_err(|error| {
         problem(format!("nothing can be written into `{}`: {error}", folder.display()))

@@ -1,8 +1,7 @@
-//! The samples of `chiaro eval`: JSON to [`EvalSample`]s, with everything that is wrong told by its
-//! place.
+//! Samples of `chiaro eval`: JSON to [`EvalSample`]s, with the place of every problem.
 //!
-//! Read by hand rather than by a derive: a derive stops at the first problem, and cannot say where
-//! in the list it is.
+//! The JSON is read by hand rather than by a derive: a derive stops at the first problem, and
+//! cannot tell its place in the list.
 
 use std::path::Path;
 
@@ -16,19 +15,18 @@ use crate::frame::{EvalSample, LightOverride};
 use crate::ids::{ObjectId, PortName};
 use crate::library::{Context, ContextSample};
 
-/// As many problems as are told; a script that writes one mistake ten thousand times is told it
-/// often enough.
+/// Largest number of problems that are told; a script that writes one mistake ten thousand times is
+/// told often enough.
 const MAX_PROBLEMS: usize = 50;
 
-/// What a sample may say, beside the [contexts](own_contexts) that have numbers of their own.
+/// Fields of a sample, beside the [contexts](own_contexts) that have numbers of their own.
 const FIELDS: [&str; 16] = [
     "normal", "tangent", "mirrored", "view", "position", "camera", "uv", "kappa", "distance",
     "front", "near", "color", "time", "frame", "lights", "values",
 ];
 const LIGHT_FIELDS: [&str; 4] = ["direction", "position", "color", "intensity"];
 
-/// The contexts whose numbers a sample gives under their words, with the numbers of one that gives
-/// none.
+/// Contexts whose numbers a sample gives under their words, with the default numbers.
 pub(super) fn own_contexts() -> impl Iterator<Item = (Context, &'static [f64])> {
     Context::all().filter_map(|context| match context.row().sample {
         ContextSample::Own { default, .. } => Some((context, default)),
@@ -48,7 +46,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<EvalSample>, Vec<Diagnostic>> {
     parse(&text, &name(path))
 }
 
-/// What messages call a file of samples.
+/// Name of a file of samples in messages.
 pub(super) fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
 }
@@ -195,7 +193,7 @@ impl Reader<'_> {
         sample
     }
 
-    /// How far other objects are, by id.
+    /// Reads distances of other objects, by id.
     fn near(&mut self, json: &Json, path: &str, sample: &mut EvalSample) {
         let Some(objects) = json.as_object() else {
             self.expected(path, "distances by an object's id", json, r#"{"other": 2.5}"#);
@@ -231,7 +229,7 @@ impl Reader<'_> {
         numbers
     }
 
-    /// As many numbers as a context has of its own; a single one stands without a list.
+    /// Reads as many numbers as a context has of its own; a single one stands without a list.
     fn own_numbers(&mut self, json: &Json, path: &str, default: &[f64]) -> Option<Vec<f64>> {
         if let [_] = default {
             return self.number(json, path).map(|number| vec![number]);
@@ -250,7 +248,7 @@ impl Reader<'_> {
         self.numbers::<3>(json, path, "[0, 0, 1]").map(DVec3::from)
     }
 
-    /// Rows, as a matrix that turns column vectors.
+    /// Reads rows, as a matrix that transforms column vectors.
     fn matrix(&mut self, json: &Json, path: &str) -> Option<DMat3> {
         let example = "three rows: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
         let Some(rows) = json.as_array().filter(|rows| rows.len() == 3) else {
@@ -264,7 +262,7 @@ impl Reader<'_> {
         Some(DMat3::from_cols_array_2d(&read).transpose())
     }
 
-    /// A number, or what JSON has no number for.
+    /// Reads a number, or a word for one that JSON has no number for.
     fn kappa(&mut self, json: &Json, path: &str) -> Option<f64> {
         let word = json.as_str().map(|word| match word {
             "inf" | "+inf" => Some(f64::INFINITY),
@@ -291,7 +289,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A 3x3 matrix by rows, or a quaternion.
+    /// Reads a 3x3 matrix by rows, or a quaternion.
     fn rotation(&mut self, json: &Json, path: &str) -> Option<DQuat> {
         let is_matrix = json.as_array().is_some_and(|items| items.iter().any(Json::is_array));
         let example = "a quaternion [x, y, z, w] or three rows [[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
@@ -384,7 +382,7 @@ impl Reader<'_> {
     }
 }
 
-/// The path of a member: `.key`, or `["key"]` where the key is no plain word.
+/// Path of a member: `.key`, or `["key"]` if the key is no plain word.
 fn member(path: &str, key: &str) -> String {
     let is_plain =
         !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-');
@@ -431,7 +429,7 @@ mod tests {
         assert_eq!((sample.normal, sample.tangent), (DVec3::new(1.0, 2.0, 3.0), Some(DVec3::X)));
         assert!(sample.is_mirrored && !samples[1].is_mirrored);
         assert_eq!((sample.view, sample.position), (DVec3::Y, DVec3::new(4.0, 5.0, 6.0)));
-        // The first row is what is right in the picture.
+        // The first row is the direction to the right in the picture.
         assert_eq!(sample.camera * DVec3::NEG_Z, DVec3::X);
         assert_eq!((sample.uv, sample.kappa), (DVec2::new(0.25, 0.75), f64::NEG_INFINITY));
         assert_eq!((sample.vertex_color, sample.time), ([1.0, 0.0, 0.0, 1.0], 2.5));
@@ -485,7 +483,7 @@ mod tests {
         assert!(problems(r#"{"normal": [0, 0, 1]}"#)[0].message.contains("found an object"));
         let broken = &problems("[{]")[0];
         assert_eq!(broken.place.at, Some(LineColumn { line: 1, column: 3 }));
-        // One mistake made a thousand times.
+        // The same mistake is made a thousand times.
         let many = problems(&format!("[{}{{}}]", r#"{"time": "now"},"#.repeat(1000)));
         assert_eq!(many.len(), MAX_PROBLEMS + 1);
         assert!(many[MAX_PROBLEMS].message.contains("950 more"));

@@ -1,4 +1,4 @@
-//! What a scene asks of its looks, told the same way by every subcommand that takes scenes.
+//! Checks of a scene's looks, the same for every subcommand that takes scenes.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::document::{Loaded, Look, Object, Scene};
 use crate::frame::{Setup, check_exposed_value};
 use crate::library::Library;
 
-/// The looks that objects of a scene name, by that name; those that there are not are left out.
+/// The looks that objects of a scene name, by that name; missing files are left out.
 pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, Loaded<Look>> {
     let names = scene.objects.values().flat_map(|object| object.looks.values());
     let mut looks = BTreeMap::new();
@@ -22,8 +22,7 @@ pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, Loaded<Loo
     looks
 }
 
-/// What is wrong with the values that objects set: those that their looks cannot take, or do not
-/// expose.
+/// Problems of the values that objects set: those that their looks cannot take, or do not expose.
 pub(super) fn value_problems(
     scene: &Scene,
     looks: &BTreeMap<String, Loaded<Look>>,
@@ -42,18 +41,18 @@ pub(super) fn value_problems(
     found
 }
 
-/// Tells what [`value_problems`] finds in a scene that was opened to be drawn, in objects that are
-/// seen.
+/// Returns the problems that [`value_problems`] finds in the visible objects of a scene that was
+/// opened to be drawn.
 ///
 /// # Errors
-/// Everything found, where there is an error: the picture would not be what the scene says.
+/// All problems, if any is an error: the picture would not be what the scene says.
 pub(super) fn check_values(
     setup: &Setup,
     file: &Path,
     library: &Library,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let Some(source) = &setup.source else { return Ok(Vec::new()) };
-    // Emptied and not taken out, so that places in the file stay what they are.
+    // Values are cleared and objects not taken out, so that places in the file stay the same.
     let mut scene = setup.scene.clone();
     scene
         .objects
@@ -69,7 +68,7 @@ pub(super) fn check_values(
     if has_errors(&found) { Err(found) } else { Ok(found) }
 }
 
-/// Values that an object sets and that its look cannot take.
+/// Problems of values that an object sets and that its look cannot take.
 fn wrong_values(
     scene: &Scene,
     look_name: &str,
@@ -96,7 +95,7 @@ fn wrong_values(
     found
 }
 
-/// Values that an object sets and none of its looks exposes.
+/// Problems of values that an object sets and that none of its looks exposes.
 fn unknown_values(scene: &Scene, looks: &BTreeMap<String, Loaded<Look>>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (index, (id, object)) in scene.objects.iter().enumerate() {

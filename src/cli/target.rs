@@ -1,4 +1,4 @@
-//! What commands write, as the command line names it.
+//! Output paths of commands, as the command line names them.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -7,8 +7,9 @@ use crate::diag::Diagnostic;
 use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, Setup};
 
-/// A file or a folder that a command writes. Every argument that names one is of this type, and is
-/// written through [`Outputs`] alone; tests/outputs.rs finds them by it.
+/// A file or a folder that a command writes. Every argument that names an output is of this type,
+/// and is written through [`Outputs`] alone; tests/program/outputs.rs finds the arguments by this
+/// type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OutputPath(PathBuf);
 
@@ -24,8 +25,8 @@ impl AsRef<Path> for OutputPath {
     }
 }
 
-/// The outputs of a command that reads these files and folders; what is no path, such as
-/// `shape:knot`, is no matter.
+/// The outputs of a command that reads these files and folders; inputs that are no path, such as
+/// `shape:knot`, do no harm.
 pub(super) fn outputs<P: AsRef<Path>>(
     is_forced: bool,
     inputs: impl IntoIterator<Item = P>,
@@ -35,7 +36,7 @@ pub(super) fn outputs<P: AsRef<Path>>(
     outputs
 }
 
-/// Adds what was opened with a document: the looks and meshes of a scene, and images.
+/// Adds the files that were opened with a document: the looks and meshes of a scene, and images.
 pub(super) fn reads_all(outputs: &mut Outputs, document: &Path, setup: &Setup, assets: &Assets) {
     let folder = document.parent().unwrap_or(Path::new(""));
     for object in setup.scene.objects.values() {
@@ -45,7 +46,7 @@ pub(super) fn reads_all(outputs: &mut Outputs, document: &Path, setup: &Setup, a
     assets.files().for_each(|path| outputs.reads(path));
 }
 
-/// Refuses to write over another document than the one that is changed, and over what is read.
+/// Refuses to write over another document than the one that is changed, and over inputs.
 pub(super) fn check_document(
     outputs: &Outputs,
     written: Option<&OutputPath>,

@@ -1,11 +1,11 @@
-//! `--tier`: which implementation every node runs.
+//! `--tier`: the tier that every node runs in.
 
 use std::sync::Arc;
 
 use crate::document::{Look, Tier};
 use crate::library::Library;
 
-/// Reads the word.
+/// Parses the word for a tier.
 pub(super) fn parse(text: &str) -> Result<Tier, String> {
     match text {
         "exact" => Ok(Tier::Exact),
@@ -15,8 +15,8 @@ pub(super) fn parse(text: &str) -> Result<Tier, String> {
     }
 }
 
-/// Asks every node for a tier, also those that say their own, and those inside groups, the
-/// library's as well.
+/// Sets the tier of every node, also of nodes that have a tier of their own, and of those inside
+/// groups, the library's included.
 pub(super) fn run_everywhere(look: &mut Look, library: &mut Library, tier: Tier) {
     look.set_every_tier(tier);
     for group in library.groups.values_mut() {

@@ -148,7 +148,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Err(vec![missed(&tuned, &arguments.mesh)])
 }
 
-/// What keeps the goal from being reached, and what can be done.
+/// Diagnostic of a goal that was missed, with the reason and what can be done.
 fn missed(tuned: &TuneReport, meshes: &[String]) -> Diagnostic {
     let problem = |message: String| Diagnostic::error("goal-missed", message);
     if !tuned.is_exact_beyond() {
@@ -182,7 +182,7 @@ fn missed(tuned: &TuneReport, meshes: &[String]) -> Diagnostic {
     problem(message).hint(hint)
 }
 
-/// The look on each mesh.
+/// The setup of the look on each mesh.
 fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diagnostic>> {
     let mut assets = Assets::default();
     let meshes: Vec<Option<&str>> = match arguments.mesh.as_slice() {
@@ -204,7 +204,7 @@ fn setups(arguments: &Arguments, output: &Output) -> Result<Vec<Setup>, Vec<Diag
     Ok(setups)
 }
 
-/// Writes the look with the tiers that were chosen and the report of how.
+/// Writes the look with the chosen tiers, and the report on them.
 fn write(
     arguments: &Arguments,
     tuned: &TuneReport,
@@ -221,7 +221,7 @@ fn write(
     outputs.write(target, OutputKind::DOCUMENT, text.as_bytes()).map_err(|problem| vec![problem])
 }
 
-/// The report as people read it.
+/// The report for people.
 fn report(tuned: &TuneReport) -> String {
     let mut lines = vec![tuned.summary()];
     lines.push(format!("  error means {}: {}", tuned.measure.word(), tuned.measure.meaning()));

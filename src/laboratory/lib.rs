@@ -1,4 +1,5 @@
-//! What accuracy costs in time, looks fitted to what was painted, and galleries of both.
+//! Measurements of accuracy and cost, looks fitted to strokes painted on their pictures, and
+//! galleries of looks and scenes.
 
 #[cfg(feature = "gpu")]
 use chiaro_compiler::{catalog, examples};
@@ -15,7 +16,8 @@ use chiaro_scene::frame;
 #[cfg(feature = "gpu")]
 use chiaro_scene::{drawing, export, hcbtf};
 
-/// What a node is shown with in docs and gallery, by kind: values, sources, shape.
+/// Samples that docs and gallery show each kind of node with, by kind: values, sources and shape,
+/// as JSON.
 pub const NODE_SAMPLES: &str = include_str!("gallery/samples.json");
 
 #[cfg(feature = "gpu")]

@@ -1,32 +1,32 @@
-//! Cuts triangles at the near and far planes, in clip space.
+//! Clipping of triangles at the near and far planes, in clip space.
 //!
 //! Corners keep their weights on the corners of the whole triangle, so that nothing but positions
 //! is ever computed twice. A cut runs from the corner inside to the one outside whichever way the
-//! edge is walked: two triangles that share an edge get bit for bit the same corner on it, and no
+//! edge is walked: two triangles that share an edge get the same corner on it, bit for bit, and no
 //! gap opens between them.
 
-/// A corner of what is left of a triangle.
+/// A corner of the clipped part of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Corner {
-    /// Clip space.
+    /// Position in clip space.
     pub(super) clip: [f64; 4],
-    /// Its share of each corner of the whole triangle; together 1.
+    /// Weights of the whole triangle's corners, whose sum is 1.
     pub(super) weights: [f64; 3],
 }
 
-/// How many half widths of the picture something may reach from its middle before it is cut: 2^13
-/// of at most 2^14 pixels stay within 2^28 pixels, also where rounding doubles them, and grid
-/// coordinates below 2^60 steps.
+/// Distance from the middle of the picture at which triangles are clipped, in half widths of the
+/// picture: 2^13 of at most 2^14 pixels stay within 2^28 pixels, also if rounding doubles them, and
+/// grid coordinates below 2^60 steps.
 pub(super) const GUARD: f64 = 8192.0;
-/// Positions with a lesser w are at the eye or behind it.
+/// Least w of a position; positions with a smaller w are at the eye or behind it.
 pub(super) const LEAST_W: f64 = 1e-12;
-/// Near, far, the eye, and four sides far beyond the picture.
+/// Number of planes: near, far, the eye, and four sides far beyond the picture.
 const PLANES: u32 = 7;
-/// The most corners: three, and one more for each plane.
+/// Largest number of corners: three, and one more for each plane.
 const MOST: usize = 3 + PLANES as usize;
 
-/// How far inside of a plane a finite position is, in some measure that is linear in clip space;
-/// below 0 if outside.
+/// Distance of a finite position inside of a plane, in some measure that is linear in clip space;
+/// negative outside.
 fn inside(plane: u32, [x, y, z, w]: [f64; 4]) -> f64 {
     match plane {
         0 => z,
@@ -44,7 +44,7 @@ pub(super) fn outcode(clip: [f64; 4]) -> u8 {
     (0..PLANES).map(|plane| if inside(plane, clip) >= 0.0 { 0 } else { 1 << plane }).sum()
 }
 
-/// What is left of a triangle.
+/// The clipped part of a triangle: a convex polygon.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Polygon {
     corners: [Corner; MOST],
@@ -62,7 +62,7 @@ impl Polygon {
         polygon
     }
 
-    /// Its corners in order; none if nothing is left.
+    /// The polygon's corners in order; none if nothing is left.
     pub(super) fn corners(&self) -> &[Corner] {
         &self.corners[..self.count]
     }

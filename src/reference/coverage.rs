@@ -1,12 +1,13 @@
-//! Which samples of which pixels a triangle covers: the top-left rule, in whole numbers.
+//! Coverage of samples by triangles: the top-left rule, in integers.
 //!
-//! Every edge is a function that is linear on the grid, at least 0 inside. Edges that are neither
-//! left nor top ones have 1 taken from it, so that what lies exactly on them is outside.
-//! Coordinates are below 2^60 steps, so that all of it fits 128 bits, and nothing is ever rounded.
+//! Every edge is a function that is linear on the grid, at least 0 inside. The functions of edges
+//! that are neither left nor top ones are reduced by 1, so that points exactly on such an edge are
+//! outside. Coordinates are below 2^60 steps, so that all values fit 128 bits, and nothing is ever
+//! rounded.
 
 use super::setup::Triangle;
 
-/// The samples of a pixel, in sixteenths from its upper left corner.
+/// Positions of a pixel's samples, from its upper left corner, in sixteenths of a pixel.
 pub(super) fn sample_positions(samples: u32) -> &'static [[i64; 2]] {
     // The standard positions of Direct3D and Vulkan.
     if samples == 4 { &[[6, 2], [14, 6], [2, 10], [10, 14]] } else { &[[8, 8]] }
@@ -17,7 +18,7 @@ pub(super) fn bit(lane: usize, sample: usize) -> u16 {
     1 << (4 * lane + sample)
 }
 
-/// A rectangle of pixels; the end is not in it.
+/// A rectangle of pixels; the end is exclusive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Pixels {
     pub(super) begin: [u32; 2],
@@ -25,7 +26,7 @@ pub(super) struct Pixels {
 }
 
 impl Pixels {
-    /// What lies in both.
+    /// The intersection with the rectangle from pixel `least` to pixel `most`; `None` if empty.
     pub(super) fn and(self, least: [i64; 2], most: [i64; 2]) -> Option<Self> {
         let begin = [0, 1].map(|i| least[i].clamp(self.begin[i].into(), self.end[i].into()) as u32);
         let end =
@@ -34,16 +35,16 @@ impl Pixels {
     }
 }
 
-/// An edge's function: `x` and `y` are what a pixel's step adds.
+/// Function of an edge: `x` and `y` are its increments from pixel to pixel.
 #[derive(Clone, Copy, Debug, Default)]
 struct Edge {
     x: i128,
     y: i128,
-    /// At the upper left corner of pixel (0, 0).
+    /// Value at the upper left corner of pixel (0, 0).
     origin: i128,
-    /// What each sample of each lane of a quad adds.
+    /// Increments for each sample of each lane of a quad.
     offsets: [i128; 16],
-    /// The least and greatest of the offsets.
+    /// The least and the greatest of the offsets.
     least: i128,
     most: i128,
 }
@@ -52,13 +53,13 @@ struct Edge {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edges {
     edges: [Edge; 3],
-    /// All samples of a quad.
+    /// Bits of all samples of a quad.
     full: u16,
     samples: usize,
 }
 
 impl Edges {
-    /// Those of `triangle`, on a grid of 2 to `bits` steps a pixel.
+    /// The edges of `triangle`, on a grid of 2 to `bits` steps a pixel.
     pub(super) fn new(triangle: &Triangle, bits: u32, samples: u32) -> Self {
         let positions = sample_positions(samples);
         let mut full = 0;
@@ -74,7 +75,7 @@ impl Edges {
     /// row.
     ///
     /// # Errors
-    /// Those of `visit`.
+    /// Errors of `visit`.
     pub(super) fn quads<E>(
         &self,
         pixels: Pixels,
@@ -103,7 +104,7 @@ impl Edges {
         Ok(())
     }
 
-    /// Whether no sample of a quad is inside, by one edge alone.
+    /// True if no sample of a quad is inside, by one edge alone.
     fn is_outside(&self, values: &[i128; 3]) -> bool {
         self.edges.iter().zip(values).any(|(edge, value)| value + edge.most < 0)
     }
@@ -151,7 +152,7 @@ fn inside(x: u32, y: u32, pixels: Pixels, samples: usize) -> u16 {
 impl Edge {
     fn new(from: [i64; 2], to: [i64; 2], bits: u32, positions: &[[i64; 2]]) -> Self {
         let (dx, dy) = (i128::from(to[0] - from[0]), i128::from(to[1] - from[1]));
-        // y is down: the inside of a clockwise triangle is below a top edge, which runs to the
+        // y points down: the inside of a clockwise triangle is below a top edge, which runs to the
         // right, and to the right of a left edge, which runs up.
         let is_top_left = dy < 0 || (dy == 0 && dx > 0);
         let at_zero = dy * i128::from(from[0]) - dx * i128::from(from[1]);

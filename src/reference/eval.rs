@@ -1,4 +1,4 @@
-//! Surface samples through a look's evaluation module, as the renderer runs them on the GPU.
+//! Evaluation of surface samples by a look's evaluation module, as the renderer runs it on the GPU.
 
 use std::sync::Arc;
 
@@ -13,19 +13,19 @@ use crate::progress::Progress;
 /// root's type.
 ///
 /// # Errors
-/// What the interpreter cannot run.
+/// Modules that the interpreter cannot run.
 pub fn evaluate(batch: &EvalBatch, precision: Precision) -> Result<Vec<[f64; 4]>, Diagnostic> {
     let evaluator = Evaluator::new(&batch.shader, &batch.images)?;
     evaluator.run(&batch.samples, batch.indices.len(), precision, &Progress::new())
 }
 
-/// A look's evaluation module, ready to be run for any number of batches, on any number of threads.
+/// A look's evaluation module, ready to run for any number of batches, on any number of threads.
 #[derive(Debug)]
 pub(super) struct Evaluator {
     program: Program,
     /// Images and samplers, which are the same for all batches.
     bindings: Bindings,
-    /// The binding of the samples.
+    /// Binding of the samples.
     samples: Option<u32>,
 }
 
@@ -63,7 +63,7 @@ impl Evaluator {
     /// The values of `count` packed samples, in their order.
     ///
     /// # Errors
-    /// What the interpreter cannot run, and where `progress` stops it.
+    /// Modules that the interpreter cannot run, and `stopped` if `progress` was stopped.
     pub(super) fn run(
         &self,
         samples: &Uniform,
@@ -79,7 +79,7 @@ impl Evaluator {
         run(&self.program.bind(&bindings, precision).map_err(first)?, count, progress)
     }
 
-    /// What it reads, with these samples.
+    /// The bindings of the module, with these samples.
     fn with(&self, samples: &Uniform, count: usize) -> Bindings {
         let mut bindings = self.bindings.clone();
         let stride = samples.numbers.len().checked_div(count).unwrap_or(0);
@@ -107,7 +107,7 @@ fn run(bound: &Bound<'_>, count: usize, progress: &Progress) -> Result<Vec<[f64;
     };
     let mut values = Vec::with_capacity(count);
     let mut row = [0.0; LANES];
-    // A quad a sample, so that derivatives are 0 as they are on the GPU.
+    // Each sample fills a quad, so that derivatives are 0, as on the GPU.
     for first in (0..count).step_by(LANES / 4) {
         progress.check()?;
         let here = (count - first).min(LANES / 4);

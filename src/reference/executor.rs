@@ -1,4 +1,4 @@
-//! Runs the passes of a frame plan in order.
+//! Execution of a frame plan: its passes in order.
 
 use std::collections::BTreeMap;
 
@@ -15,13 +15,13 @@ use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassId, PassImage, Stage, TexelFormat};
 use crate::progress::Progress;
 
-/// Makes the shaders of a frame plan.
+/// Factory of the shaders for a frame plan.
 pub trait Shaders {
-    /// The shader of a draw in a pass that draws meshes: with the draw's [module](Draw::module) of
-    /// the pass's stage, which may read what earlier passes made.
+    /// The shader of a draw in a pass that draws meshes: the draw's [module](Draw::module) of the
+    /// pass's stage, which may read the images of earlier passes.
     ///
     /// # Errors
-    /// What cannot be run.
+    /// Modules that cannot be run.
     fn draw<'a>(
         &'a self,
         plan: &'a FramePlan,
@@ -30,10 +30,12 @@ pub trait Shaders {
         images: &'a PassImages,
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
 
-    /// The shader of a pass over the whole picture, reading what its row says.
+    /// The shader of a pass over the whole picture, which reads the images that the pass's row
+    /// lists.
     ///
     /// # Errors
-    /// What cannot be run, and `reference-plan` where the pass comes before what it reads.
+    /// Modules that cannot be run, and `reference-plan` if the pass comes before a pass that it
+    /// reads.
     fn screen<'a>(
         &'a self,
         plan: &'a FramePlan,
@@ -42,23 +44,23 @@ pub trait Shaders {
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
 }
 
-/// What the passes so far have made, for the later ones to read, rounded as [`Options::images`]
-/// says. Each has as many channels as its format.
+/// Images of the passes so far, for later ones to read, rounded as [`Options::images`] says. Each
+/// image has as many channels as its format.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PassImages(BTreeMap<PassImage, Texels>);
 
 impl PassImages {
-    /// A result of a pass, if the pass ran.
+    /// An image of a pass, if the pass ran.
     pub fn get(&self, image: PassImage) -> Option<&Texels> {
         self.0.get(&image)
     }
 
-    /// The first result of a pass, which is what looks read.
+    /// The first image of a pass, which is the one that looks read.
     pub fn first(&self, pass: PassId) -> Option<&Texels> {
         self.get(PassImage { pass, output: 0 })
     }
 
-    /// Takes what a pass made: the channels of all its outputs side by side.
+    /// Inserts the images of a pass; `made` has the channels of all outputs side by side.
     pub fn insert(&mut self, pass: PassId, made: &Texels) {
         let mut first = 0;
         for image in PassImage::written(pass) {
@@ -68,7 +70,7 @@ impl PassImages {
         }
     }
 
-    /// What a pass made, rounded: normals that meshes are drawn with may be held as halves.
+    /// Inserts the images of a pass, rounded: normals of mesh passes may be held as halves.
     fn insert_rounded(&mut self, pass: PassId, made: &Texels, rounding: ImageRounding) {
         self.insert(pass, made);
         for image in PassImage::written(pass) {
@@ -83,16 +85,16 @@ impl PassImages {
     }
 }
 
-/// How many numbers a pixel a pass makes.
+/// Number of channels a pixel that a pass writes, over all outputs.
 fn channels(pass: PassId) -> usize {
     pass.row().writes.iter().map(|output| output.format.channels()).sum()
 }
 
-/// Makes the picture of `plan`.
+/// Draws the picture of `plan`.
 ///
 /// # Errors
-/// As [`rasterise`], and `reference-plan` where a pass comes before what it reads, or nothing makes
-/// the picture.
+/// As [`rasterise`], and `reference-plan` if a pass comes before a pass that it reads, or if no
+/// pass draws the picture.
 pub fn execute(
     plan: &FramePlan,
     shaders: &dyn Shaders,
@@ -106,6 +108,7 @@ pub fn execute(
     for pass in &plan.passes {
         let progress = progress.part(1);
         let id = pass.id;
+        // Later passes also read this pass's pixels around the wanted ones.
         let around = options.widened(plan.margin(id));
         let made = match id.stage() {
             Some(Stage::Draw) => {
@@ -127,7 +130,7 @@ pub fn execute(
     })
 }
 
-/// One pass that draws meshes.
+/// Draws one pass of meshes.
 fn draw(
     plan: &FramePlan,
     (pass, stage): (PassId, Stage),
@@ -137,7 +140,7 @@ fn draw(
     progress: &Progress,
 ) -> Result<super::raster::Raster, Diagnostic> {
     let made = |draw| shaders.draw(plan, draw, pass, images);
-    // A draw without a module of the stage leaves an empty place, so that draws keep their numbers.
+    // A draw without a module for the stage leaves a gap, so that draws keep their indices.
     let wanted = |draw: &&Draw| draw.module(stage).is_some();
     let drawn: Vec<&Draw> = plan.draws.iter().filter(wanted).collect();
     let made = drawn.iter().map(|draw| made(draw)).collect::<Result<Vec<_>, _>>()?;

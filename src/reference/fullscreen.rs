@@ -1,4 +1,5 @@
-//! Runs a fragment shader for every pixel of an image, as a triangle over all of it does.
+//! Fullscreen passes: a fragment shader run for every pixel of an image, as a triangle over all of
+//! it would.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -11,8 +12,8 @@ use super::texels::Texels;
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
-/// An image of `size` pixels with `channels` numbers each, as `shader`'s fragments give them; its
-/// vertices are not asked. Discarded pixels stay 0.
+/// An image of `size` pixels with `channels` numbers each, the outputs of `shader`'s fragments; its
+/// vertex stage is not run. Discarded pixels stay 0.
 ///
 /// # Errors
 /// As [`rasterise`](super::rasterise).
@@ -52,14 +53,14 @@ pub fn shade_all(
     Ok(image.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// One thread's work.
+/// One thread's state.
 struct Band<'a> {
     stage: Box<dyn FragmentStage + 'a>,
     batch: QuadBatch,
     shaded: Shaded,
-    /// The upper left pixel of each quad of the batch.
+    /// Upper left pixel of each quad of the batch.
     quads: Vec<[u32; 2]>,
-    /// The finished pixels of a tile.
+    /// Finished pixels of a tile.
     pixels: Vec<([u32; 2], Vec<f64>)>,
 }
 

@@ -1,11 +1,11 @@
-//! The fragments of chosen pixels, kept so that a look can be shaded there again and again with
-//! other values.
+//! Fragments of chosen pixels, kept so that a look can be shaded there again and again with other
+//! values.
 //!
-//! What a camera sees of a surface does not change with the numbers of a look, so a plan is drawn
-//! once, with a recorder between the rasteriser and the look's own module, which keeps what the
-//! nearest fragment of each chosen pixel was given, its quad with it, so that derivatives stay what
-//! they are. From then on a change of values costs the fragment shader of these quads alone, and
-//! gives exactly what the whole picture would have there.
+//! The surface that a camera sees does not change with the numbers of a look, so a plan is drawn
+//! once, with a recorder between the rasterizer and the look's own module. The recorder keeps the
+//! inputs of the nearest fragment of each chosen pixel, together with its quad, so that derivatives
+//! stay the same. From then on a change of values costs the fragment shader of these quads alone,
+//! and gives exactly the colors that the whole picture would have there.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -20,13 +20,13 @@ use crate::frame::{Draw, FramePlan, PassId};
 use crate::interp::{Bindings, Precision};
 use crate::progress::Progress;
 
-/// A quad of one triangle, as its fragments are given to the look.
+/// Inputs of a quad's fragments on one triangle.
 #[derive(Clone, Debug, PartialEq)]
 struct Quad {
     draw: usize,
     is_front: bool,
     position: [[f64; 4]; 4],
-    /// Lane by lane for each component.
+    /// Numbers of the four lanes, for each component.
     varyings: Vec<[f64; 4]>,
 }
 
@@ -41,32 +41,32 @@ struct Nearest {
 /// A pixel that was gathered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seen {
-    /// Column and row.
+    /// Column and row of the pixel.
     pub pixel: [u32; 2],
-    /// The draw that is on top, by its number in the plan.
+    /// Index of the draw on top, in the plan.
     pub draw: usize,
     quad: usize,
     lane: usize,
 }
 
 impl Seen {
-    /// The number of its quad: pixels of one quad and one triangle have the same.
+    /// Index of the pixel's quad: pixels of one quad and one triangle have the same.
     pub fn quad(&self) -> usize {
         self.quad
     }
 }
 
-/// The fragments of chosen pixels, with all that shades them.
+/// Fragments of chosen pixels, with everything that shading them needs.
 #[derive(Debug)]
 pub struct Gathered {
     plan: FramePlan,
     modules: Modules,
-    /// Of each draw, where any of it was drawn.
+    /// Bindings of each draw; `None` if no fragment of the draw was gathered.
     bindings: Vec<Option<Bindings>>,
     quads: Vec<Quad>,
-    /// By row and column; chosen pixels where nothing is are not among them.
+    /// The gathered pixels by row and column; chosen pixels that nothing covers are not among them.
     pub seen: Vec<Seen>,
-    /// What is on top in each pixel, rows from the top.
+    /// Coverage of each pixel, rows from the top.
     pub coverage: Vec<Coverage>,
 }
 
@@ -81,22 +81,23 @@ pub struct Sheet {
 struct SheetBatch {
     draw: usize,
     batch: QuadBatch,
-    /// Lane, and place among the sheet's pixels.
+    /// Lane, and index among the sheet's pixels.
     wanted: Vec<(usize, usize)>,
 }
 
 impl Sheet {
-    /// How many pixels it has.
+    /// Number of pixels in the sheet.
     pub fn count(&self) -> usize {
         self.count
     }
 }
 
 impl Gathered {
-    /// Draws `plan` and keeps the fragments of the pixels that `is_chosen` says, by column and row.
+    /// Draws `plan` and keeps the fragments of the pixels that `is_chosen` accepts, by column and
+    /// row.
     ///
     /// # Errors
-    /// What the interpreter cannot run, and as [`execute`].
+    /// Modules that the interpreter cannot run, and the errors of [`execute`].
     pub fn new(
         plan: FramePlan,
         is_chosen: &(dyn Fn([u32; 2]) -> bool + Sync),
@@ -119,7 +120,7 @@ impl Gathered {
         let mut places: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
         let mut seen = Vec::with_capacity(nearest.len());
         for ([row, column], Nearest { lane, quad, .. }) in nearest {
-            // Pixels of one quad and one triangle share it.
+            // Pixels of one quad and one triangle share the quad's inputs.
             let alike = places.entry([row / 2, column / 2]).or_default();
             let found = alike.iter().copied().find(|&index| quads[index] == quad);
             let draw = quad.draw;
@@ -138,7 +139,7 @@ impl Gathered {
         &self.plan
     }
 
-    /// Some of the pixels, by their places in [`seen`](Self::seen), ready to be shaded together.
+    /// Some of the pixels, by their indices in [`seen`](Self::seen), ready to be shaded together.
     pub fn sheet(&self, chosen: &[usize]) -> Sheet {
         let mut by_quad: BTreeMap<(usize, usize), Vec<(usize, usize)>> = BTreeMap::new();
         for (place, &index) in chosen.iter().enumerate() {
@@ -171,11 +172,11 @@ impl Gathered {
         Sheet { batches, count: chosen.len() }
     }
 
-    /// The colors of a sheet's pixels, straight RGBA, with these numbers in the looks' uniforms:
-    /// by draw, for all draws.
+    /// The colors of a sheet's pixels, straight RGBA, with `numbers` in the looks' uniforms: the
+    /// numbers of all draws, by draw.
     ///
     /// # Errors
-    /// What keeps a shader from ending.
+    /// Shaders that do not end.
     pub fn shade(&self, sheet: &Sheet, numbers: &[Vec<f64>]) -> Result<Vec<[f64; 4]>, Diagnostic> {
         let mut colors = vec![[0.0; 4]; sheet.count];
         let mut shaded = Shaded::new(4);
@@ -198,12 +199,12 @@ impl Gathered {
     }
 }
 
-/// Makes the shaders of a plan, with an ear at those of looks.
+/// Shaders of a plan that record the inputs of the looks' fragments.
 struct Recorder<'m> {
     modules: &'m Modules,
     is_chosen: &'m (dyn Fn([u32; 2]) -> bool + Sync),
     bindings: Mutex<Vec<Option<Bindings>>>,
-    /// By row and column.
+    /// The nearest fragment of each chosen pixel, by row and column.
     nearest: Mutex<BTreeMap<[u32; 2], Nearest>>,
 }
 

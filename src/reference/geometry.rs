@@ -1,4 +1,4 @@
-//! The vertices of a draw, shaded once each, and which of its triangles touch which tiles.
+//! Geometry of a draw: its vertices, shaded once each, and the tiles that its triangles touch.
 
 use std::ops::Range;
 
@@ -10,28 +10,29 @@ use super::shader::Shader;
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
-/// Triangles with their shader.
+/// Triangles of a draw, with their shader.
 #[derive(Clone, Copy)]
 pub struct Triangles<'a> {
-    /// Three vertices a triangle.
+    /// Indices of vertices, three for each triangle.
     pub indices: &'a [u32],
-    /// What shades them.
+    /// Shader of the triangles.
     pub shader: &'a dyn Shader,
-    /// Which sides are drawn.
+    /// Sides that are drawn.
     pub sides: Sides,
 }
 
-/// As many vertices are shaded in one go.
+/// Number of vertices that are shaded in one go.
 const VERTICES: usize = 4096;
-/// As many triangles are sorted into tiles in one go.
+/// Number of triangles that are sorted into tiles in one go.
 pub(super) const TRIANGLES: usize = 4096;
 
 /// A draw whose vertices are shaded.
 pub(super) struct Geometry<'a> {
-    /// Its number in the pass.
+    /// Index of the draw in the pass.
     pub(super) draw: u32,
     pub(super) triangles: Triangles<'a>,
-    /// The least of the indices, and where each vertex from there on lies among those shaded.
+    /// The least of the vertex indices, and the place of each vertex from there on among the shaded
+    /// ones.
     first: u32,
     places: Vec<u32>,
     /// Clip position and varyings of each vertex, `stride` numbers.
@@ -50,6 +51,7 @@ impl<'a> Geometry<'a> {
         let indices = triangles.indices;
         let first = indices.iter().copied().min().unwrap_or(0);
         let count = indices.iter().copied().max().map_or(0, |last| (last - first) as usize + 1);
+        // Vertices that no triangle uses are not shaded.
         let mut places = vec![u32::MAX; count];
         indices.iter().for_each(|&index| places[(index - first) as usize] = 0);
         let mut used = Vec::new();
@@ -74,12 +76,12 @@ impl<'a> Geometry<'a> {
         Ok(Self { draw, triangles, first, places, numbers: lists.concat(), stride })
     }
 
-    /// What it takes in memory.
+    /// Size in memory, in bytes.
     pub(super) fn bytes(&self) -> usize {
         self.numbers.len() * 8 + self.places.len() * 4
     }
 
-    /// How many triangles it has.
+    /// Number of triangles.
     pub(super) fn count(&self) -> usize {
         self.triangles.indices.len() / 3
     }
@@ -99,7 +101,7 @@ impl<'a> Geometry<'a> {
         )
     }
 
-    /// Sorts some triangles into tiles.
+    /// Sorts a range of triangles into tiles.
     pub(super) fn bin(&self, numbers: Range<u32>, grid: &Grid) -> Vec<[u32; 2]> {
         let mut bins = Vec::new();
         for number in numbers {
@@ -116,13 +118,13 @@ impl<'a> Geometry<'a> {
     }
 }
 
-/// The picture in tiles.
+/// The tiles of the picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
     pub(super) screen: Screen,
-    /// Pixels.
+    /// Side of a tile, in pixels.
     pub(super) side: u32,
-    /// Columns and rows.
+    /// Numbers of columns and rows.
     pub(super) count: [u32; 2],
 }
 
@@ -133,12 +135,12 @@ impl Grid {
         Self { screen, side, count: size.map(|pixels| pixels.div_ceil(side)) }
     }
 
-    /// All pixels.
+    /// The rectangle of all pixels.
     fn all(&self) -> Pixels {
         Pixels { begin: [0; 2], end: self.screen.size }
     }
 
-    /// How many tiles there are.
+    /// Number of tiles.
     pub(super) fn tiles(&self) -> usize {
         self.count[0] as usize * self.count[1] as usize
     }

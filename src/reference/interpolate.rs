@@ -1,37 +1,39 @@
-//! From the corners of a triangle to a point on it, or, for the helpers of a quad, on its plane.
+//! Interpolation from the corners of a triangle to a point on it, or, for the helpers of a quad, on
+//! its plane.
 
 use super::setup::Triangle;
 
-/// The weights of a triangle's corners, which are linear on the screen.
+/// Weights of a triangle's corners, which are linear on the screen.
 ///
-/// Everything is computed from the first corner, never from where a tile begins: what a pixel gets
-/// depends on the triangle alone.
+/// All weights are computed from the first corner, never from the corner of a tile, so that a
+/// pixel's values depend on the triangle alone.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Surface {
-    /// The first corner, in pixels.
+    /// Position of the first corner, in pixels.
     origin: [f64; 2],
-    /// What a pixel to the right and one down add to the weights of the second and third corner.
+    /// Increments, for a pixel to the right and one down, of the weights of the second and third
+    /// corner.
     second: [f64; 2],
     third: [f64; 2],
     depth: [f64; 3],
     inverse_w: [f64; 3],
-    /// The shares of the corners of the triangle that this one was cut from.
+    /// Weights of the corners of the whole triangle that this one was cut from.
     weights: [[f64; 3]; 3],
 }
 
 /// A point on a surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
-    /// Of `@builtin(position)`.
+    /// `z` of `@builtin(position)`.
     pub(super) depth: f64,
-    /// Of `@builtin(position)`.
+    /// `w` of `@builtin(position)`.
     pub(super) inverse_w: f64,
-    /// The shares of the second and third corner of the whole triangle, perspective-correct.
+    /// Weights of the second and third corner of the whole triangle, perspective-correct.
     shares: [f64; 2],
 }
 
 impl Surface {
-    /// That of `triangle`, whose coverage is decided on a grid of 2 to `bits` steps a pixel.
+    /// The surface of `triangle`, whose coverage is decided on a grid of 2 to `bits` steps a pixel.
     pub(super) fn new(triangle: &Triangle, bits: u32) -> Self {
         let [a, b, c] = triangle.corners;
         let (places, area) = places(triangle, bits);
@@ -56,12 +58,12 @@ impl Surface {
     pub(super) fn depth(&self, x: f64, y: f64) -> f64 {
         let [second, third] = self.screen_weights(x, y);
         let [first, to_second, to_third] = self.depth;
-        // Outside of its edges a triangle may rise through a plane that it was cut at; GPUs clamp
-        // as well.
+        // Outside of its edges a triangle may rise through a plane that it was cut at; GPUs clamp,
+        // too.
         (first + second * to_second + third * to_third).clamp(0.0, 1.0)
     }
 
-    /// What lies at a point of the screen, in pixels from the upper left.
+    /// The point of the surface at a point of the screen, in pixels from the upper left.
     pub(super) fn point(&self, x: f64, y: f64) -> Point {
         let [second, third] = self.screen_weights(x, y);
         let over_w = [
@@ -77,11 +79,11 @@ impl Surface {
     }
 }
 
-/// Where the corners are for what is interpolated, in pixels, and twice the area between them.
+/// Positions of the corners for interpolation, in pixels, and twice the area between them.
 ///
-/// That is where they really are, as long as the grid makes neither twice nor half of the triangle:
-/// of a sliver that it widens or turns around, planes through the true corners are as steep as one
-/// likes, and those on the grid are not.
+/// These are the unrounded positions, unless the grid makes the triangle more than twice or less
+/// than half as large: for a sliver that the grid widens or turns around, planes through the
+/// unrounded corners can be arbitrarily steep, and those through the rounded ones are not.
 fn places(triangle: &Triangle, bits: u32) -> ([[f64; 2]; 3], f64) {
     let pixel = 1.0 / (f64::from(1 << (bits / 2)) * f64::from(1 << bits.div_ceil(2)));
     let rounded = super::setup::doubled_area(&triangle.corners) as f64 * pixel * pixel;
@@ -96,9 +98,9 @@ fn places(triangle: &Triangle, bits: u32) -> ([[f64; 2]; 3], f64) {
 }
 
 impl Point {
-    /// What a number is here that is `corners` at the corners.
+    /// The interpolated value of a number that is `corners` at the corners.
     pub(super) fn mix(&self, [first, second, third]: [f64; 3]) -> f64 {
-        // By differences, so that what is the same at all corners stays what it is.
+        // Differences keep a number that is the same at all corners exactly.
         first + self.shares[0] * (second - first) + self.shares[1] * (third - first)
     }
 }

@@ -1,25 +1,25 @@
-//! Executes frame plans on the CPU in f64: the truth that the GPU is compared with.
+//! Execution of frame plans on the CPU in f64: the truth that the GPU is compared with.
 //!
 //! [`execute`] runs a plan's passes in order, as the renderer does: `geometry` has each vertex
 //! shaded once, and sorts the triangles into tiles; on each tile, `clip` cuts a triangle at the
-//! near and far planes, `setup` puts it on the screen's grid, `coverage` tells which samples it
-//! covers, `interpolate` what its pixels get from its corners; `shade` has them shaded in batches
-//! of 2x2 quads, and `tile` keeps depth and color of every sample. `fullscreen` shades all pixels
-//! of an image.
+//! near and far planes, `setup` puts it on the screen's grid, `coverage` finds the samples that it
+//! covers, and `interpolate` the values at its pixels; `shade` has the pixels shaded in batches of
+//! 2x2 quads, and `tile` keeps depth and color of every sample. `fullscreen` shades all pixels of
+//! an image.
 //!
 //! [`Gathered`] keeps the fragments of chosen pixels, to shade them again with other values of a
 //! look.
 //!
-//! Nothing here knows WGSL: shaders stand behind the traits [`Shader`] and [`Shaders`].
+//! The rasterizer knows no WGSL: shaders stand behind the traits [`Shader`] and [`Shaders`].
 //!
-//! # As a GPU does it, and not
+//! # Agreement with a GPU, and differences
 //! Clip space, viewport, culling, the top-left rule, sample positions, the depth test (less) and
 //! blending are WebGPU's. Fragments are shaded once, at the pixel's middle, for all samples that
 //! they cover; helpers of a quad lie on the triangle's plane. Positions, depths, varyings and
-//! images are f64 and are never rounded, but for the grid ([`Snap`]) that coverage alone is decided
-//! on, and for images where [`ImageRounding`] asks for it. A fragment that its shader discards
-//! leaves no depth; those that are hidden already are not shaded, which nothing can tell, as depths
-//! only ever fall.
+//! images are f64 and are never rounded, except for the grid ([`Snap`]) that coverage alone is
+//! decided on, and for images if [`ImageRounding`] asks for it. A fragment that its shader discards
+//! leaves no depth; fragments that are hidden already are not shaded, which does not change the
+//! picture, as depths only ever fall.
 #![allow(
     clippy::result_large_err,
     reason = "diagnostics are large, and made only when all is lost"

@@ -1,5 +1,5 @@
-//! Generated modules as shaders of the rasteriser: their stages run by the interpreter, with what a
-//! plan binds to them.
+//! Generated modules as shaders of the rasterizer: the interpreter runs their stages with the
+//! bindings of a plan.
 
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -43,25 +43,26 @@ impl Stages {
 #[derive(Debug)]
 pub struct Modules {
     precision: Precision,
-    /// By address; the shader is kept, so that no other can come to lie there.
+    /// Modules of looks by the address of their shader; the shader is kept alive, so that no other
+    /// can take its address.
     looks: HashMap<usize, (Arc<CompiledShader>, Stages)>,
-    /// The modules of passes over the whole picture.
+    /// Modules of passes over the whole picture.
     screens: HashMap<PassId, (ScreenModule, Stages)>,
     images: HashMap<(u64, bool), Texture>,
-    /// What the fragments of looks are watched for.
+    /// Pixel whose fragments are watched, if any.
     watch: Option<Watch>,
 }
 
 impl Modules {
-    /// Compiles what `plan` runs.
+    /// Compiles the modules that `plan` runs.
     ///
     /// # Errors
-    /// What the interpreter cannot run, with its place in the source.
+    /// Constructs that the interpreter cannot run, with their place in the source.
     pub fn new(plan: &FramePlan, precision: Precision) -> Result<Self, Diagnostic> {
         Self::with(plan, precision, None)
     }
 
-    /// The same, watching one pixel: see [`probe`](super::probe).
+    /// Compiles the modules, watching one pixel: see [`probe`](super::probe).
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -106,7 +107,7 @@ impl Modules {
         Ok(modules)
     }
 
-    /// What was watched for.
+    /// The values that were probed at the watched pixel.
     pub(super) fn into_found(self) -> Option<super::probe::Probed> {
         self.watch.and_then(Watch::into_found)
     }
@@ -126,7 +127,7 @@ impl Modules {
             .ok_or_else(|| missing("a module of another plan"))
     }
 
-    /// What the look of a draw reads, with the values of the plan.
+    /// Bindings of a draw's look, with the values of the plan.
     pub(super) fn bindings_of(
         &self,
         plan: &FramePlan,
@@ -136,8 +137,8 @@ impl Modules {
         self.bindings_for(plan, draw, &draw.look, Stage::Draw, images)
     }
 
-    /// The look of a draw with what it [reads](Self::bindings_of), but for these numbers in its own
-    /// uniform.
+    /// The look of a draw with its [bindings](Self::bindings_of), but for `numbers` in the look's
+    /// own uniform.
     pub(super) fn with_look<'a>(
         &'a self,
         draw: &'a Draw,
@@ -199,7 +200,7 @@ impl Modules {
     }
 }
 
-/// As a number and no pointer, so that modules may be shared by threads.
+/// Address of a shader, as a number and no pointer, so that modules may be shared by threads.
 fn address(shader: &Arc<CompiledShader>) -> usize {
     Arc::as_ptr(shader).addr()
 }
@@ -272,7 +273,7 @@ fn buffer(bindings: &mut Bindings, stages: &Stages, binding: u32, numbers: &[f64
     }
 }
 
-/// What a look reads of the passes over normals; where no pass made any, everything is flat.
+/// Texture of the passes over normals for looks to read; flat if no pass ran.
 fn map(curvature: Option<&Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic> {
     match curvature {
         Some(curvature) => texture(curvature),
@@ -281,6 +282,7 @@ fn map(curvature: Option<&Texels>, size: [u32; 2]) -> Result<Texture, Diagnostic
 }
 
 fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
+    // Missing channels read as 0 and a missing alpha as 1, as on a GPU.
     let pixels = texels.values.chunks_exact(texels.channels.max(1)).map(|pixel| {
         let channel =
             |index: usize| pixel.get(index).copied().unwrap_or(if index == 3 { 1.0 } else { 0.0 });
@@ -292,8 +294,7 @@ fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
     )
 }
 
-/// An image as the GPU samples it: colors decoded before they are filtered, where the look asks
-/// for that.
+/// An image as the GPU samples it: colors are decoded before filtering if the look asks for that.
 pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diagnostic> {
     let size = [image.size[0], image.size[1], image.layers];
     let is_decoded = used.is_decoded && used.shape == ImageShape::Flat;
@@ -320,13 +321,13 @@ pub(super) fn sampler_of(used: &ImageUse) -> Sampler {
     Sampler::new(address, if used.filter == "nearest" { Filter::Nearest } else { Filter::Linear })
 }
 
-/// A module with everything bound.
+/// A module with all its bindings.
 struct Bindable<'a> {
     vertex: Bound<'a>,
     fragment: Bound<'a>,
     varyings: Vec<Varying>,
     mesh: Option<&'a Mesh>,
-    /// With the number of the draw.
+    /// The watch, with the index of the draw.
     watch: Option<(&'a Watch, usize)>,
 }
 
@@ -432,7 +433,7 @@ impl VertexStage for Vertices<'_> {
     }
 }
 
-/// A component of a vertex's attribute, as it lies in the mesh.
+/// A component of a vertex's attribute, as the mesh holds it.
 fn attribute(mesh: &Mesh, location: Option<u32>, vertex: usize, component: usize) -> f64 {
     let Some(attribute) = location.and_then(|at| Attribute::ALL.get(at as usize)) else {
         return 0.0;
@@ -493,7 +494,7 @@ impl FragmentStage for Fragments<'_> {
     }
 }
 
-/// Where each varying begins among the numbers of all.
+/// Index of each varying's first number among the numbers of all varyings.
 fn first_components(varyings: &[Varying]) -> Vec<usize> {
     let begin =
         |at: &mut usize, varying: &Varying| Some(std::mem::replace(at, *at + varying.components));

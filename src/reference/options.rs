@@ -1,28 +1,28 @@
-//! How pictures are made: to which grid positions are rounded, on how many threads, and
-//! in which pieces.
+//! Options of the reference: rounding of positions and images, number of threads, size of tiles,
+//! region and memory.
 
 use half::f16;
 
 use super::coverage::Pixels;
 
-/// The grid that screen positions are rounded to before coverage is decided.
+/// Grid that screen positions are rounded to before coverage is decided.
 ///
 /// Coverage is decided in whole numbers of grid steps, so that it is exact: triangles that share an
-/// edge cover each sample on it once, whatever the grid. What is interpolated, depth too, lies on
-/// the plane through the corners as they are, which the grid does not move: pixels that a triangle
-/// covers by being rounded are beside its edge by up to a step.
+/// edge cover each sample on it once, whatever the grid. Interpolated values, and depth, lie on the
+/// plane through the unrounded corners, which the grid does not move: pixels that a triangle covers
+/// only by rounding are beside its edge by up to a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Snap {
-    /// 2^-32 of a pixel, which is finer than any error that f32 leaves: the truth.
+    /// Steps of 2^-32 of a pixel, which is finer than any error that f32 leaves: the truth.
     #[default]
     None,
-    /// 2^-n of a pixel, n from 4 (below it the samples of a pixel would lie between the steps) to
-    /// 32; GPUs and software Vulkan use 8. For comparing with them.
+    /// Steps of 2^-n of a pixel, n from 4 (with fewer the samples of a pixel would lie between the
+    /// steps) to 32; GPUs and software Vulkan use 8. Meant for comparisons with these.
     Subpixel(u32),
 }
 
 impl Snap {
-    /// The steps of the grid in a pixel are 2 to this.
+    /// Binary logarithm of the number of steps in a pixel.
     pub(super) fn bits(self) -> u32 {
         match self {
             Self::None => 32,
@@ -31,22 +31,23 @@ impl Snap {
     }
 }
 
-/// What the images of passes hold, for later passes to read: normals and object numbers, depth,
-/// curvature. The renderer's hold f32 numbers; halves, which it held once, show what they would
-/// cost.
+/// Rounding of the images of passes, for later passes to read: normals and object numbers, depth,
+/// curvature. The renderer's images hold f32 numbers; halves, which the renderer used once, show
+/// what they would cost in accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ImageRounding {
-    /// All of every number: the truth.
+    /// No rounding: the truth.
     #[default]
     None,
-    /// Normals in `rgba16float` and the rest in `r32float`, rounded to the nearest as most GPUs do.
+    /// Normals in `rgba16float` and the rest in `r32float`, rounded to the nearest, as most GPUs
+    /// do.
     Nearest,
-    /// The same, but halves rounded toward zero, as software Vulkan does.
+    /// As `Nearest`, but halves are rounded toward zero, as in software Vulkan.
     TowardZero,
 }
 
 impl ImageRounding {
-    /// What an f16 holds of `x`.
+    /// The value of `x` in an f16.
     pub(super) fn half(self, x: f64) -> f64 {
         let nearest = f16::from_f64(x);
         match self {
@@ -58,30 +59,30 @@ impl ImageRounding {
         }
     }
 
-    /// What an f32 holds of `x`.
+    /// The value of `x` in an f32.
     pub(super) fn single(self, x: f64) -> f64 {
         if self == Self::None { x } else { f64::from(x as f32) }
     }
 }
 
-/// Choices that the caller has. Only [`snap`](Self::snap) and [`images`](Self::images) change the
+/// Options of the caller. Only [`snap`](Self::snap) and [`images`](Self::images) change the
 /// picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// The grid of screen positions.
+    /// Grid of screen positions.
     pub snap: Snap,
-    /// The precision of what passes hand on.
+    /// Rounding of the passes' images.
     pub images: ImageRounding,
-    /// How many threads work; at least 1.
+    /// Number of threads; at least 1.
     pub threads: usize,
-    /// The side of the squares that threads take, in pixels: even, 2 to 512.
+    /// Side of the tiles that threads work on, in pixels: even, 2 to 512.
     pub tile: u32,
-    /// The pixels that are wanted, left, top, right and bottom, the last two outside; all of them
-    /// without it. What the passes before the look must know around them is made too; the rest
+    /// Pixels that are wanted: left, top, right and bottom, the last two exclusive; all pixels if
+    /// `None`. Passes before the look also draw the surroundings that they must know; the rest
     /// stays empty.
     pub region: Option<[u32; 4]>,
-    /// Bytes of triangle lists, and of vertices, after which what is there is drawn before more is
-    /// gathered.
+    /// Size of triangle lists, and of vertices, from which on these are drawn before more are
+    /// gathered, in bytes.
     pub budget: usize,
 }
 
@@ -100,7 +101,7 @@ impl Default for Options {
 }
 
 impl Options {
-    /// The same with a region that is wider by so many pixels on all sides.
+    /// The options with a region that is wider by `pixels` on all sides.
     pub(super) fn widened(&self, pixels: u32) -> Self {
         let wider = |[left, top, right, bottom]: [u32; 4]| {
             [
@@ -113,10 +114,10 @@ impl Options {
         Self { region: self.region.map(wider), ..*self }
     }
 
-    /// Of some pixels those that are wanted.
+    /// Those of `pixels` that are wanted.
     pub(super) fn wanted(&self, pixels: Pixels) -> Option<Pixels> {
         let Some([left, top, right, bottom]) = self.region else { return Some(pixels) };
-        // Quads are whole.
+        // Quads are drawn whole, so the region is widened to them.
         let least = [left, top].map(|side| i64::from(side & !1));
         let most = [right, bottom].map(|side| i64::from(side.next_multiple_of(2)) - 1);
         pixels.and(least, most)

@@ -1,25 +1,25 @@
-//! The finished picture.
+//! The finished picture of the reference.
 
 use super::raster::Raster;
 use super::texels::{Coverage, Texels};
 use crate::frame::Picture;
 use crate::ids::ObjectId;
 
-/// What a frame plan shows, in f64, with what is on top in each pixel.
+/// Picture of a frame plan, in f64, with the coverage of each pixel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReferencePicture {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
     /// Samples a pixel.
     pub samples: u32,
     /// Premultiplied RGBA, display-referred; four channels.
     pub color: Texels,
-    /// A pixel each, rows from the top.
+    /// Coverage of each pixel, rows from the top.
     pub coverage: Vec<Coverage>,
-    /// The depth of the nearest sample of each pixel, 0 (near) to 1 (far), linear on the screen
-    /// over each plane.
+    /// Depth of the nearest sample of each pixel, 0 (near) to 1 (far), linear on the screen over
+    /// each plane.
     pub depths: Vec<f64>,
-    /// The object of each draw, by [`Coverage::draw`].
+    /// Object of each draw, by [`Coverage::draw`].
     pub objects: Vec<ObjectId>,
 }
 
@@ -29,7 +29,7 @@ impl ReferencePicture {
         Self { size: color.size, samples, color, coverage, depths, objects }
     }
 
-    /// A pixel by column and row, straight RGBA; where alpha is 0, so is all of it.
+    /// A pixel by column and row, straight RGBA; all channels are 0 where alpha is.
     ///
     /// # Panics
     /// Outside of the picture.
@@ -37,7 +37,7 @@ impl ReferencePicture {
         straight(self.color.pixel(x, y))
     }
 
-    /// As the renderer gives it and picture files take it.
+    /// The picture as the renderer returns it and picture files take it: straight, in f32.
     pub fn to_picture(&self) -> Picture {
         let rgba = self
             .color
@@ -48,7 +48,7 @@ impl ReferencePicture {
         Picture { size: self.size, rgba }
     }
 
-    /// What is on top in a pixel.
+    /// Coverage of a pixel.
     ///
     /// # Panics
     /// Outside of the picture.

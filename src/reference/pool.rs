@@ -1,4 +1,4 @@
-//! The one place of the reference that starts threads.
+//! Thread pool: the one place of the reference that starts threads.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -8,11 +8,11 @@ use crate::progress::Progress;
 use crate::threads;
 
 /// Runs `job` for each number below `count`, on up to `threads` threads, each with a state of its
-/// own; gives the results by number.
+/// own. Returns the results by number.
 ///
 /// # Errors
-/// The first problem by number, of those met before all threads had stopped; or that the work is
-/// not wanted any more.
+/// The first error by number, of those met before all threads had stopped; or `stopped` if
+/// `progress` was stopped.
 #[expect(
     clippy::disallowed_methods,
     reason = "the one place that starts threads: pictures of a known size, cancelled by a flag"
@@ -40,14 +40,14 @@ pub(super) fn run<S, T: Send>(
             has_failed.fetch_or(result.is_err(), Ordering::Relaxed);
             done.push((number, result));
         }
-        // Nobody panics while holding the lock; were it so, the scope below would pass the panic
-        // on.
+        // No thread panics while it holds the lock; if one did, the scope below would pass the
+        // panic on.
         finished.lock().unwrap_or_else(std::sync::PoisonError::into_inner).append(&mut done);
     };
     let helpers = threads.min(count).saturating_sub(1);
     std::thread::scope(|scope| {
         for _ in 0..helpers {
-            // Where no more threads can be had, those that there are do the work.
+            // If no more threads can be started, the existing ones do the work.
             let _ = threads::builder("reference").spawn_scoped(scope, work);
         }
         work();

@@ -1,4 +1,4 @@
-//! One pixel in full: what every named value of a look was there.
+//! Probe of one pixel: the value that every name of a look's source had there.
 
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -16,26 +16,26 @@ use crate::progress::Progress;
 /// A value at the pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbedValue {
-    /// What the generated source calls it.
+    /// Name in the generated source.
     pub name: String,
-    /// Where the source computes it, in bytes.
+    /// Span of the expression in the source, in bytes.
     pub span: Range<usize>,
-    /// Its scalars, in order; bools are 0 or 1.
+    /// Scalars of the value, in order; bools are 0 or 1.
     pub numbers: Vec<f64>,
 }
 
-/// What the visible fragment of a pixel computed.
+/// Values that the visible fragment of a pixel computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Probed {
-    /// The draw, by its index in the plan.
+    /// Index of the draw in the plan.
     pub draw: usize,
-    /// Depth from 0 (near) to 1 (far).
+    /// Depth, from 0 (near) to 1 (far).
     pub depth: f64,
-    /// In the order of computing.
+    /// Values in the order of computation.
     pub values: Vec<ProbedValue>,
 }
 
-/// Waits for the fragments of a pixel, and keeps the nearest.
+/// Watch on a pixel that keeps the values of its nearest fragment.
 #[derive(Debug)]
 pub(super) struct Watch {
     pixel: [u32; 2],
@@ -43,8 +43,8 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    /// Looks whether a batch that was just run has a fragment at the pixel that is nearer than any
-    /// before.
+    /// Keeps the values of a batch that was just run if it has a fragment at the pixel that is
+    /// nearer than all before.
     pub(super) fn look(
         &self,
         batch: &QuadBatch,
@@ -80,9 +80,9 @@ impl Watch {
     }
 }
 
-/// Runs what `plan` needs for one pixel, and tells what the visible fragment computed there; `None`
-/// where nothing is drawn. Functions that are called several times (those of the library) tell of
-/// their last call only.
+/// Runs the passes that `plan` needs for one pixel, and returns the values that the visible
+/// fragment computed there; `None` if nothing is drawn. Functions that are called several times
+/// (those of the library) have the values of their last call only.
 ///
 /// # Errors
 /// As [`execute`], and `reference-plan` for a pixel outside of the picture.
@@ -111,20 +111,21 @@ pub fn probe(
 /// A node's value at a pixel, in both precisions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WireValue {
-    /// The draw that the pixel shows, by its index in the plan.
+    /// Index, in the plan, of the draw that the pixel shows.
     pub draw: usize,
-    /// The node that gives it.
+    /// Path of the node.
     pub node: NodePath,
-    /// What the generated source calls it.
+    /// Name of the value in the generated source.
     pub name: String,
-    /// With every operation rounded to f32, as a GPU computes.
+    /// Value with every operation rounded to f32, as a GPU computes.
     pub single: Vec<f64>,
-    /// The truth.
+    /// Value in f64: the truth.
     pub double: Vec<f64>,
 }
 
 impl WireValue {
-    /// The largest difference between the two; infinite where only one is finite.
+    /// The largest difference between the two values; infinite if a number is finite in only one of
+    /// them.
     pub fn difference(&self) -> f64 {
         let pairs = self.single.iter().zip(&self.double);
         pairs
@@ -132,14 +133,15 @@ impl WireValue {
             .fold(0.0, |most, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
     }
 
-    /// Whether all of it is a number in f32.
+    /// True if all numbers are finite in f32.
     pub fn is_finite(&self) -> bool {
         self.single.iter().all(|x| x.is_finite())
     }
 }
 
-/// Every node's value at a pixel, in the order of computing, f32 beside f64; `None` where nothing
-/// is drawn. The first that is [not finite](WireValue::is_finite) is where a broken pixel begins.
+/// Every node's value at a pixel, in the order of computation, f32 beside f64; `None` if nothing is
+/// drawn. The first value that is [not finite](WireValue::is_finite) is the origin of a broken
+/// pixel.
 ///
 /// # Errors
 /// As [`probe`].
@@ -171,7 +173,7 @@ pub fn probe_wires(
 }
 
 impl Watch {
-    /// What was seen.
+    /// The values of the nearest fragment at the pixel.
     pub(super) fn into_found(self) -> Option<Probed> {
         self.found.into_inner().unwrap_or_else(PoisonError::into_inner)
     }

@@ -1,15 +1,14 @@
-//! Draws triangles: vertices, then lists of triangles by tile, then the tiles, each on one thread
-//! from back to front.
+//! Rasterizer: vertices, then lists of triangles by tile, then the tiles, each on one thread from
+//! back to front.
 //!
-//! Within a tile everything happens in the order of the plan, and what a fragment gets depends on
-//! its triangle alone; so the picture is the same for any number of threads and any size of tiles.
+//! Within a tile all draws happen in the order of the plan, and a fragment's inputs depend on its
+//! triangle alone; so the picture is the same for any number of threads and any size of tiles.
 //!
 //! # Memory
-//! The picture takes 8 bytes a channel and 20 for coverage and depth of each pixel; a thread one
-//! tile of samples. Shaded vertices and lists of triangles grow until [`Options::budget`]; then
-//! what is there is drawn, and the samples of all tiles are kept (16 bytes, and 8 a channel) until
-//! the rest has come. Beyond the budget are thus at most the vertices of one draw and one list for
-//! each thread.
+//! The picture takes 8 bytes a channel and 20 for coverage and depth of each pixel; a thread takes
+//! one tile of samples. Shaded vertices and lists of triangles grow until [`Options::budget`]; then
+//! they are drawn, and the samples of all tiles are kept (16 bytes, and 8 a channel) until the rest
+//! has come. Thus at most the vertices of one draw and one list for each thread exceed the budget.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -25,33 +24,33 @@ use super::tile::{Target, TileSamples};
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
-/// Pictures of more samples are refused: 8192x8192 pixels, or 4096x4096 of 4 samples.
+/// Largest number of samples of a picture: 8192x8192 pixels, or 4096x4096 of 4 samples.
 pub const MAX_SAMPLES: u64 = 1 << 26;
-/// Pictures of more pixels along one side are refused: the grid that coverage is decided on ends.
+/// Largest side of a picture, in pixels: the grid that coverage is decided on ends there.
 pub const MAX_SIDE: u32 = 1 << 15;
 
-/// As many draws have a batch in one thread at a time.
+/// Largest number of draws that have a batch in one thread at a time.
 const BATCHES: usize = 16;
 
-/// An image with what is on top in each of its pixels.
+/// An image with the coverage of each of its pixels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Raster {
-    /// What was drawn.
+    /// Colors or numbers that were drawn.
     pub texels: Texels,
-    /// A pixel each, rows from the top.
+    /// Coverage of each pixel, rows from the top.
     pub coverage: Vec<Coverage>,
-    /// The depth of the nearest sample of each pixel, 0 (near) to 1 (far).
+    /// Depth of the nearest sample of each pixel, 0 (near) to 1 (far).
     pub depths: Vec<f64>,
 }
 
 /// Some triangles of a draw, sorted into tiles.
 struct Piece<'a> {
     geometry: Arc<Geometry<'a>>,
-    /// Tile and triangle, in order.
+    /// Pairs of tile and triangle, in order.
     bins: Vec<[u32; 2]>,
 }
 
-/// A pass under way.
+/// A pass that is being drawn.
 struct Work<'a> {
     grid: Grid,
     samples: u32,
@@ -59,7 +58,7 @@ struct Work<'a> {
     options: &'a Options,
     progress: &'a Progress,
     pieces: Vec<Piece<'a>>,
-    /// What tiles hold that were drawn in part.
+    /// Samples of tiles that were drawn in part.
     kept: Vec<Mutex<Option<TileSamples>>>,
     raster: Mutex<Raster>,
 }
@@ -69,9 +68,9 @@ struct Work<'a> {
 /// # Errors
 /// - `reference-too-large`: there are more than [`MAX_SAMPLES`] samples, or a side is longer than
 ///   [`MAX_SIDE`].
-/// - `reference-samples`: a pixel has neither 1 nor 4.
-/// - `stopped`: it is not wanted any more.
-/// - What the shaders report.
+/// - `reference-samples`: a pixel has neither 1 nor 4 samples.
+/// - `stopped`: `progress` was stopped.
+/// - Errors of the shaders.
 pub fn rasterise(
     size: [u32; 2],
     samples: u32,
@@ -100,7 +99,7 @@ pub fn rasterise(
     Ok(work.raster.into_inner().unwrap_or_else(PoisonError::into_inner))
 }
 
-/// Refuses what would take too much memory, or does not exist.
+/// Refuses pictures that would take too much memory, and numbers of samples that do not exist.
 pub(super) fn check_size(size: [u32; 2], samples: u32) -> Result<(), Diagnostic> {
     if !matches!(samples, 1 | 4) {
         let message = format!("a pixel has 1 or 4 samples, not {samples}");
@@ -130,8 +129,7 @@ impl<'a> Work<'a> {
         let geometry = Arc::new(Geometry::new(draw, triangles, self.options, self.progress)?);
         *bytes += geometry.bytes();
         let pieces = geometry.count().div_ceil(TRIANGLES);
-        // So many at a time that all threads have work, and no more than that is ever beyond the
-        // budget.
+        // The wave gives work to all threads, and no more than one wave is ever beyond the budget.
         let wave = self.options.threads.max(1);
         for begin in (0..pieces).step_by(wave) {
             let bin = |(): &mut (), number: usize| {
@@ -145,13 +143,14 @@ impl<'a> Work<'a> {
                 .extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
             if *bytes > self.options.budget {
                 self.draw(false)?;
+                // The vertices stay in memory as long as the draw has more triangles.
                 *bytes = if begin + wave < pieces { geometry.bytes() } else { 0 };
             }
         }
         Ok(())
     }
 
-    /// Draws what was gathered; the last time, the samples become the picture.
+    /// Draws the gathered triangles; the last time, the samples become the picture.
     fn draw(&mut self, is_last: bool) -> Result<(), Diagnostic> {
         let tiles = self.grid.tiles();
         if is_last {
@@ -239,7 +238,7 @@ impl<'a> Work<'a> {
     }
 }
 
-/// What a thread keeps from tile to tile.
+/// State that a thread keeps from tile to tile.
 struct Worker<'a> {
     spare: Option<TileSamples>,
     batches: HashMap<u32, Batcher<'a>>,
@@ -247,6 +246,7 @@ struct Worker<'a> {
 
 impl<'a> Worker<'a> {
     fn batch(&mut self, geometry: &'a Geometry<'_>, target: &Target) -> &mut Batcher<'a> {
+        // All batches are empty here, as a tile flushes the batch of a draw before the next draw.
         if self.batches.len() >= BATCHES && !self.batches.contains_key(&geometry.draw) {
             self.batches.clear();
         }

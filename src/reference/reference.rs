@@ -7,10 +7,10 @@ use crate::frame::{Executor, FramePlan, PictureFuture};
 use crate::interp::Precision;
 use crate::progress::Progress;
 
-/// Draws frame plans on the CPU in f64; see [`execute`] for more than the picture.
+/// Executor on the CPU, in f64; see [`execute`] for results beyond the picture.
 #[derive(Clone, Debug, Default)]
 pub struct Reference {
-    /// How pictures are made.
+    /// Options of the pictures.
     pub options: Options,
 }
 

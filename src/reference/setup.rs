@@ -1,40 +1,40 @@
-//! From corners in clip space to triangles on the screen's grid: which way around they run, which
-//! are culled.
+//! Triangle setup: from corners in clip space to triangles on the screen's grid, their orientation
+//! and culling.
 
 use super::clip::{Corner, GUARD, LEAST_W, Polygon, outcode};
 
-/// Pixels and the steps of the grid in one of them.
+/// The picture's size, and the grid within a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Screen {
     pub(super) size: [u32; 2],
-    /// A pixel is 2 to this many steps.
+    /// Binary logarithm of the number of grid steps in a pixel.
     pub(super) bits: u32,
 }
 
-/// Which sides of triangles are drawn, and which side is the front.
+/// Sides of triangles that are drawn, and the side that is the front.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sides {
-    /// Back faces too.
+    /// True to draw back faces, too.
     pub both: bool,
-    /// Front faces run clockwise: a transform mirrors them.
+    /// True if front faces run clockwise, because a transform mirrors them.
     pub is_mirrored: bool,
 }
 
 /// A corner on the screen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ScreenCorner {
-    /// Grid steps from the upper left, y down: what coverage is decided by.
+    /// Position that decides coverage, in grid steps from the upper left, y down.
     pub(super) at: [i64; 2],
-    /// Pixels from the upper left, y down, where it really is: what is interpolated by.
+    /// Unrounded position that values are interpolated by, in pixels from the upper left, y down.
     pub(super) place: [f64; 2],
-    /// 0 at the near plane, 1 at the far one.
+    /// Depth: 0 at the near plane, 1 at the far plane.
     pub(super) depth: f64,
     pub(super) inverse_w: f64,
-    /// Its share of each corner of the triangle that it was cut from.
+    /// Weights of the corners of the triangle that this one was cut from.
     pub(super) weights: [f64; 3],
 }
 
-/// A triangle on the screen, clockwise as one sees it.
+/// A triangle on the screen, clockwise as seen by the viewer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Triangle {
     pub(super) corners: [ScreenCorner; 3],
@@ -44,8 +44,8 @@ pub(super) struct Triangle {
 impl Screen {
     fn place(self, corner: &Corner) -> ScreenCorner {
         let [x, y, z, w] = corner.clip;
-        // Cuts leave nothing beyond either limit but for what rounding does, which is a lot only
-        // where w is next to 0.
+        // Clipping leaves nothing beyond either limit except by rounding, which matters only if w
+        // is next to 0.
         let w = w.max(LEAST_W);
         let steps = f64::from(1 << (self.bits / 2)) * f64::from(1 << self.bits.div_ceil(2));
         let pixels = |ndc: f64, side: u32| {
@@ -61,7 +61,7 @@ impl Screen {
         }
     }
 
-    /// What is to be drawn of a triangle: nothing, one triangle, or several where it was cut.
+    /// The triangles to draw for a triangle: none, one, or several if it was clipped.
     pub(super) fn triangles(self, clip: [[f64; 4]; 3], sides: Sides) -> Fan {
         let mut fan = Fan { corners: [None; MOST], count: 0, is_clockwise: false, is_front: false };
         if !clip.iter().flatten().all(|x| x.is_finite()) {
@@ -92,7 +92,7 @@ impl Screen {
     }
 }
 
-/// The most corners that a clipped triangle has.
+/// Largest number of corners of a clipped triangle.
 const MOST: usize = 10;
 
 /// The triangles around the first corner of a polygon.
@@ -114,15 +114,15 @@ impl Fan {
     pub(super) fn triangles(&self) -> impl Iterator<Item = Triangle> {
         let clockwise = move |[a, b, c]: [ScreenCorner; 3]| {
             let corners = if self.is_clockwise { [a, b, c] } else { [a, c, b] };
-            // Rounding to the grid may turn a sliver of a polygon around: its neighbours cover what
-            // it covers.
+            // Rounding to the grid may turn a sliver of a polygon around: its neighbors cover the
+            // same samples.
             (doubled_area(&corners) > 0).then_some(Triangle { corners, is_front: self.is_front })
         };
         (2..self.count).filter_map(|last| self.at(last)).filter_map(clockwise)
     }
 
-    /// The least and the greatest pixel that the polygon touches, not cut at the picture's sides;
-    /// `None` if nothing is to be drawn.
+    /// The least and the greatest pixel that the polygon touches, not clipped at the picture's
+    /// sides; `None` if nothing is to be drawn.
     pub(super) fn pixels(&self, bits: u32) -> Option<[[i64; 2]; 2]> {
         let mut corners = self.corners[..self.count].iter().flatten().map(|corner| corner.at);
         let first = corners.next()?;
@@ -133,7 +133,8 @@ impl Fan {
     }
 }
 
-/// Twice the area in grid steps; above 0 for clockwise as one sees it, with y down.
+/// Twice the area in grid steps; positive for clockwise triangles as seen by the viewer, with y
+/// down.
 pub(super) fn doubled_area([a, b, c]: &[ScreenCorner; 3]) -> i128 {
     let [bx, by] = [0, 1].map(|i| i128::from(b.at[i] - a.at[i]));
     let [cx, cy] = [0, 1].map(|i| i128::from(c.at[i] - a.at[i]));

@@ -1,5 +1,5 @@
-//! Gathers the quads of a draw until a batch is full, has them shaded, and draws them in the order
-//! they came.
+//! Shading in batches: quads of a draw are gathered until a batch is full, shaded together, and
+//! drawn in their order.
 
 use super::coverage::sample_positions;
 use super::interpolate::{Point, Surface};
@@ -11,7 +11,7 @@ use crate::progress::Progress;
 /// One thread's batch of one draw.
 pub(super) struct Batcher<'a> {
     stage: Box<dyn FragmentStage + 'a>,
-    /// How each number of the varyings is interpolated.
+    /// Interpolation of each number of the varyings.
     interpolation: Vec<Interpolation>,
     batch: QuadBatch,
     shaded: Shaded,
@@ -48,7 +48,7 @@ impl<'a> Batcher<'a> {
         }
     }
 
-    /// Takes a quad, unless it is hidden; shades and draws once there are enough.
+    /// Takes a quad, unless it is hidden; shades and draws the batch once it is full.
     pub(super) fn push(
         &mut self,
         quad: &Quad<'_>,
@@ -103,7 +103,7 @@ impl<'a> Batcher<'a> {
         }
     }
 
-    /// Shades and draws what there is.
+    /// Shades and draws the pending quads.
     pub(super) fn flush(
         &mut self,
         tile: &mut TileSamples,

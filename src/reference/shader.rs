@@ -1,63 +1,63 @@
-//! What the rasteriser asks of shaders: vertices one list at a time, fragments sixteen quads at a
-//! time.
+//! Shader traits of the rasterizer: vertices are shaded one list at a time, fragments sixteen quads
+//! at a time.
 //!
-//! The rasteriser knows nothing of WGSL. A stage gets a worker for each thread, so that it may keep
-//! memory of its own.
+//! The rasterizer knows no WGSL. A stage gives each thread a worker, which may keep memory of its
+//! own.
 
 use crate::diag::Diagnostic;
 
-/// Quads in a batch.
+/// Number of quads in a batch.
 pub const QUADS: usize = 16;
-/// Fragments in a batch: lane `4 * quad + 2 * y + x`, with `y` down.
+/// Number of fragments in a batch: lane `4 * quad + 2 * y + x`, with `y` down.
 pub const LANES: usize = 4 * QUADS;
 
-/// How a varying gets from the corners of a triangle to its pixels.
+/// Interpolation of a varying from the corners of a triangle to its pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Interpolation {
     /// Linear on the surface, and so perspective-correct on the screen.
     #[default]
     Perspective,
-    /// The first corner's everywhere.
+    /// Value of the first corner everywhere.
     Flat,
 }
 
-/// One output of a vertex stage that is an input of the fragment stage.
+/// An output of a vertex stage that is an input of the fragment stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Varying {
-    /// Numbers in it: 1 to 4.
+    /// Number of components: 1 to 4.
     pub components: usize,
-    /// How it is interpolated.
+    /// Interpolation of the components.
     pub interpolation: Interpolation,
 }
 
 /// The shader of one draw.
 pub trait Shader: Sync {
-    /// The varyings in the order of their locations.
+    /// The varyings, in the order of their locations.
     fn varyings(&self) -> &[Varying];
 
-    /// A worker for one thread.
+    /// A worker of the vertex stage, for one thread.
     fn vertices(&self) -> Box<dyn VertexStage + '_>;
 
-    /// A worker for one thread.
+    /// A worker of the fragment stage, for one thread.
     fn fragments(&self) -> Box<dyn FragmentStage + '_>;
 }
 
-/// Runs vertex shaders.
+/// Worker that runs vertex shaders.
 pub trait VertexStage {
-    /// Shades the vertices of these numbers. `out` has for each of them the clip position `x y z w`
-    /// and then all components of the varyings, and is as long as that makes it.
+    /// Shades the vertices with these indices. `out` has, for each vertex, the clip position `x y z
+    /// w` and then all components of the varyings.
     ///
     /// # Errors
-    /// What keeps the shader from ending.
+    /// Shaders that do not end.
     fn shade(&mut self, vertices: &[u32], out: &mut [f64]) -> Result<(), Diagnostic>;
 }
 
-/// Runs fragment shaders.
+/// Worker that runs fragment shaders.
 pub trait FragmentStage {
-    /// Shades all lanes of `batch`, helpers too, for derivatives need them.
+    /// Shades all lanes of `batch`, helpers included, as derivatives need them.
     ///
     /// # Errors
-    /// What keeps the shader from ending.
+    /// Shaders that do not end.
     fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic>;
 }
 
@@ -84,17 +84,17 @@ impl QuadBatch {
         }
     }
 
-    /// How many lanes are filled: a multiple of 4, from lane 0.
+    /// Number of lanes that are filled: a multiple of 4, from lane 0.
     pub fn lanes(&self) -> usize {
         4 * self.quads
     }
 
-    /// The lanes whose color counts, by bit; the others are there for the derivatives.
+    /// Lanes whose color counts, by bit; the other lanes exist for the derivatives.
     pub fn live(&self) -> u64 {
         self.live
     }
 
-    /// The lanes of front faces, by bit.
+    /// Lanes of front faces, by bit.
     pub fn front(&self) -> u64 {
         self.front
     }
@@ -118,7 +118,7 @@ impl QuadBatch {
         (self.quads, self.live, self.front) = (0, 0, 0);
     }
 
-    /// Begins the next quad, with four bits of lanes that count; gives its first lane.
+    /// Begins the next quad, with four bits for the lanes that count. Returns its first lane.
     pub(super) fn begin(&mut self, live: u64, is_front: bool) -> usize {
         let lane = self.lanes();
         self.live |= live << lane;
@@ -138,28 +138,28 @@ impl QuadBatch {
     }
 }
 
-/// What the fragments of a batch gave.
+/// Outputs of the fragments of a batch.
 #[derive(Clone, Debug)]
 pub struct Shaded {
     channels: usize,
     values: Vec<f64>,
-    /// The lanes that were discarded, by bit.
+    /// Lanes that were discarded, by bit.
     pub discarded: u64,
 }
 
 impl Shaded {
-    /// For `channels` numbers a fragment: those of the color targets, in the order of their
+    /// Outputs of `channels` numbers a fragment: those of the color targets, in the order of their
     /// locations.
     pub(super) fn new(channels: usize) -> Self {
         Self { channels, values: vec![0.0; channels * LANES], discarded: 0 }
     }
 
-    /// How many numbers a fragment gives.
+    /// Number of channels of a fragment.
     pub fn channels(&self) -> usize {
         self.channels
     }
 
-    /// One of the numbers of all lanes, to be filled in.
+    /// A channel of all lanes, to be filled in.
     pub fn channel_mut(&mut self, channel: usize) -> &mut [f64] {
         &mut self.values[channel * LANES..][..LANES]
     }

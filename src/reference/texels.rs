@@ -1,11 +1,11 @@
-//! Images of f64, and what is on top in each pixel.
+//! Images of f64, and coverage of pixels.
 
 /// An image: rows from the top, the channels of a pixel side by side.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Texels {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Numbers a pixel.
+    /// Number of channels of a pixel.
     pub channels: usize,
     /// `size[0] * size[1] * channels` numbers.
     pub values: Vec<f64>,
@@ -34,7 +34,7 @@ impl Texels {
         &mut self.values[index..][..self.channels]
     }
 
-    /// Each number as `round` gives it.
+    /// The image with each number rounded by `round`.
     pub(super) fn rounded(mut self, round: impl Fn(f64) -> f64) -> Self {
         self.values.iter_mut().for_each(|number| *number = round(*number));
         self
@@ -52,25 +52,26 @@ impl Texels {
     }
 }
 
-/// What is on top in a pixel. Pixels where it is the same in two pictures can be compared by
-/// color; elsewhere an edge lies a little to one side.
+/// Draws and triangles on top in a pixel. Pixels with equal coverage in two pictures can be
+/// compared by color; elsewhere an edge lies a little to one side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Coverage {
-    /// The draw that is on top in most samples, the earlier one of equals; `None` where nothing is.
+    /// Draw that is on top in most samples, the earlier one of equals; `None` if nothing is.
     pub draw: Option<u32>,
-    /// In how many samples it is.
+    /// Number of samples that show this draw.
     pub own: u8,
-    /// How many samples have anything at all.
+    /// Number of samples that show any draw.
     pub samples: u8,
-    /// How many triangles are on top in some sample.
+    /// Number of triangles that are on top in some sample.
     pub triangles: u8,
 }
 
-/// No triangle: nothing was drawn there.
+/// Owner of a sample that no triangle covers.
 pub(super) const NOTHING: [u32; 2] = [u32::MAX; 2];
 
 impl Coverage {
-    /// From the draw and triangle that is on top in each sample, [`NOTHING`] for none.
+    /// The coverage of a pixel from the draw and triangle on top in each sample, [`NOTHING`] for
+    /// none.
     pub(super) fn of(owners: &[[u32; 2]]) -> Self {
         let mut coverage = Self::default();
         for (i, &owner) in owners.iter().enumerate().filter(|(_, owner)| **owner != NOTHING) {
@@ -86,7 +87,7 @@ impl Coverage {
         coverage
     }
 
-    /// Whether all of `samples` samples show the same draw.
+    /// True if all of `samples` samples show the same draw.
     pub fn is_inside(&self, samples: u32) -> bool {
         u32::from(self.own) == samples
     }

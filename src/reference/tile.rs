@@ -1,22 +1,22 @@
-//! The samples of one square of the picture: depth, color, and what is on top.
+//! Samples of one tile of the picture: depth, color, and the draw on top.
 
 use super::coverage::{Pixels, bit};
 use super::raster::Raster;
 use super::shader::Shaded;
 use super::texels::{Coverage, NOTHING};
 
-/// What a pass draws into.
+/// Image that a pass draws into.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
-    /// A picture that begins as this premultiplied color; straight colors are laid over it, and
-    /// samples averaged.
+    /// A picture that is cleared to this premultiplied color; straight colors are blended over it,
+    /// and samples averaged.
     Picture([f64; 4]),
-    /// This many numbers a pixel, which begin as 0 and are replaced; one sample.
+    /// Numbers, this many a pixel, which are cleared to 0 and are replaced; one sample a pixel.
     Numbers(usize),
 }
 
 impl Target {
-    /// Numbers that a fragment gives.
+    /// Number of channels of a fragment.
     pub(super) fn channels(&self) -> usize {
         match self {
             Self::Picture(_) => 4,
@@ -25,19 +25,19 @@ impl Target {
     }
 }
 
-/// A quad whose colors are under way.
+/// A quad whose colors are being shaded.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pending {
-    /// The upper left pixel.
+    /// Upper left pixel.
     pub(super) at: [u32; 2],
     pub(super) covered: u16,
-    /// Of each sample of each lane.
+    /// Depth of each sample of each lane.
     pub(super) depths: [f64; 16],
     /// Draw and triangle.
     pub(super) owner: [u32; 2],
 }
 
-/// The samples of one tile: 8 bytes for the depth, 8 for each channel, 8 for what is on top.
+/// The samples of one tile: 8 bytes for the depth, 8 for each channel, 8 for the owner.
 #[derive(Clone, Debug)]
 pub(super) struct TileSamples {
     pixels: Pixels,
@@ -64,7 +64,7 @@ impl TileSamples {
         }
     }
 
-    /// Begins `pixels` anew: far away, and as `target` begins.
+    /// Clears the tile for `pixels`: depths to the far plane, colors to those of `target`.
     pub(super) fn clear(&mut self, pixels: Pixels, target: &Target) {
         self.pixels = pixels;
         self.depths.fill(1.0);
@@ -77,19 +77,19 @@ impl TileSamples {
         }
     }
 
-    /// The pixels that it holds.
+    /// The pixels of the tile.
     pub(super) fn pixels(&self) -> Pixels {
         self.pixels
     }
 
-    /// The first sample of a pixel.
+    /// Index of the first sample of a pixel.
     fn index(&self, x: u32, y: u32) -> usize {
         let (x, y) = ((x - self.pixels.begin[0]) as usize, (y - self.pixels.begin[1]) as usize);
         (y * self.width + x) * self.samples
     }
 
-    /// The samples that are in front of what is there; later ones of the same batch may still come
-    /// before them.
+    /// The samples that are in front of the drawn ones; earlier quads of the same batch may still
+    /// hide them.
     pub(super) fn in_front(&self, pending: &Pending) -> u16 {
         let mut covered = 0;
         for corner in (0..4).filter(|corner| pending.covered >> (4 * corner) & 0xF != 0) {
@@ -97,8 +97,8 @@ impl TileSamples {
             for sample in
                 (0..self.samples).filter(|sample| pending.covered & bit(corner, *sample) != 0)
             {
-                // Depths only ever fall, so that what is hidden now stays so, and nothing that is
-                // hidden needs a color.
+                // Depths only ever fall, so that a sample that is hidden now stays hidden, and
+                // needs no color.
                 if pending.depths[4 * corner + sample] < self.depths[first + sample] {
                     covered |= bit(corner, sample);
                 }
@@ -107,7 +107,7 @@ impl TileSamples {
         covered
     }
 
-    /// The first sample of one of a quad's four pixels.
+    /// Index of the first sample of one of a quad's four pixels.
     fn corner(&self, pending: &Pending, corner: usize) -> usize {
         self.index(pending.at[0] + (corner as u32 & 1), pending.at[1] + (corner as u32 >> 1))
     }
@@ -161,10 +161,10 @@ impl TileSamples {
     }
 }
 
-/// One sample of a target gets the color of a fragment.
+/// Writes the color of a fragment into one sample of a target.
 fn write(sample: &mut [f64], fragment: impl Fn(usize) -> f64, target: &Target) {
     match target {
-        // Straight color over premultiplied.
+        // Straight color is blended over premultiplied.
         Target::Picture(_) => {
             let alpha = fragment(3);
             for (channel, number) in sample.iter_mut().enumerate() {

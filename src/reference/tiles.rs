@@ -1,10 +1,10 @@
-//! A look as a painted HCBTF: every texel of every sample is what the look shows there, as the
-//! reference works it out.
+//! Baking of a look to an HCBTF: every texel of every sample is painted with the color that the
+//! look shows there, as the reference computes it.
 //!
 //! A texel is the mean of several samples, premultiplied and in the look's own colors, as the
-//! samples of a pixel are averaged when the look is drawn: in linear light where the look is
-//! linear, else as shown. Nothing is smoothed by footprints, which are 0 here, so hard edges of
-//! patterns need samples enough.
+//! samples of a pixel are averaged when the look is drawn: in linear light if the look is linear,
+//! else as shown. Footprints are 0 here and smooth nothing, so hard edges of patterns need enough
+//! samples.
 
 use std::sync::Arc;
 
@@ -20,24 +20,24 @@ use crate::interp::Precision;
 use crate::library::Library;
 use crate::progress::Progress;
 
-/// The samples of a texel where nobody says how many: as many as a pixel has.
+/// Default number of samples of a texel: as many as a pixel has.
 pub const TILE_SAMPLES: u32 = 4;
-/// So many samples are evaluated at once, which bounds memory and how long it takes to stop.
+/// Number of samples that are evaluated at once, which bounds memory and the time to stop.
 const AT_ONCE: usize = 4096;
 
-/// What came of baking a look.
+/// Result of baking a look.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BakedLook {
-    /// All of it painted.
+    /// The HCBTF, all of it painted.
     pub hcbtf: Hcbtf,
-    /// How far half of the samples would have been off from all of them: the RMS over all channels
-    /// of all texels, seen over black and as shown, 1 for the whole of a channel. `None` where a
-    /// texel has one sample.
+    /// Difference between half of the samples and all of them: the RMS over all channels of all
+    /// texels, over black and as shown, 1 for the whole range of a channel. `None` if a texel has
+    /// one sample.
     pub halves_off: Option<f64>,
 }
 
-/// Paints every sample of a grid with what a look shows on a flat tile, as [`bake_look_sampled`]
-/// with [`TILE_SAMPLES`].
+/// Bakes a look on a flat tile for every sample of a grid, as [`bake_look_sampled`] with
+/// [`TILE_SAMPLES`].
 ///
 /// # Errors
 /// As [`bake_look_sampled`].
@@ -53,14 +53,14 @@ pub fn bake_look(
         .map(|baked| baked.hcbtf)
 }
 
-/// Paints every sample of a grid with what a look shows on a flat tile, its light at the sample's
-/// direction, on all cores. A texel is the mean of `samples`, a power of 2 up to
-/// [`MAX_TILE_SAMPLES`]. The result is the same on every machine. `assets` has what the look names,
-/// best read before ([`tile_assets`](crate::frame::tile_assets)). `progress` counts pieces of a
-/// sample's tile, and stops within one.
+/// Bakes a look on a flat tile for every sample of a grid, its light at the sample's direction, on
+/// all cores. A texel is the mean of `samples`, a power of 2 up to [`MAX_TILE_SAMPLES`]. The result
+/// is the same on every machine. `assets` holds the files that the look names, best read before
+/// ([`tile_assets`](crate::frame::tile_assets)). `progress` counts pieces of a sample's tile, and
+/// stops within one.
 ///
 /// # Errors
-/// Where it is stopped, where the grid is too large for a file, and everything that is wrong with
+/// `stopped` if `progress` was stopped, a grid that is too large for a file, and all problems of
 /// the look.
 pub fn bake_look_sampled(
     setup: &SetupLook,
@@ -102,7 +102,7 @@ fn texels_at_once(samples: u32) -> usize {
     AT_ONCE / samples as usize
 }
 
-/// A look while it is baked.
+/// A look that is being baked.
 struct Baking<'a> {
     look: Evaluable<'a>,
     evaluator: Evaluator,
@@ -112,8 +112,8 @@ struct Baking<'a> {
 }
 
 impl Baking<'_> {
-    /// A sample's tile, and the sum of the squares by which half of its samples would have been
-    /// off.
+    /// A sample's tile, and the sum of the squared differences between half of its samples and all
+    /// of them.
     fn tile(&self, view: &TileView, size: [u32; 2]) -> Result<(Tile, f64), Diagnostic> {
         let texels = size[0] as usize * size[1] as usize;
         let mut rgba = Vec::with_capacity(4 * texels);
@@ -135,7 +135,7 @@ impl Baking<'_> {
             }
             self.progress.add(1);
         }
-        // There are four bytes for every texel.
+        // The loop has pushed four bytes for every texel.
         let tile = Tile::new(size, rgba)
             .ok_or_else(|| Diagnostic::error("hcbtf-grid", "a tile has no texels"))?;
         Ok((tile, halves))
@@ -155,21 +155,21 @@ impl Baking<'_> {
         self.evaluator.run(&packed, samples.len(), Precision::F64, self.progress)
     }
 
-    /// A color as shown, 0 to 1, straight.
+    /// A color as shown, straight, 0 to 1.
     fn shown(&self, [r, g, b, a]: [f64; 4]) -> [f64; 4] {
         let encoded = |value: f64| if self.is_linear { linear_to_srgb(value) } else { value };
         [encoded(r), encoded(g), encoded(b), a].map(|channel| channel.clamp(0.0, 1.0))
     }
 
-    /// The same over black.
+    /// A color as shown over black.
     fn seen(&self, color: [f64; 4]) -> [f64; 4] {
         let [r, g, b, a] = self.shown(color);
         [r * a, g * a, b * a, a]
     }
 }
 
-/// A texel's samples in two halves that both lie all over it: by whether their numbers have an even
-/// count of ones, for each bit halves the texel anew, in one direction or the other.
+/// A texel's samples in two halves that both spread over all of it: they are split by the parity of
+/// the ones in their index, as each bit halves the texel anew, in one direction or the other.
 fn halves_of(samples: &[[f64; 4]]) -> [Vec<[f64; 4]>; 2] {
     let half = |odd| {
         let own =
@@ -179,7 +179,7 @@ fn halves_of(samples: &[[f64; 4]]) -> [Vec<[f64; 4]>; 2] {
     [half(0), half(1)]
 }
 
-/// The mean of straight colors, weighted by their alpha; where all are transparent, each as much.
+/// The mean of straight colors, weighted by their alpha; equally weighted if all are transparent.
 fn mean(colors: &[[f64; 4]]) -> [f64; 4] {
     if let [only] = colors {
         return *only;

@@ -1,8 +1,8 @@
-//! Numbers as values of the shapes that shaders read.
+//! Conversion of numbers to values of the shapes that shaders read.
 
 use crate::interp::{Scalar, ScalarKind, Shape, Value};
 
-/// A value of `shape` from its scalars in order, matrices by columns; what is missing is 0.
+/// A value of `shape` from its scalars in order, matrices by columns; missing scalars are 0.
 pub(super) fn value(shape: &Shape, numbers: &mut impl Iterator<Item = f64>) -> Value {
     match shape {
         Shape::Scalar(kind) => scalar(*kind, numbers).into(),

@@ -1,49 +1,49 @@
-//! What a GPU cannot do, told so that the user can go on.
+//! Errors of the GPU, with hints for the user.
 
 use crate::diag::Diagnostic;
 use crate::frame::SHORTEN;
 
-/// Why something was not drawn.
+/// Reason why a plan was not drawn.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RenderError {
-    /// No adapter.
+    /// The system has no adapter.
     #[error("no GPU was found, nor a software renderer: {message}")]
     NoAdapter {
-        /// What the system says.
+        /// Message of the system.
         message: String,
     },
-    /// The device is gone.
+    /// The device was lost.
     #[error("the GPU was lost: {message}")]
     Lost {
-        /// What the system says.
+        /// Message of the system.
         message: String,
     },
-    /// There is not enough memory.
+    /// The device has not enough memory.
     #[error("the GPU has not enough memory for {what}")]
     OutOfMemory {
-        /// For what.
+        /// Name of the resource that does not fit.
         what: String,
     },
-    /// A limit of the adapter.
+    /// A size exceeds a limit of the adapter.
     #[error("{what} is {size}, and this GPU allows at most {limit}")]
     TooLarge {
-        /// What is too large.
+        /// Name of the size that is too large.
         what: String,
-        /// How large.
+        /// The size.
         size: u64,
-        /// How large it may be.
+        /// Largest size that the adapter allows.
         limit: u64,
     },
-    /// The shader is more than a driver's compiler is handed.
+    /// The shader is nested too deeply to be handed to a driver's compiler.
     #[error("{message}")]
     TooDeep {
-        /// How deep the shader is, and how deep it may be.
+        /// Description of the shader's depth and of the limit.
         message: String,
     },
-    /// A mistake of ours.
+    /// The validation refused our commands: a mistake of ours.
     #[error("the GPU refused our work: {message}")]
     Refused {
-        /// What it says.
+        /// Message of the validation.
         message: String,
     },
 }

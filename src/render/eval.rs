@@ -1,4 +1,4 @@
-//! Surface samples through a compiled look, at full f32 precision.
+//! Evaluation of a compiled look at surface samples, at full f32 precision.
 
 use wgpu::util::DeviceExt as _;
 
@@ -11,7 +11,7 @@ use super::target::texture;
 use crate::compile::{BindingKind, SAMPLES_PER_ROW};
 use crate::frame::EvalBatch;
 
-/// As many samples are run at once as fit a target that every GPU allows.
+/// Largest number of samples in one run: as many as fit a target that every GPU allows.
 const SAMPLES_PER_RUN: usize = (SAMPLES_PER_ROW as usize) * 1024;
 
 impl Renderer {
@@ -19,12 +19,12 @@ impl Renderer {
     /// root's type.
     ///
     /// # Errors
-    /// What the GPU cannot do.
+    /// Errors of the GPU.
     pub async fn evaluate(&mut self, batch: &EvalBatch) -> Result<Vec<[f32; 4]>, RenderError> {
         let count = batch.indices.len();
         let mut values = Vec::with_capacity(count);
         let stride = batch.samples.bytes.len().checked_div(count).unwrap_or(0);
-        // A storage binding has a limit too.
+        // The size of a storage binding is limited, too.
         let fitting =
             self.gpu.device.limits().max_storage_buffer_binding_size as usize / stride.max(1);
         let per_run = SAMPLES_PER_RUN.min(fitting).max(1);
@@ -58,6 +58,7 @@ impl Renderer {
         let group = self.bind_samples(batch, bytes, &pipeline)?;
         let rows = (count as u32).div_ceil(SAMPLES_PER_ROW);
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+        // Each sample fills a quad of 2x2 pixels, so that derivatives are 0.
         let size = [2 * SAMPLES_PER_ROW, 2 * rows];
         self.gpu.check_size(size)?;
         let target = texture(&self.gpu, size, wgpu::TextureFormat::Rgba32Float, 1, usage);

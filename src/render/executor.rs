@@ -12,7 +12,7 @@ impl Executor for Renderer {
 
     fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a> {
         Box::pin(async move {
-            // A frame is one submission: it is stopped before it, or not at all.
+            // A frame is one submission: it can be stopped before it begins, but not within.
             progress.begin(1);
             progress.check()?;
             let picture = Self::picture(self, plan).await?;

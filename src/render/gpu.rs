@@ -1,4 +1,4 @@
-//! A device and its queue.
+//! The GPU: a device and its queue.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
@@ -11,35 +11,35 @@ use crate::frame::FramePlan;
 use crate::hcbtf::Coding;
 use crate::{hcbtf, milestones};
 
-/// A device, our own or a window's.
+/// A device of our own or of a window, with its store of uploaded resources.
 #[derive(Clone, Debug)]
 pub struct Gpu {
     /// The device.
     pub device: wgpu::Device,
-    /// Its queue.
+    /// Command queue of the device.
     pub queue: wgpu::Queue,
-    /// What it is.
+    /// Description of the adapter.
     pub info: wgpu::AdapterInfo,
-    /// What pictures are drawn in.
+    /// Format that pictures are drawn in.
     pub(super) picture: wgpu::TextureFormat,
     /// Errors that no scope caught, and the loss of the device.
     problem: Arc<Mutex<Option<RenderError>>>,
-    /// What was uploaded and compiled, for all renderers.
+    /// Resources that were uploaded and compiled, shared by all renderers.
     pub(super) store: Store,
 }
 
-/// Catches what goes wrong on the device while it lives.
+/// Guard that catches errors of the device while it lives.
 ///
-/// Fields are dropped in their order, and of error scopes the last one pushed must be popped first:
-/// whoever gives up half way would end the program otherwise.
+/// Fields are dropped in their order, and the error scope that was pushed last must be popped
+/// first: a function that returned early would end the program otherwise.
 pub(super) struct Guard {
     validation: wgpu::ErrorScopeGuard,
     memory: wgpu::ErrorScopeGuard,
     problem: Arc<Mutex<Option<RenderError>>>,
 }
 
-/// What is asked of an adapter: all that it can hold, the clocks and the compressed textures that
-/// it has.
+/// Descriptor of the device to open on an adapter: all of the adapter's limits, and timestamps,
+/// blending of 32-bit floats and compressed textures if it has them.
 pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
     wgpu::DeviceDescriptor {
         label: Some("chiaro"),
@@ -53,15 +53,14 @@ pub fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'sta
 }
 
 impl Gpu {
-    /// Opens the best adapter that there is, a software one if need be.
+    /// Opens the best adapter of the system, a software renderer if need be.
     ///
     /// # Errors
-    /// Where there is none, or it gives no device.
+    /// A system without adapters, and an adapter that gives no device.
     pub async fn headless() -> Result<Self, RenderError> {
         let mut failure = String::from("no backend was tried");
         let mut found = None;
-        // OpenGL only where there is nothing better: its libraries talk of missing displays on
-        // their way.
+        // OpenGL is tried last: its libraries print messages about missing displays.
         let wanted = wgpu::Backends::from_env()
             .map_or(vec![wgpu::Backends::PRIMARY, wgpu::Backends::GL], |one| vec![one]);
         for backends in wanted {
@@ -89,7 +88,7 @@ impl Gpu {
         Ok(Self::new(device, queue, adapter.get_info()))
     }
 
-    /// Wraps a device that somebody else opened.
+    /// Wraps a device that was opened by others.
     pub fn new(device: wgpu::Device, queue: wgpu::Queue, info: wgpu::AdapterInfo) -> Self {
         let problem = Arc::new(Mutex::new(None));
         let lost = problem.clone();
@@ -105,8 +104,8 @@ impl Gpu {
         Self { device, queue, info, picture: PICTURE, problem, store: Store::default() }
     }
 
-    /// The same device, with pictures in 32-bit floats where it can blend them: for comparing, with
-    /// one sample a pixel.
+    /// The device with pictures in 32-bit floats if it can blend them: for comparisons, with one
+    /// sample a pixel.
     #[must_use]
     pub fn precise(&self) -> Self {
         let can = self.device.features().contains(wgpu::Features::FLOAT32_BLENDABLE);
@@ -116,35 +115,35 @@ impl Gpu {
         }
     }
 
-    /// The same device with a store of its own: what is drawn with it is given back when it is
-    /// dropped, as those want who draw many looks once each.
+    /// The device with a store of its own, which frees its resources when it is dropped: for
+    /// callers that draw many looks once each.
     #[must_use]
     pub fn with_own_store(&self) -> Self {
         Self { store: Store::default(), ..self.clone() }
     }
 
-    /// How often meshes and images were uploaded, by all who share this device's store.
+    /// Numbers of uploads of meshes and images, by all renderers that share this device's store.
     pub fn uploads(&self) -> UploadCounts {
         UploadCounts { meshes: self.store.meshes.uploads(), images: self.store.images.uploads() }
     }
 
-    /// Whether it is a program and no device.
+    /// True if the adapter is a software renderer.
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// Whether passes can be timed by its own clock.
+    /// True if the device can time passes by its own clock.
     pub fn has_timestamps(&self) -> bool {
         self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
-    /// Whether textures can be compressed blocks (BC7); where they cannot, they are decoded before
-    /// they are handed over.
+    /// True if textures can be compressed blocks (BC7); for other devices they are decoded before
+    /// they are uploaded.
     pub fn has_blocks(&self) -> bool {
         self.device.features().contains(wgpu::Features::TEXTURE_COMPRESSION_BC)
     }
 
-    /// What there is to say of drawing `plan` on it: textures that it has to be given decoded.
+    /// Warnings about drawing `plan` on this device: textures that must be decoded for it.
     pub fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {
         let images = plan.draws.iter().flat_map(|draw| &draw.images);
         let blocks = images
@@ -164,12 +163,12 @@ impl Gpu {
         vec![Diagnostic::warning("no-blocks", message).hint(hint)]
     }
 
-    /// What it is called, for reports.
+    /// Name of the adapter and its backend, for reports.
     pub fn name(&self) -> String {
         format!("{} ({:?})", self.info.name, self.info.backend)
     }
 
-    /// How large the textures of HCBTFs may be here.
+    /// Largest textures of HCBTFs that the device can hold.
     pub fn holds(&self) -> hcbtf::Device {
         let limits = self.device.limits();
         let [side, layers] =
@@ -180,13 +179,13 @@ impl Gpu {
         }
     }
 
-    /// Waits until the GPU has done everything that was submitted.
+    /// Waits until the GPU has finished all submitted work.
     pub(super) fn wait(&self) -> Result<(), RenderError> {
         let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
         waited.map(drop).map_err(|error| RenderError::Lost { message: error.to_string() })
     }
 
-    /// Begins to catch what goes wrong.
+    /// Begins to catch errors of the device.
     pub(super) fn guard(&self) -> Guard {
         Guard {
             memory: self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory),
@@ -195,7 +194,7 @@ impl Gpu {
         }
     }
 
-    /// Whether a target of `size` pixels is possible.
+    /// Checks that a target of `size` pixels is possible.
     pub(super) fn check_size(&self, size: [u32; 2]) -> Result<(), RenderError> {
         let limit = self.device.limits().max_texture_dimension_2d;
         let side = size[0].max(size[1]);
@@ -223,7 +222,7 @@ fn from_wgpu(error: wgpu::Error) -> RenderError {
 }
 
 impl Guard {
-    /// Ends, with the first thing that went wrong.
+    /// Stops catching errors, and returns the first one.
     pub(super) async fn finish(self) -> Result<(), RenderError> {
         let validation = self.validation.pop().await;
         let memory = self.memory.pop().await;

@@ -1,4 +1,4 @@
-//! Images and samplers on the GPU. All renderers of a device share them.
+//! Images and samplers on the GPU, shared by all renderers of a device.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -14,7 +14,7 @@ use crate::hcbtf::Coding;
 
 #[derive(Debug)]
 struct ImageTexture {
-    /// Whoever draws with it: the same image may have been read more than once.
+    /// Images that are drawn with this texture: the same image may have been read more than once.
     holders: Vec<Weak<Image>>,
     texture: wgpu::Texture,
     view: wgpu::TextureView,
@@ -25,7 +25,7 @@ impl ImageTexture {
         self.holders.iter().any(|image| image.strong_count() > 0)
     }
 
-    /// Notes who draws with it from now on.
+    /// Adds an image that is drawn with this texture from now on.
     fn hold(&mut self, image: &Arc<Image>) {
         self.holders.retain(|holder| holder.strong_count() > 0);
         if !self.holders.iter().any(|holder| std::ptr::eq(holder.as_ptr(), Arc::as_ptr(image))) {
@@ -34,7 +34,7 @@ impl ImageTexture {
     }
 }
 
-/// Every image that was drawn with and is still in use, and the samplers. Clones share them.
+/// Images in use and samplers. Clones share them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Images(Arc<Mutex<ImageTable>>);
 
@@ -66,17 +66,17 @@ impl Images {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// How many images were uploaded so far.
+    /// Number of images that were uploaded so far.
     pub(super) fn uploads(&self) -> u64 {
         self.lock().uploads
     }
 
-    /// Drops the textures of images that nobody holds any more.
+    /// Drops the textures of images that have no holder any more.
     pub(super) fn keep_recent(&self) {
         self.lock().textures.retain(|_, texture| texture.is_in_use());
     }
 
-    /// Drops all textures: some may have been made while the device had no room for them.
+    /// Drops all textures: some may have been created while the device had no room for them.
     pub(super) fn clear(&self) {
         self.lock().textures.clear();
     }
@@ -100,7 +100,7 @@ impl Images {
 }
 
 impl ImageTable {
-    /// The texture of an image, rows from the top; image nodes turn v, which points up, themselves.
+    /// The texture of an image, rows from the top; image nodes flip v, which points up, themselves.
     fn texture(
         &mut self,
         gpu: &Gpu,
@@ -156,7 +156,7 @@ impl ImageTable {
             _ => image.rgba(),
         };
         let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, order, &bytes);
-        // One of a single layer would be taken for a flat one.
+        // A texture of a single layer would be viewed as a flat one by default.
         let dimension = match wanted.shape {
             ImageShape::Flat => wgpu::TextureViewDimension::D2,
             ImageShape::Hcbtf { .. } => wgpu::TextureViewDimension::D2Array,
@@ -171,9 +171,9 @@ impl ImageTable {
         Ok(view)
     }
 
-    /// The texture of what the image was before, brought up to date where it is another now; `None`
-    /// where it is not here, or somebody still draws with it. What was handed to the GPU before
-    /// sees it as it was.
+    /// The texture of the image's former version, updated by the change between the two; `None` if
+    /// there is no such texture, or if it is still drawn with. Commands that were submitted before
+    /// see the former version.
     fn changed(
         &mut self,
         gpu: &Gpu,

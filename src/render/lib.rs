@@ -1,9 +1,9 @@
-//! Executes frame plans on wgpu.
+//! Renderer: execution of frame plans on wgpu.
 //!
-//! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps what is expensive (pipelines,
-//! meshes, images, targets) and runs a [`FramePlan`]'s passes in order. [`Renderer::evaluate`] runs
-//! surface samples. Creation, drawing and readback are async; whoever
-//! runs the program or a thread of its window waits.
+//! [`Gpu`] is a device, our own or a window's. [`Renderer`] keeps the expensive resources
+//! (pipelines, meshes, images, targets) and runs a [`FramePlan`]'s passes in order.
+//! [`Renderer::evaluate`] evaluates a look at surface samples. Creation, drawing and readback are
+//! async; only the program's main function, or a thread of its window, blocks on them.
 
 use chiaro_compiler::compile;
 use chiaro_language::{clock, diag, milestones, progress};
@@ -34,19 +34,20 @@ pub use gpu::{Gpu, device_descriptor};
 pub use store::UploadCounts;
 pub use timer::{PassTime, set_times};
 
-/// Runs frame plans. Renderers on clones of one [`Gpu`] share meshes, images and pipelines.
+/// Executor of frame plans on a GPU. Renderers on clones of one [`Gpu`] share meshes, images and
+/// pipelines.
 #[derive(Debug)]
 pub struct Renderer {
     gpu: Gpu,
     pipelines: pipeline::Pipelines,
     meshes: mesh::Meshes,
     images: image::Images,
-    /// The pipelines of passes over the picture, made when first asked for.
+    /// Pipelines of passes over the picture, created on first use.
     screens: HashMap<PassId, passes::ScreenPipeline>,
     targets: target::Targets,
-    /// The input hash of what each pass's targets hold.
+    /// Hash of the inputs that each pass's targets were drawn from.
     done: HashMap<PassId, u64>,
-    /// While passes are timed.
+    /// Timer of the passes, while they are measured.
     timer: Option<timer::Timer>,
 }
 
@@ -65,25 +66,27 @@ impl Renderer {
         }
     }
 
-    /// The device it runs on.
+    /// The device that the renderer runs on.
     pub fn gpu(&self) -> &Gpu {
         &self.gpu
     }
 
-    /// The input hash of what each pass's targets hold: what would not run again.
+    /// Hash of the inputs that each pass's targets were drawn from: passes with these inputs are
+    /// not run again.
     pub fn done(&self) -> &HashMap<PassId, u64> {
         &self.done
     }
 
     /// Runs `plan`; the picture is then in [`picture_view`](Self::picture_view), premultiplied and
-    /// display-referred. Passes whose inputs are what they were last time are not run again. Says
-    /// which ran.
+    /// display-referred. Passes with the same inputs as last time are not run again. Returns the
+    /// passes that ran.
     ///
     /// # Errors
-    /// What the GPU cannot do; what was drawn before stays.
+    /// Errors of the GPU; the former picture stays.
     pub async fn draw(&mut self, plan: &FramePlan) -> Result<Vec<PassId>, RenderError> {
         self.gpu.check_size(plan.size)?;
         let guard = self.gpu.guard();
+        // New targets are empty, so every pass has to run again.
         if self.targets.fit(&self.gpu, plan) {
             self.done.clear();
         }
@@ -104,6 +107,7 @@ impl Renderer {
             ran.push(pass.id);
         }
         self.gpu.queue.submit([encoder.finish()]);
+        // After an error the content of the targets is unknown, so no pass counts as done.
         if let Err(error) = guard.finish().await {
             self.done.clear();
             if matches!(error, RenderError::OutOfMemory { .. }) {
@@ -129,7 +133,7 @@ impl Renderer {
         readback::read_picture(&self.gpu, texture).await
     }
 
-    /// What [`draw`](Self::draw) drew, `rgba16float`, premultiplied.
+    /// The picture that [`draw`](Self::draw) drew: `rgba16float`, premultiplied.
     pub fn picture_view(&self) -> Option<wgpu::TextureView> {
         self.targets
             .picture()

@@ -1,5 +1,5 @@
-//! Meshes on the GPU: one buffer an attribute, so that a look takes only those that it reads. All
-//! renderers of a device share them.
+//! Meshes on the GPU: one buffer an attribute, so that a look binds only those that it reads.
+//! Shared by all renderers of a device.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
@@ -10,7 +10,7 @@ use super::gpu::Gpu;
 use crate::compile::Attribute;
 use crate::geometry::Mesh;
 
-/// A mesh's buffers.
+/// Buffers of a mesh.
 #[derive(Debug)]
 struct MeshBuffers {
     mesh: Weak<Mesh>,
@@ -18,7 +18,7 @@ struct MeshBuffers {
     indices: wgpu::Buffer,
 }
 
-/// Every mesh that was drawn and is still in use. Clones share them.
+/// Meshes in use. Clones share them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Meshes(Arc<Mutex<MeshTable>>);
 
@@ -33,12 +33,12 @@ impl Meshes {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// How many meshes were uploaded so far.
+    /// Number of meshes that were uploaded so far.
     pub(super) fn uploads(&self) -> u64 {
         self.lock().uploads
     }
 
-    /// Uploads what is not there yet.
+    /// Uploads the indices and the attributes of a mesh that are not on the GPU yet.
     pub(super) fn prepare(&self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
         let buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
@@ -51,7 +51,7 @@ impl Meshes {
         let mut table = self.lock();
         let MeshTable { known, uploads } = &mut *table;
         if known.get(&key).is_some_and(|known| known.mesh.strong_count() == 0) {
-            // Another mesh lies now where one that is gone lay.
+            // Another mesh now has the address of a mesh that was freed.
             known.remove(&key);
         }
         let buffers = known.entry(key).or_insert_with(|| {
@@ -79,7 +79,7 @@ impl Meshes {
         }
     }
 
-    /// Binds a mesh that was prepared.
+    /// Binds a prepared mesh.
     pub(super) fn bind(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -96,12 +96,12 @@ impl Meshes {
         pass.set_index_buffer(buffers.indices.slice(..), wgpu::IndexFormat::Uint32);
     }
 
-    /// Drops the buffers of meshes that nobody holds any more.
+    /// Drops the buffers of meshes that have no holder any more.
     pub(super) fn keep_recent(&self) {
         self.lock().known.retain(|_, buffers| buffers.mesh.strong_count() > 0);
     }
 
-    /// Drops all buffers: some may have been made while the device had no room for them.
+    /// Drops all buffers: some may have been created while the device had no room for them.
     pub(super) fn clear(&self) {
         self.lock().known.clear();
     }

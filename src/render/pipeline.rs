@@ -1,4 +1,5 @@
-//! Pipelines of looks, kept by what they were made of. All renderers of a device share them.
+//! Pipelines of looks, cached by the inputs that they were created from. Shared by all renderers of
+//! a device.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -9,11 +10,11 @@ use super::target::{DEPTH, format_of};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
 use crate::frame::{PassId, stack_of};
 
-/// Any thread has this much stack to spare; the least of ours have 2 MiB.
+/// Stack that any thread has to spare, in bytes; the smallest of our threads have 2 MiB.
 const SMALL_STACK: usize = 1 << 20;
 
-/// As many pipelines are kept as an editing session comes back to, with the small pictures beside
-/// it.
+/// Number of pipelines that are kept: as many as an editing session comes back to, including the
+/// small pictures.
 const MOST: usize = 192;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -21,18 +22,18 @@ struct Key {
     wgsl: String,
     samples: u32,
     sides: Sides,
-    /// What the picture is drawn in.
+    /// Format that the picture is drawn in.
     picture: wgpu::TextureFormat,
 }
 
-/// Which sides of triangles are drawn.
+/// Sides of triangles that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Sides {
     pub(super) both: bool,
     pub(super) is_mirrored: bool,
 }
 
-/// A pipeline with what must be bound to it.
+/// A pipeline with the layout and the attributes that must be bound to it.
 #[derive(Clone, Debug)]
 pub(super) struct LookPipeline {
     pub(super) pipeline: wgpu::RenderPipeline,
@@ -40,18 +41,18 @@ pub(super) struct LookPipeline {
     pub(super) attributes: Vec<Attribute>,
 }
 
-/// Every pipeline of late. Clones share them.
+/// Recently used pipelines. Clones share them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pipelines(Arc<Mutex<PipelineTable>>);
 
-/// A pipeline that is made, or being made by whoever holds the lock: a module is compiled once, and
-/// only those wait for it who draw with it.
+/// A pipeline that exists, or is being created by the thread that holds the lock: a module is
+/// compiled once, and only threads that draw with it wait for it.
 type Slot = Arc<Mutex<Option<LookPipeline>>>;
 
 #[derive(Debug, Default)]
 struct PipelineTable {
     known: HashMap<Key, (Slot, u64)>,
-    /// Counts requests: the pipeline of the lowest number goes first.
+    /// Number of requests so far: the pipeline whose request is oldest is dropped first.
     clock: u64,
 }
 
@@ -71,7 +72,7 @@ impl PipelineTable {
 }
 
 impl Pipelines {
-    /// Drops all pipelines: some may have been made while the device had no room for them.
+    /// Drops all pipelines: some may have been created while the device had no room for them.
     pub(super) fn clear(&self) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).known.clear();
     }
@@ -79,7 +80,7 @@ impl Pipelines {
     /// The pipeline of a look's module.
     ///
     /// # Errors
-    /// That the module is too deep for a driver's compiler.
+    /// `TooDeep` for a module that is too deep for a driver's compiler.
     pub(super) fn get(
         &self,
         gpu: &Gpu,
@@ -95,13 +96,15 @@ impl Pipelines {
         }
         let stack = stack_of(shader).map_err(|message| RenderError::TooDeep { message })?;
         let make = || make(gpu, shader, samples, sides);
+        // A driver's compiler recurses over deep modules, so these get a thread with a larger
+        // stack.
         let made = if stack <= SMALL_STACK { make() } else { with_stack(stack, make)? };
         *slot = Some(made.clone());
         Ok(made)
     }
 }
 
-/// Does work on a thread of its own with so much stack, and waits for it.
+/// Does work on a new thread with a stack of `stack` bytes, and waits for it.
 fn with_stack<T: Send>(stack: usize, work: impl FnOnce() -> T + Send) -> Result<T, RenderError> {
     let no_thread = |error: std::io::Error| RenderError::OutOfMemory {
         what: format!("the compiler of this look ({error})"),
@@ -185,8 +188,8 @@ fn targets(stage: Stage, gpu: &Gpu) -> Vec<Option<wgpu::ColorTargetState>> {
     match stage {
         Stage::Eval => vec![plain(wgpu::TextureFormat::Rgba32Float)],
         Stage::Draw => {
-            // The shader gives straight color; the target is premultiplied, so that samples can be
-            // averaged.
+            // The shader outputs straight color; the target is premultiplied, so that samples can
+            // be averaged.
             let over = |src_factor| wgpu::BlendComponent {
                 src_factor,
                 dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,

@@ -1,4 +1,4 @@
-//! From the GPU back to memory.
+//! Readback of textures and buffers from the GPU.
 
 use std::time::Duration;
 
@@ -28,6 +28,7 @@ pub(super) async fn read_picture(
                 ]),
                 false => f16::from_le_bytes([pixel[2 * i], pixel[2 * i + 1]]).to_f32(),
             };
+            // The target is premultiplied, and the picture straight.
             let alpha = channel(3);
             let scale = if alpha > 0.0 { 1.0 / alpha } else { 0.0 };
             [channel(0) * scale, channel(1) * scale, channel(2) * scale, alpha]
@@ -76,10 +77,11 @@ pub(super) async fn read_texture(
         .collect())
 }
 
-/// Waits for the GPU, then gives what a buffer holds that can be mapped.
+/// Waits for the GPU, then returns the content of a mappable buffer.
 pub(super) async fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RenderError> {
-    /// Another thread that waits for the same device may be the one that brings the answer, and may
-    /// do so a moment after this one has seen that nothing is left to wait for.
+    /// Timeout of the mapping. Another thread that waits for the same device may be the one that
+    /// delivers the result, and may do so a moment after this thread has seen that nothing is left
+    /// to wait for.
     const PATIENCE: Duration = Duration::from_secs(30);
     let (tell, told) = std::sync::mpsc::sync_channel(1);
     buffer.slice(..).map_async(wgpu::MapMode::Read, move |mapped| drop(tell.send(mapped)));

@@ -1,12 +1,12 @@
-//! What all pictures of a device share: meshes, images and pipelines on the GPU.
+//! Store of a device: meshes, images and pipelines on the GPU, shared by all pictures.
 
 use super::image::Images;
 use super::mesh::Meshes;
 use super::pipeline::Pipelines;
 
-/// What was uploaded to a device and compiled for it. Each mesh and each image is uploaded once,
-/// and each module compiled once, whichever pictures draw with it; what nobody draws with any more
-/// goes. Clones are handles to the same store.
+/// Resources that were uploaded to a device and compiled for it. Each mesh and each image is
+/// uploaded once, and each module compiled once, whichever pictures draw with it; resources that no
+/// picture uses any more are dropped. Clones are handles to the same store.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Store {
     pub(super) meshes: Meshes,
@@ -15,14 +15,14 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// Drops what nobody holds any more.
+    /// Drops meshes and images that have no holder any more.
     pub(super) fn keep_recent(&self) {
         self.meshes.keep_recent();
         self.images.keep_recent();
     }
 
-    /// Forgets everything, after the device had no room: nobody else is to find what was made
-    /// then.
+    /// Drops all resources, after the device ran out of memory: those created then must not be
+    /// found again.
     pub(super) fn clear(&self) {
         self.meshes.clear();
         self.images.clear();
@@ -30,11 +30,11 @@ impl Store {
     }
 }
 
-/// How often meshes and images were handed to a device.
+/// Numbers of uploads to a device.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UploadCounts {
-    /// Meshes, each counted once whatever attributes of it came later.
+    /// Uploads of meshes, each mesh counted once, whichever of its attributes came later.
     pub meshes: u64,
-    /// Images and HCBTFs; changes of parts are not counted.
+    /// Uploads of images and HCBTFs; changes of parts are not counted.
     pub images: u64,
 }

@@ -1,4 +1,4 @@
-//! The textures that passes draw into.
+//! Textures that passes draw into.
 
 use std::collections::HashMap;
 
@@ -6,26 +6,28 @@ use super::gpu::Gpu;
 use super::passes::cleared;
 use crate::frame::{FramePlan, PassId, PassImage, TexelFormat};
 
-/// The picture's format: half floats, so that nothing is rounded before it is shown or written.
+/// Format of the picture: half floats, so that nothing is rounded to eight bits before the picture
+/// is shown or written.
 pub(super) const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// The depth buffer.
+/// Format of depth buffers.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// The textures of one picture size.
+/// Textures for one picture size.
 #[derive(Debug, Default)]
 pub(super) struct Targets {
     key: Option<([u32; 2], u32)>,
     picture: Option<wgpu::Texture>,
     pub(super) multisampled: Option<wgpu::TextureView>,
     pub(super) depth: Option<wgpu::TextureView>,
-    /// What passes before the looks make.
+    /// Images that passes before the looks draw.
     images: HashMap<PassImage, wgpu::TextureView>,
-    /// The depth buffers of those of them that draw meshes.
+    /// Depth buffers of those passes that draw meshes.
     buffers: HashMap<PassId, wgpu::TextureView>,
 }
 
 impl Targets {
-    /// Makes what `plan` needs and is not there; says whether anything was made anew.
+    /// Creates the textures that `plan` needs and that do not exist yet. Returns true if any was
+    /// created.
     pub(super) fn fit(&mut self, gpu: &Gpu, plan: &FramePlan) -> bool {
         let key = (plan.size, plan.samples);
         let mut is_new = false;
@@ -63,7 +65,7 @@ impl Targets {
         self.picture.as_ref()
     }
 
-    /// What a pass makes.
+    /// An image of a pass.
     pub(super) fn image(&self, image: PassImage) -> Option<&wgpu::TextureView> {
         self.images.get(&image)
     }
@@ -73,7 +75,7 @@ impl Targets {
         self.buffers.get(&pass)
     }
 
-    /// Everything that a pass draws into, cleared to 0.
+    /// Color attachments of a pass, cleared to 0.
     pub(super) fn attachments(
         &self,
         pass: PassId,
@@ -83,7 +85,7 @@ impl Targets {
     }
 }
 
-/// A format as a GPU has it.
+/// The texture format for a texel format.
 pub(super) fn format_of(gpu: &Gpu, format: TexelFormat) -> wgpu::TextureFormat {
     match format {
         TexelFormat::Number => wgpu::TextureFormat::R32Float,

@@ -1,5 +1,4 @@
-//! What passes take: timestamps of the GPU's own clock where it has one, else the clock on the
-//! wall.
+//! Times of passes: timestamps of the GPU's own clock if it has one, else wall-clock time.
 
 use std::time::Duration;
 
@@ -8,20 +7,20 @@ use crate::clock::Clock;
 use crate::frame::{Effect, FramePlan, PassId};
 use crate::gpu::Gpu;
 
-/// How many passes can be timed in one frame.
+/// Largest number of passes that can be timed in one frame.
 const MOST_PASSES: u32 = 16;
 const STAMP_BYTES: u64 = 8;
 
-/// What a pass took.
+/// Time of a pass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PassTime {
     /// The pass.
     pub id: PassId,
-    /// From its begin to its end.
+    /// Time from the begin of the pass to its end.
     pub duration: Duration,
 }
 
-/// Where passes leave the time.
+/// Query set and buffers of the passes' timestamps.
 #[derive(Debug)]
 pub(super) struct Timer {
     stamps: wgpu::QuerySet,
@@ -69,7 +68,7 @@ impl Timer {
 }
 
 impl Renderer {
-    /// Where the next pass leaves its times; nowhere while nothing is measured.
+    /// Timestamps for the next pass to write; `None` while nothing is measured.
     pub(super) fn stamps(timer: &mut Option<Timer>) -> Option<wgpu::RenderPassTimestampWrites<'_>> {
         let timer = timer.as_mut()?;
         let first = timer.next;
@@ -84,9 +83,9 @@ impl Renderer {
         })
     }
 
-    /// Runs every pass of `plan`, whether its inputs changed or not, and tells what each took. On
-    /// an adapter without timestamps the whole frame's time on the wall is told as that of its last
-    /// pass.
+    /// Runs every pass of `plan`, whether its inputs changed or not, and returns the time of each.
+    /// On an adapter without timestamps the wall-clock time of the whole frame is reported as that
+    /// of its last pass.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).
@@ -124,7 +123,8 @@ impl Renderer {
     }
 }
 
-/// Tells passes among the effects what they took; nothing where no clock told them apart.
+/// Writes the times of passes into their effects; leaves the effects alone if no clock told the
+/// passes apart.
 pub fn set_times(effects: &mut [Effect], times: &[PassTime]) {
     let passes = effects.iter().filter(|effect| effect.pass.is_some()).count();
     if times.len() < passes {

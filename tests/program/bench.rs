@@ -1,4 +1,5 @@
-//! Benchmarks of looks measure what they say, and tuning keeps what it promises.
+//! Benchmarks and tuning of looks: the measured rows are complete and plausible, and tuned looks
+//! keep their bounds.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::look;
@@ -69,7 +70,8 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
         {
             let error = row.error.as_ref().expect("it was compared");
             assert!(error.pixels > 5000 && error.broken == 0, "{error:?}");
-            // What f32 can do, and what the tiers' docs state with what lies on top of them.
+            // The bounds are f32's errors, and those that the tiers' docs state, with the nodes
+            // after them.
             let bound = if tier == Tier::Exact { 2e-4 } else { 2e-3 };
             assert!(error.max < bound, "{tier:?} {:?} {error:?}", row.subject);
             assert!(row.time.low <= row.time.median && row.time.median <= row.time.high);
@@ -82,7 +84,7 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
         "a cheaper tier has less to do"
     );
     assert!(of(Tier::Exact).memory > 96 * 96 * 12 && of(Tier::Exact).traffic > 96 * 96 * 12);
-    // The table and the plot say what the rows say.
+    // The table and the plot agree with the rows.
     let table = report.table();
     assert!(table.contains("Shine") && table.contains("whole look"), "{table}");
     let svg = chiaro::accuracy::plot::svg(&report, whole, "Two <layers>", Measure::Max);
@@ -128,10 +130,10 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
     let tuned = block_on(tune(&setups, library, &mut renderer(), &options(goal), &Progress::new()))
         .unwrap();
     assert!(tuned.is_met && tuned.error.max <= 1.0 / 255.0, "{tuned:?}");
-    // Two layers, each balanced and fast.
+    // Two layers have two candidates each, balanced and fast.
     assert_eq!(tuned.candidates.len(), 4);
     assert!(tuned.candidates.iter().all(|candidate| candidate.error > 0.0));
-    // Whatever was chosen, it was measured to be faster than the noise, and at most one tier a
+    // Each chosen tier was measured to save more time than the noise, and there is at most one a
     // node.
     assert!(tuned.chosen.iter().all(|&index| tuned.candidates[index].saves.low > 0.0));
     assert_eq!(tuned.tiers().len(), 2);
@@ -150,8 +152,7 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
     assert_eq!(missed.worst_exact, missed.worst, "nothing was chosen");
 }
 
-/// The same error is allowed by one measure and not by another, and times are kept as well as
-/// errors.
+/// An error is allowed by one measure and not by another, and times are kept as well as errors.
 #[test]
 fn tuning_by_measures_and_by_time() {
     let (library, setups) = (Library::built_in(), [setup()]);
@@ -163,7 +164,7 @@ fn tuning_by_measures_and_by_time() {
     let by_max = tuned(Goal::MaxError(1.0), Measure::Max);
     let figures = &by_max.error_exact;
     assert!(figures.rms < figures.p999 && figures.p999 <= figures.max, "{figures:?}");
-    // Between the two, one measure says yes and the other no.
+    // A bound between the two errors is met by one measure and missed by the other.
     let between = 0.5 * (figures.rms + figures.max);
     assert!(tuned(Goal::MaxError(between), Measure::Rms).is_met);
     let missed = tuned(Goal::MaxError(between), Measure::Max);
@@ -173,8 +174,8 @@ fn tuning_by_measures_and_by_time() {
         missed.summary()
     );
     assert!(!missed.is_met && missed.summary().len() <= 1000, "a look holds no more than that");
-    // All the time in the world needs nothing cheaper; no time at all is missed with all that
-    // helps.
+    // With unlimited time nothing cheaper is chosen; with none at all, everything that helps is
+    // chosen, and the goal is missed.
     let slow = tuned(Goal::MaxTime(1e9), Measure::P999);
     assert!(slow.is_met && slow.chosen.is_empty());
     let never = tuned(Goal::MaxTime(1e-9), Measure::P999);

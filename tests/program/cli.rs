@@ -1,4 +1,5 @@
-//! The program itself, each subcommand as a shell runs it: results, messages, exit codes, files.
+//! The program itself, with each subcommand run as from a shell: results, messages, exit codes,
+//! files.
 
 use crate::support;
 use std::collections::BTreeSet;
@@ -8,10 +9,10 @@ use std::process::{Command, Output};
 
 use serde_json::{Value as Json, json};
 
-/// A folder of one test's own, and the program run in it.
+/// A folder for one test, and the program run in it.
 struct Shop(tempfile::TempDir);
 
-/// What a run came to.
+/// Result of a run.
 struct Ran {
     code: Option<i32>,
     out: String,
@@ -52,7 +53,7 @@ impl Shop {
         Ran::of(self.command(arguments).output().unwrap())
     }
 
-    /// Without any driver of a GPU: whatever asks for one fails.
+    /// Runs the program without any GPU driver, so that a subcommand that needs a GPU fails.
     fn run_without_gpu(&self, arguments: &[&str]) -> Ran {
         let no_gpu =
             [("WGPU_BACKEND", "noop"), ("VK_DRIVER_FILES", "/none"), ("VK_ICD_FILENAMES", "/none")];
@@ -90,8 +91,8 @@ impl Ran {
     }
 }
 
-/// A layer of one color under the light `key`, hard where u is 1 radian; its color and offset can
-/// be set.
+/// A look with a layer of one color under the light `key`, hard where u is 1 radian; its color and
+/// offset can be set.
 const LOOK: &str = r#"{
   "name": "Flat",
   "lights": {"key": {"direction": [0, 0, 1]}},
@@ -114,7 +115,7 @@ fn shop() -> Shop {
     shop
 }
 
-/// Width and height out of a PNG's header, once its first and last bytes are what they must be.
+/// Width and height from a PNG's header, after checking the file's first and last bytes.
 fn png_size(path: &Path) -> [u32; 2] {
     let bytes = fs::read(path).unwrap();
     assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
@@ -199,7 +200,8 @@ fn a_look_is_fitted_to_what_was_painted() {
     }
     assert_eq!(png_size(&shop.path("misses.png")), [32, 32]);
     assert_eq!(fs::read_to_string(shop.path("look.json")).unwrap(), lit_look("#808080"));
-    // Two dots tell too little, which is said; and another look is not replaced unasked.
+    // Two dots tell too little, which is a warning; and another look is not replaced without
+    // `--force`.
     let told: Json =
         serde_json::from_str(&shop.run(&[&fit[..], &["--dry-run", "--json"]].concat()).ok().out)
             .unwrap();
@@ -229,7 +231,7 @@ fn a_look_is_fitted_to_what_was_painted() {
     shop.run(&[&two[..], &["fitted.json"]].concat()).fails(1, &["file-exists", "--force"]);
     let warned = ["warning[fit-few-places]", "2 painted pixels in 2 places", "11 numbers"];
     shop.run(&[&two[..], &["fitted.json", "--force"]].concat()).fails(0, &warned);
-    // The same picture under lights that were turned is met by nothing but the lights, as `render`
+    // The same picture under turned lights is fitted by nothing but the lights, turned as `render`
     // turns them.
     let turned = [
         &["render", "look.json", "-o", "turned.png", "--turn-lights", "40", "--on", "reference"],
@@ -251,7 +253,7 @@ fn a_look_is_fitted_to_what_was_painted() {
         serde_json::from_str(&shop.run(&[&dry[..], &["--turn-lights", "40"]].concat()).ok().out)
             .unwrap();
     assert!(told["report"]["before"].as_f64().unwrap() < 0.5 / 255.0, "{told}");
-    // What stays far off is said, with what else might be done; and what would do nothing is
+    // A fit that stays far off is reported, with hints; and a fit that could not change anything is
     // refused.
     let kept = [&fit[..], &["--keep", "lights,profiles,base", "--dry-run"]].concat();
     let far = ["warning[fit-far-off]", "1 color", "1 light, 1 profile", "--keep less", "--misses"];
@@ -295,7 +297,7 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     ] {
         assert!(info.contains(told), "no `{told}` in {info}");
     }
-    // Rules are shown as they are set.
+    // Rules are shown in the form that sets them.
     let rules = shop.run(&["hcbtf", "rules", "grass.hcbtf"]).ok();
     assert_eq!(rules.json()[0]["rule"], json!("copy"));
     shop.write("rules.json", &rules.out);
@@ -349,7 +351,7 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     assert!(!shop.path("x.hcbtf").exists());
 }
 
-/// Out and in by each form: the same sheet comes of it.
+/// Exports and imports in each form: all yield the same sheet.
 fn exchange(shop: &Shop, grid: &str) {
     shop.run(&["hcbtf", "export", "grass.hcbtf", "-o", "sheet.png"]).ok();
     assert_eq!(png_size(&shop.path("sheet.png")), [16, 30]);
@@ -372,7 +374,7 @@ fn exchange(shop: &Shop, grid: &str) {
     {
         let import = ["hcbtf", "import", from, "-o", "back.hcbtf", "--grid", grid, "--force"];
         let told = shop.run(&[&import[..], more].concat()).ok().err;
-        // A folder alone knows what was painted.
+        // Only a folder tells which samples were painted.
         let painted = if from == "all" { "1 of 12" } else { "12 of 12" };
         assert!(told.contains(&format!("{painted} samples are painted")), "{told}");
         shop.run(&["hcbtf", "export", "back.hcbtf", "-o", "again.png", "--force"]).ok();
@@ -429,7 +431,7 @@ fn nothing_that_was_exported_is_replaced_unasked_and_names_say_what_is_written()
         export(&[to, &["--force"]].concat()).ok();
     }
     assert_eq!(&fs::read(shop.path("a.ktx2")).unwrap()[..7], b"\xabKTX 20");
-    // What an earlier export left is no part of the next; other files stay.
+    // Files that an earlier export left are no part of the next; other files stay.
     shop.write("images/notes.txt", "mine");
     assert_eq!(fs::read_dir(shop.path("images")).unwrap().count(), 4 + 1 + 1);
     export(&["-o", "images/", "--painted", "--force"]).ok();
@@ -470,11 +472,12 @@ fn a_folder_knows_its_grid_its_rules_and_what_was_painted() {
     }
     import("all", &["--grid", "4x4,6x10,6x10"]).fails(2, &["--grid"]);
     import("all", &["--grid", "4x4,3x6,3x6"]).ok();
-    // What was painted over in another program is painted.
+    // An image that was painted over in another program counts as painted.
     fs::copy(shop.path("all/l0.0_v0.0.png"), shop.path("all/l2.5_v2.5.png")).unwrap();
     assert!(import("all", &[]).ok().err.contains("2 of 169 samples are painted"));
     shop.run(&["check", "all"]).fails(0, &["no-documents"]);
-    // Without what Chiaro wrote beside them, names alone tell that they are of another grid.
+    // Without the description that Chiaro wrote beside the images, only their names tell that they
+    // are of another grid.
     fs::remove_file(shop.path("all/hcbtf.json")).unwrap();
     let ran = import("all", &[]).ok();
     let told = ["warning[hcbtf-other-grid]", "--grid 4x4,3x6,3x6", "169 of 2601 samples"];
@@ -637,7 +640,7 @@ fn check_tells_everything_with_its_place() {
         (&json!("nodes[1].values.ofset"), &json!("error"))
     );
     assert!(port["hints"][0].as_str().unwrap().contains("offset"));
-    // The same for people: on standard error, with help; nothing on standard output.
+    // Problems are printed for people on standard error, with help, and nothing on standard output.
     let ran = shop
         .run(&["check", "bad.json"])
         .fails(1, &["bad.json:4:", "help: did you mean `offset`?", "1 document"]);
@@ -691,7 +694,7 @@ fn check_looks_for_what_documents_name() {
     assert!(with("unknown-shape", "spere")["hints"][0].as_str().unwrap().contains("sphere"));
     assert_eq!(with("unknown-parameter", "pant")["severity"], "warning");
     assert_eq!(with("wrong-type", "cover")["json_path"], "objects[2].values.cover");
-    // Each problem once, though two objects may wear one look.
+    // Each problem is told once, though two objects may wear one look.
     let texts: std::collections::BTreeSet<String> = all.iter().map(ToString::to_string).collect();
     assert_eq!(texts.len(), all.len());
 }
@@ -715,13 +718,13 @@ fn wrong_code_of_a_node_is_told_in_the_look() {
     let ran = code(r"// Twice.\nfn tint(a: vec4f) -> vec4f { return twice * a; }");
     let ran = ran.fails(1, &[&place[..], &["line 2, column 37 of the code: ", "`twice`"]].concat());
     assert!(!ran.err.contains("c.wgsl"), "{}", ran.err);
-    // What naga takes, and a node cannot be.
+    // Code that naga accepts, but that cannot be a node, is refused.
     code("fn tint(a: u32) -> vec4f { return vec4f(f32(a)); }").fails(1, &place);
     code("const A = 1.0;").fails(1, &place);
     code("fn tint(").fails(1, &[&place[..], &["of the code"]].concat());
 }
 
-/// What a picture or a plan of a scene would silently do without.
+/// Problems of a scene without which a picture or a plan would silently lack something.
 #[test]
 fn explain_tells_of_scenes_what_check_tells() {
     let shop = shop();
@@ -752,7 +755,7 @@ fn explain_tells_of_scenes_what_check_tells() {
     for ran in scene(r#""id": "bare""#) {
         ran.fails(0, &["scene.json:2:", "warning[no-look]", "`bare` wears no look"]);
     }
-    // What is not seen now is told by check alone.
+    // Problems of a hidden object are told by `check` alone.
     let [check, explain] =
         scene(r#""looks": "none.json", "values": {"cover": [1, 2, 3]}, "visible": false"#);
     check.fails(1, &["missing-asset"]);
@@ -808,8 +811,8 @@ fn the_example_in_the_docs_is_a_node() {
     shop.run(&["check", "custom.json"]).ok();
 }
 
-/// What decides between keys, with its value and the weights; what cannot decide is told by `check`
-/// with its line.
+/// Drivers of keys are explained, with their values and weights; a driver that cannot work is
+/// reported by `check` with its line.
 #[test]
 fn what_drives_keys_is_explained_and_checked() {
     let shop = shop();
@@ -906,7 +909,7 @@ fn explain_tells_passes_and_reasons_without_a_gpu() {
     ] {
         assert!(is_told(kind, state, proof), "no {kind} is {state} {proof}: {}", told["effects"]);
     }
-    // A look that bends with curvature needs the passes, and says for whom.
+    // A look that bends with curvature needs the passes, and the plan names their reader.
     let bent =
         LOOK.replace(r#""blend": "alpha""#, r#""blend": "alpha", "slope": 0.2, "amount": 0.3"#);
     shop.write("bent.json", &bent);
@@ -977,8 +980,8 @@ fn docs_nodes_md_is_what_the_code_says() {
     );
 }
 
-/// Every picture that docs/nodes.md shows is there, and has words for who cannot see it; and none
-/// is there for nothing.
+/// Every picture that docs/nodes.md shows exists, and has a text for readers who cannot see it; and
+/// no picture is left over.
 #[test]
 fn docs_nodes_md_shows_pictures_that_are_there() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
@@ -1065,13 +1068,13 @@ fn export_writes_files_and_lists_them() {
             .fails(2, &["-o names a folder", file, "shaders/"]);
         assert!(!shop.path(file).is_dir());
     }
-    // The description has the look's own name: here it would take its place.
+    // The description has the look's own name: here it would replace the look.
     shop.run(&["export", "flat.json", "--to", "wgsl", "-o", "."]).fails(1, &["would-overwrite"]);
     assert_eq!(fs::read_to_string(shop.path("flat.json")).unwrap(), LOOK);
     shop.write("scene.json", r#"{"objects": [{"looks": "flat.json"}]}"#);
     shop.run(&["export", "scene.json", "--to", "wgsl"])
         .fails(1, &["this is a scene", "in its place: flat.json"]);
-    // As it would be given from here, not from the scene.
+    // Paths are told as seen from here, not from the scene.
     std::fs::create_dir(shop.path("scenes")).unwrap();
     shop.write(
         "scenes/far.json",
@@ -1117,7 +1120,7 @@ mod gpu {
             shop.run(&[&["render", "flat.json", "-o", name], &small[..], camera].concat()).ok();
             fs::read(shop.path(name)).unwrap()
         };
-        // One eye, said in two ways; from above there is an up, too.
+        // One position of the eye can be given in two ways; from above, `up` is needed, too.
         let orbit = shoot("b.png", &["--camera", "distance=4;orbit=90,0"]);
         let eye = shoot("c.png", &["--camera", "target=0,0,0;eye=4,0,0;up=0,1,0"]);
         assert_eq!(orbit, eye);
@@ -1181,7 +1184,8 @@ mod gpu {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        // A program that has seen enough of its arguments reads nothing.
+        // The program may end without reading its input if its arguments are wrong, so the write
+        // may fail.
         let _ = child.stdin.take().unwrap().write_all(samples.as_bytes());
         Ran::of(child.wait_with_output().unwrap())
     }
@@ -1199,7 +1203,7 @@ mod gpu {
         let want = json!([red, paper, red, red, red]);
         assert_eq!(eval(&shop, &[], samples).ok().json(), want);
         assert_eq!(eval(&shop, &["--unspecialized", "--tier", "fast"], samples).ok().json(), want);
-        // A node, a node in a group, an output of the group.
+        // Outputs may be those of a node, of a node in a group, and of the group.
         let tones = json!([{"value": [1.0]}, {"value": [0.0]}]);
         for output in ["layer.tone", "layer/tone", "layer/tone.tone"] {
             let two = r#"[{"normal": [0, 0, 1]}, {"normal": [0, 0, -1]}]"#;
@@ -1250,7 +1254,7 @@ mod gpu {
         eval(&shop, &[], "[").fails(1, &["1:"]);
         eval(&shop, &["--output", "layr.tone"], "[]").fails(1, &["unknown-node", "layer/tone"]);
         eval(&shop, &["--output", "layer.ton"], "[{}]").fails(1, &["layer"]);
-        // Where nothing is near, all that could be named.
+        // If no name is near, the hint lists all names.
         eval(&shop, &["--output", "nope.x"], "[]")
             .fails(1, &["the outputs are `paper.below`, ", "`output.color`"]);
         let ran = eval(&shop, &["--output", "paper.x"], "[]")
@@ -1270,7 +1274,7 @@ mod gpu {
             let arguments =
                 ["render", "flat.json", "-o", &name, "--size", "3000x3000", "--samples", "1"];
             let mut child = shop.command(&arguments).stderr(Stdio::null()).spawn().unwrap();
-            // From just after the start to the middle of writing, where that can be met.
+            // Ends range from just after the start to the middle of writing, if that can be met.
             let is_writing = || shop.names().iter().any(|name| name.ends_with(".tmp"));
             while round > 0 && !is_writing() && child.try_wait().unwrap().is_none() {
                 std::thread::yield_now();
@@ -1281,7 +1285,7 @@ mod gpu {
             );
             let status = child.wait().unwrap();
             assert!(!shop.names().iter().any(|name| name.ends_with(".tmp")), "{:?}", shop.names());
-            // Whoever was too late finds it whole.
+            // A signal that came too late leaves the finished file.
             let path = shop.path(&name);
             match status.code() {
                 Some(0) => assert_eq!(png_size(&path), [3000, 3000]),
@@ -1302,9 +1306,9 @@ mod gpu {
             .stdin(Stdio::piped())
             .spawn()
             .unwrap();
-        // More than a pipe holds: once it is written the program is reading, and it waits for an
-        // end that never comes. It stays open until the program has ended: waiting for a child
-        // would close it.
+        // The input is more than a pipe holds: once it is written the program is reading, and waits
+        // for an end that never comes. Standard input stays open until the program has ended:
+        // waiting for the child would close it.
         let mut stdin = child.stdin.take().unwrap();
         stdin.write_all(&[b' '; 1 << 20]).unwrap();
         assert!(

@@ -1,5 +1,5 @@
-//! `chiaro desktop`: what it writes is what desktops take, it is all taken away again, and nothing
-//! else is touched.
+//! `chiaro desktop`: desktops accept the files that it writes, it removes all of them again, and it
+//! touches no other file.
 #![cfg(target_os = "linux")]
 
 use std::collections::BTreeMap;
@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 
 use chiaro::document::{Directions, Grid, Hcbtf};
 
-/// A user's home, with data of other programs in it.
+/// A user's home, with data of other programs.
 struct Home(tempfile::TempDir);
 
 impl Home {
@@ -34,7 +34,7 @@ impl Home {
         self.0.path().join("data")
     }
 
-    /// Runs it with the desktop's own tools, or with none of them.
+    /// Runs `chiaro desktop` with the desktop's own tools, or with none of them.
     fn run(&self, argument: &str, path: Option<&str>) -> Output {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
         command
@@ -47,7 +47,7 @@ impl Home {
         command.output().unwrap()
     }
 
-    /// Every file below the data folder, but for what the desktop's tools make of them.
+    /// All files below the data folder, except those that the desktop's tools generate.
     fn files(&self) -> BTreeMap<PathBuf, String> {
         let mut found = BTreeMap::new();
         collect(&self.data(), &mut found);
@@ -97,7 +97,7 @@ fn it_installs_and_removes_its_own_files_and_nothing_else() {
     let program = fs::canonicalize(env!("CARGO_BIN_EXE_chiaro")).unwrap();
     assert!(entry.contains(&format!("Exec=\"{}\" edit %f", program.display())), "{entry}");
 
-    // Again is the same again.
+    // Installing again changes nothing.
     assert!(home.run("--install", Some("")).status.success());
     assert_eq!(home.files(), after);
     let removed = home.run("--remove", Some(""));
@@ -115,7 +115,7 @@ fn what_is_wanted_must_be_said() {
     assert!(text(&none.stderr).contains("--install"));
 }
 
-/// Runs one of the desktop's tools; `None` where it is not installed.
+/// Runs one of the desktop's tools; `None` if it is not installed.
 fn tool(name: &str, arguments: &[&Path], data: &Path) -> Option<Output> {
     Command::new(name).args(arguments).env("XDG_DATA_HOME", data).output().ok()
 }
@@ -128,8 +128,8 @@ fn desktops_take_what_is_written() {
     if let Some(judged) = tool("desktop-file-validate", &[&entry], &home.data()) {
         assert!(judged.status.success(), "{}{}", text(&judged.stdout), text(&judged.stderr));
     }
-    // A look, a scene and a painted surface are known as what they are, and other JSON is left to
-    // other programs.
+    // A look, a scene and a painted surface are recognized by their types, and other JSON is left
+    // to other programs.
     if !home.data().join("mime/mime.cache").is_file() {
         return;
     }

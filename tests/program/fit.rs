@@ -1,5 +1,5 @@
-//! Painted shading recovers known looks: painted from a hidden look's own picture, the fitted one
-//! is the same on a view that was not painted.
+//! Painted shading recovers known looks: a look that is fitted to a picture painted from a hidden
+//! look is the same on a view that was not painted.
 
 mod hidden;
 mod strokes;
@@ -16,7 +16,7 @@ use chiaro::reference::{self, Gathered, Modules};
 
 use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
 
-/// A look that knows nothing: a grey base.
+/// A look to begin from: a gray base without layers.
 fn nothing() -> Look {
     let text = r#"{"chiaro": "look", "version": 1, "name": "From nothing",
         "nodes": [{"id": "base", "kind": "base", "values": {"color": [0.5, 0.5, 0.5]}},
@@ -31,11 +31,11 @@ fn from_nothing(hidden: &Hidden, target: &Target) -> FittedLook {
     fit_layers(&setup, 0, Library::built_in(), target, hidden.layers, &options, &progress).unwrap()
 }
 
-/// How far a fitted look may be from the hidden one on the new view.
+/// Largest error of a fitted look on the new view.
 const NEAR: f64 = 2.0 / 255.0;
 
-/// The proof: `cargo test --test fit -- soak --ignored --nocapture`; with `CHIARO_FIT=10+5` the
-/// five looks from number 10.
+/// Proof of the recovery rate: `cargo test --test program fit::soak -- --ignored --nocapture`; with
+/// `CHIARO_FIT=10+5` for the five looks from number 10.
 #[test]
 #[ignore = "minutes; `the_fit_recovers_a_hidden_look` is the quick part of it"]
 #[allow(
@@ -77,8 +77,8 @@ fn soak_the_rate_over_fifty_hidden_looks() {
     assert!(5 * near >= 4 * count, "fewer than four in five");
 }
 
-/// What is told in docs/performance.md of strokes and the rest: `cargo test --test fit --
-/// soak_strokes --ignored --nocapture`.
+/// Figures of docs/performance.md on strokes and the rest: `cargo test --test program soak_strokes
+/// -- --ignored --nocapture`.
 #[test]
 #[ignore = "minutes; `colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked` is the \
             quick part of it"]
@@ -124,9 +124,9 @@ fn soak_strokes_and_how_far_the_rest_moves() {
     }
 }
 
-/// Pictures to be looked at of looks as they are, painted, and fitted with new layers, with nothing
-/// and a quarter of the rest kept: `cargo test --test fit -- shots --ignored --nocapture` writes
-/// them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
+/// Pictures for people of looks as they are, painted, and fitted with new layers, with nothing and
+/// a quarter of the rest kept: `cargo test --test program fit::shots -- --ignored --nocapture`
+/// writes them to `target/shots`, or to the folder that `CHIARO_SHOTS` names.
 #[test]
 #[ignore = "writes pictures to be looked at"]
 #[allow(clippy::print_stdout, reason = "what was laid is read beside its picture")]
@@ -194,7 +194,7 @@ fn the_fit_recovers_a_hidden_look() {
         fitted.report,
         hidden.told
     );
-    // It is an ordinary look, which a file holds and which says the same again.
+    // The fitted look is an ordinary one: it reads the same from its file.
     let read = Look::read(&fitted.look.to_text(), "fitted.json");
     assert!(
         read.diagnostics.is_empty() && read.value == Some(fitted.look),
@@ -203,7 +203,7 @@ fn the_fit_recovers_a_hidden_look() {
     );
 }
 
-/// One highlight over one light, on what the test says of them.
+/// One highlight over one light, with the test's direction, profile and color.
 fn two_layers(light: [f64; 3], ends: [f64; 3], color: &str) -> Look {
     let [offset, falloff, cutoff] = ends;
     let text = serde_json::json!({
@@ -257,7 +257,7 @@ fn a_look_is_turned_to_what_was_painted_and_undone_as_one() {
 fn what_cannot_be_fitted_is_told() {
     let setup = setup_of(two_layers([0.0, 0.0, 1.0], [0.1, 0.7, 1.4], "#909090"), "shape:sphere");
     let (library, options) = (Library::built_in(), FitOptions::default());
-    // The corner is nobody's.
+    // The object does not cover the corner.
     let mut rgba = vec![0; 4 * 16 * 16];
     rgba[3] = 255;
     let corner = Target::from_rgba8([16, 16], &rgba);
@@ -285,7 +285,7 @@ fn what_cannot_be_fitted_is_told() {
     }
 }
 
-/// A fit of two lit layers that are off, which is stopped once so many of its steps are done.
+/// A fit of two lit layers that are off is stopped after a number of its steps.
 #[test]
 fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
     let mesh = "shape:sphere";
@@ -305,8 +305,7 @@ fn a_fit_that_is_stopped_keeps_the_nearest_that_it_has_come_to() {
     assert!(fitted.report.is_stopped && fitted.look.lights.len() == 1, "{:?}", fitted.report);
 }
 
-/// A ramp over the angle from a light: nothing of it but the light and its own colors could be
-/// turned.
+/// A ramp over the angle from a light: only the light and the ramp's own colors can be turned.
 #[test]
 fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let text = std::fs::read_to_string("examples/looks/figure2-diffuse.json").unwrap();
@@ -348,8 +347,8 @@ fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     assert!(kept.report.rest.is_some());
 }
 
-/// Painted light among the examples: the look before, its strokes, and what `chiaro fit` made of
-/// them, with the options that docs/techniques.md gives.
+/// Painted light among the examples: the look before, its strokes, and the look that `chiaro fit`
+/// made of them, with the options in docs/techniques.md.
 #[test]
 fn the_example_of_painted_light_is_what_a_fit_makes_of_its_strokes() {
     let look = |name: &str| {
@@ -367,7 +366,7 @@ fn the_example_of_painted_light_is_what_a_fit_makes_of_its_strokes() {
             .report
     };
     let [made, of_example] = [fit(&before, 12), fit(&kept, 1)];
-    // What is kept in the file is rounded, and is as near as what is made now.
+    // The look in the file is rounded, and as near as the look that is fitted now.
     assert!(
         (of_example.before - made.after).abs() < 1.0 / 255.0,
         "{} and {}",

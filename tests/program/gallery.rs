@@ -1,5 +1,5 @@
-//! The gallery: every example has a page whose links lead somewhere, and the nodes' pictures are
-//! those of now.
+//! The gallery: every example has a page whose links lead somewhere, and the nodes' pictures are up
+//! to date.
 #![cfg(feature = "gpu")]
 
 use std::collections::HashSet;
@@ -60,13 +60,13 @@ fn make_with(
     block_on(build(list, folder, &mut outputs, &gpu(), &library, options, &Progress::new()))
 }
 
-/// What a page's attributes of a name lead to.
+/// Targets of the links in a page's attributes named `attribute`.
 fn links(page: &str, attribute: &str) -> HashSet<String> {
     let mark = format!("{attribute}=\"");
     page.split(&mark).skip(1).filter_map(|rest| rest.split('"').next()).map(str::to_owned).collect()
 }
 
-/// Every file of the gallery that some page of it leads to.
+/// All files of the gallery that some page of it links to.
 fn follow(folder: &Path) -> Result<HashSet<String>, String> {
     let mut found = HashSet::new();
     let mut open = vec!["index.html".to_owned()];
@@ -94,12 +94,12 @@ fn follow(folder: &Path) -> Result<HashSet<String>, String> {
     Ok(found)
 }
 
-/// How many pages the index leads to.
+/// Number of pages that the index links to.
 fn pages(found: &HashSet<String>) -> usize {
     found.iter().filter(|name| name.ends_with(".html") && *name != "index.html").count()
 }
 
-/// What judges a page, besides what is made of a document.
+/// Sources that decide on the verdict on a page, besides the document's content.
 const JUDGES: &[&str] = &[
     "src/compiler/catalog",
     "src/laboratory/gallery",
@@ -110,8 +110,8 @@ const JUDGES: &[&str] = &[
     "tests/program/gallery.rs",
 ];
 
-/// Reads what keys are made of: meshes and HCBTFs are read once, and HCBTFs filled for few
-/// directions, since keys hold the files themselves.
+/// Maker of keys: meshes and HCBTFs are read once, and HCBTFs are filled for few directions, since
+/// keys hold the files themselves.
 struct KeyMaker {
     assets: Assets,
     hcbtfs: Vec<(String, Vec<u8>)>,
@@ -130,7 +130,7 @@ impl KeyMaker {
         Self { assets, hcbtfs: hcbtfs.map(read).collect() }
     }
 
-    /// What the verdict on a document's page depends on.
+    /// Key of the verdict on a document's page.
     fn key(&mut self, shown: &GalleryDocument, library: &Library) -> Key {
         let mut key = Key::of_sources(JUDGES).with(gpu().info.driver_info.as_bytes());
         let mut looks = String::new();
@@ -149,11 +149,10 @@ impl KeyMaker {
     }
 }
 
-/// Pixels of a side of what pages show here.
+/// Side of the pages' pictures here, in pixels.
 const SIDE_OF_PAGES: u32 = 48;
 
-/// A number of a picture that no other picture has: the mean of its channels, each weighted in a
-/// way of its own.
+/// A number that tells pictures apart: the mean of the channels, each with a weight of its own.
 fn figure(picture: &[u8]) -> f64 {
     let mut random = Random::new(48);
     let (mut sum, mut weights) = (0.0, 0.0);
@@ -165,7 +164,7 @@ fn figure(picture: &[u8]) -> f64 {
     sum / (255.0 * weights)
 }
 
-/// Makes a document's page, follows what it leads to, and gives its picture's number.
+/// Makes a document's page, follows its links, and returns its picture's number.
 fn page(shown: &GalleryDocument, library: &Library) -> Result<f64, String> {
     let section = Section { shown: vec![shown.clone()], ..Section::default() };
     let list = List { sections: vec![section], ..List::default() };
@@ -193,8 +192,8 @@ fn page(shown: &GalleryDocument, library: &Library) -> Result<f64, String> {
 const SMALL: &str = r#"{"nodes": [{"kind": "base"}, {"kind": "output"}],
     "wires": [{"from": "base", "to": "output.color"}]}"#;
 
-/// Makes the whole gallery with one small look in every document's place: the index leads to a page
-/// for each.
+/// Makes the whole gallery with one small look in place of every document: the index links to a
+/// page for each.
 fn gallery(list: &List) -> Result<f64, String> {
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let mut list = list.clone();
@@ -231,8 +230,8 @@ fn every_example_is_shown() {
         files.into_iter().filter(|path| path.extension().is_some_and(|e| e == "json")).collect();
     let shown: Vec<PathBuf> =
         list.sections.iter().flat_map(|section| &section.shown).map(|s| s.file.clone()).collect();
-    // A look may be seen in a scene alone, where it is of that scene: keyed by another of its
-    // objects.
+    // A look may be shown in a scene alone if it belongs to that scene: keyed by another of the
+    // scene's objects.
     let text = |path: &PathBuf| std::fs::read_to_string(path).unwrap();
     let scenes: String =
         shown.iter().filter(|path| path.starts_with(&examples[3])).map(text).collect();
@@ -264,7 +263,7 @@ fn every_example_has_a_page() {
     };
     let keys: Vec<Key> = order.par_chunks(order.len().div_ceil(2)).flat_map(keys).collect();
     for (index, (shown, key)) in order.iter().zip(&keys).enumerate() {
-        // A document may be shown more than once, from elsewhere.
+        // A document may be shown more than once, from different views.
         let before = order[..index].iter().filter(|other| other.file == shown.file).count();
         let case =
             if before == 0 { name(shown) } else { format!("{}, {}", name(shown), before + 1) };
@@ -281,7 +280,7 @@ fn every_example_has_a_page() {
     ledger.close();
 }
 
-/// One digit of a shader is another, and a line of the ledger says what is not so.
+/// A changed digit of a shader, and a forged line of the ledger, are both found.
 #[test]
 fn a_changed_shader_and_a_forged_line_are_found() {
     let folder = tempfile::tempdir().unwrap();
@@ -349,7 +348,7 @@ fn pages_of_others_stay() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// The drawings byte for byte; the pictures as adapters round.
+/// Drawings are compared byte for byte, pictures up to the rounding of adapters.
 #[test]
 fn the_pictures_of_nodes_are_those_of_now() {
     let folder = root().join("docs/nodes");

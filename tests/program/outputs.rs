@@ -1,5 +1,5 @@
-//! What commands write: never over what they read or what somebody made, as a whole or not at all,
-//! and told where it could not be written.
+//! Outputs of commands: never written over inputs or over files of others, as a whole or not at
+//! all, with an error if they could not be written.
 
 use std::any::TypeId;
 use std::collections::BTreeSet;
@@ -9,7 +9,7 @@ use std::process::{Command, Output, Stdio};
 
 use chiaro::cli::OutputPath;
 
-/// A folder of one test's own with something of every kind to read.
+/// A folder for one test, with a file of every kind to read.
 struct Shop(tempfile::TempDir);
 
 impl Shop {
@@ -39,7 +39,7 @@ impl Shop {
 
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
-        // Without a GPU: a refusal comes before anything is drawn.
+        // No GPU is available, as a refusal comes before anything is drawn.
         command.envs([
             ("WGPU_BACKEND", "noop"),
             ("VK_DRIVER_FILES", "/none"),
@@ -53,7 +53,7 @@ impl Shop {
         self.command(arguments).output().unwrap()
     }
 
-    /// Every file below the folder, with what it holds.
+    /// All files below the folder, with their content.
     fn files(&self) -> Vec<(PathBuf, Vec<u8>)> {
         let (mut files, mut open) = (Vec::new(), vec![self.0.path().to_path_buf()]);
         while let Some(folder) = open.pop() {
@@ -75,13 +75,13 @@ fn told(output: &Output) -> String {
 
 /// A command with one of its outputs.
 struct Case {
-    /// The words of the subcommand, and the argument that names the output.
+    /// Words of the subcommand, and the argument that names the output.
     output: (&'static str, &'static str),
-    /// The whole command line; `{}` stands for the output.
+    /// Whole command line; `{}` stands for the output.
     line: &'static str,
-    /// What it reads.
+    /// Files that the command reads.
     inputs: &'static [&'static str],
-    /// What the output's name ends with; of a folder, the files in it that are written for sure.
+    /// End of the output's name; for a folder, files in it that are certainly written.
     names: Names,
 }
 
@@ -92,8 +92,8 @@ enum Names {
 
 use Names::{File, Folder};
 
-/// One for each output of each command. A look that is tuned or fitted is what these commands
-/// change, so it is no input of theirs in this sense: without `-o` it is the output.
+/// One case for each output of each command. A look that is tuned or fitted is changed by these
+/// commands, so it is no input in this sense: without `-o` it is the output.
 const CASES: &[Case] = &[
     Case { output: ("new", "name"), line: "new {}", inputs: &[], names: File(".json") },
     Case {
@@ -194,7 +194,7 @@ impl Case {
         shop.run(&words.chain(is_forced.then_some("--force")).collect::<Vec<_>>())
     }
 
-    /// Refuses, and changes nothing.
+    /// Asserts that the command refuses, and changes nothing.
     #[track_caller]
     fn refuses(&self, shop: &Shop, output: &str, is_forced: bool, code: &str) {
         let before = shop.files();
@@ -206,7 +206,7 @@ impl Case {
     }
 }
 
-/// Subcommand and argument of everything that the command line takes for a file or folder to write.
+/// Subcommand and argument of every file or folder that the command line writes.
 fn outputs_of(command: &clap::Command, path: &str, found: &mut BTreeSet<(String, String)>) {
     for argument in command.get_arguments() {
         if argument.get_value_parser().type_id() == TypeId::of::<OutputPath>() {
@@ -318,7 +318,7 @@ fn what_chiaro_made_is_replaced_unasked_until_somebody_changes_it() {
     fs::write(shop.path("out/look.wgsl"), "fn mine() {}\n").unwrap();
     let before = shop.files();
     let export = ["export", "look.json", "--to", "wgsl", "-o", "out"];
-    // The description says that there is a file of this name; what is in it is mine all the same.
+    // The description lists a file of this name, but its content is the user's.
     fs::remove_file(shop.path("out/look.json")).unwrap();
     let ran = shop.run(&export);
     assert!(ran.status.code() == Some(1) && told(&ran).contains("look.wgsl"), "{}", told(&ran));
@@ -342,7 +342,8 @@ fn what_documents_name_is_read_too() {
             ["--size", "8x8", "--samples", "1", "--on", "reference", "--mesh", "shape:plane"];
         shop.run(&[&["render", document, "-o", to], &size[..]].concat())
     };
-    // It was rendered, so that it would be replaced unasked if it were no input.
+    // The image was rendered by Chiaro, so it would be replaced without `--force` if it were no
+    // input.
     assert!(render("look.json", "shown.png").status.success());
     let before = shop.files();
     let ran = render("shown.json", "shown.png");
@@ -354,7 +355,7 @@ fn what_documents_name_is_read_too() {
     assert!(shop.files() == before);
 }
 
-/// Every command that prints a result, onto a disk without room.
+/// Every command that prints a result, run with standard output on a full disk.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_result_that_could_not_be_printed_is_an_error() {
@@ -394,7 +395,7 @@ fn a_result_that_could_not_be_printed_is_an_error() {
         assert_eq!(ran.status.code(), Some(1), "{words:?}: {}", told(&ran));
         assert!(told(&ran).contains("cannot-print"), "{words:?}: {}", told(&ran));
     }
-    // Messages are the best that can be done: where they cannot be told either, the code says
+    // Messages are the most that can be done: if they cannot be printed either, the exit code is
     // enough.
     let full = || fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let ran = shop.command(&["nodes"]).stdout(full()).stderr(full()).status().unwrap();
@@ -405,7 +406,7 @@ fn a_result_that_could_not_be_printed_is_an_error() {
     );
 }
 
-/// `chiaro nodes --markdown | head -1`.
+/// A reader that goes away, as in `chiaro nodes --markdown | head -1`.
 #[test]
 #[cfg(unix)]
 fn a_reader_that_goes_away_is_no_error() {
@@ -425,7 +426,7 @@ fn a_reader_that_goes_away_is_no_error() {
     }
 }
 
-/// What is in a folder: files that were finished, and temporary ones.
+/// Numbers of finished and of temporary files in a folder.
 #[cfg(unix)]
 fn there(folder: &Path) -> (usize, usize) {
     let names = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.file_name());
@@ -434,8 +435,8 @@ fn there(folder: &Path) -> (usize, usize) {
     (whole.len(), half.len())
 }
 
-/// Ends an export of many images at many instants, by force and politely. Whatever there is
-/// afterwards is nothing or all, and the next export takes away what the one before could not.
+/// Ends an export of many images at many instants, by force and politely. Afterwards none of the
+/// images exists or all do, and the next export removes the leftovers.
 #[test]
 #[cfg(unix)]
 fn an_export_that_is_ended_leaves_nothing_or_all() {
@@ -454,7 +455,7 @@ fn an_export_that_is_ended_leaves_nothing_or_all() {
             fs::remove_dir_all(&images).unwrap();
             let mut child =
                 shop.command(&export).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-            // As soon as there are so many, or all are done.
+            // The signal is sent once `begun` files exist, or all are done.
             while there(&images).1 < begun && child.try_wait().unwrap().is_none() {
                 std::thread::yield_now();
             }
@@ -467,8 +468,8 @@ fn an_export_that_is_ended_leaves_nothing_or_all() {
             let (whole, half) = there(&images);
             let is_told = images.join("hcbtf.json").exists();
             match signal {
-                // No program can finish what it does when it is killed; but what tells of the
-                // others comes last.
+                // A killed program cannot finish its work; but the description of the other files
+                // is written last.
                 "-KILL" => assert!(
                     is_told == (whole == all) && (half > 0 || is_told),
                     "{whole} of {all}, {half}"

@@ -1,5 +1,5 @@
-//! Only what a scene calls for: what is left out changes no pixel, what is kept has a reason, and
-//! work repeats only when what it reads changed.
+//! Effects of a scene: leaving one out changes no pixel, an effect that stays has a reason, and
+//! passes run again only when their inputs changed.
 #![cfg(feature = "gpu")]
 
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -115,7 +115,7 @@ fn an_object_on_the_edge_of_the_picture_is_kept() {
         };
         plan(&scene_of(parts, Scene { camera, ..Scene::default() }), Cull::All).draws.len()
     };
-    // The picture is 64 to 48, so that its edge is at 4/3 and the ball's is 1 further in.
+    // The picture is 64 by 48, so that its edge is at 4/3, and the ball's edge is 1 further in.
     assert_eq!([at(0.0), at(2.3), at(-2.3), at(2.4), at(-2.4)], [1, 1, 1, 0, 0]);
 }
 
@@ -219,7 +219,7 @@ fn a_light_of_the_scene_decides_and_one_that_is_keyed_is_never_dark() {
 fn forty_of_fifty_looks_are_not_compiled_and_equal_ones_once() {
     let (mesh, fitted) = shape("sphere");
     let parts = (0..50).map(|index| {
-        // Ten in two rows before the camera, the others far to the side.
+        // Ten objects are in two rows before the camera, the others far to the side.
         let place = if index % 5 == 0 {
             DVec3::new(f64::from(index) / 5.0 - 4.5, 0.0, 0.0)
         } else {
@@ -249,7 +249,7 @@ fn forty_of_fifty_looks_are_not_compiled_and_equal_ones_once() {
 }
 
 /// A look for every kind of proof that a node can be left out, without lights, with the node that
-/// goes.
+/// is left out.
 fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
     let facing = json!({"id": "facing", "kind": "facing"});
     let noise = json!({"id": "noise", "kind": "noise", "values": {"octaves": 3}});
@@ -302,8 +302,8 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
                 {"from": "all", "to": "output.color"}
             ]),
         ),
-        // 2 and more is above the edge however wide the pixel is: the mask is 1, and the mix is its
-        // B.
+        // The value is 2 or more, above the edge however wide the pixel is: the mask is 1, and the
+        // mix is its B.
         (
             Proof::Ranges,
             "mask",
@@ -318,7 +318,7 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
                 {"from": "facing", "to": "mix.b"}, {"from": "mix", "to": "output.color"}
             ]),
         ),
-        // The same for a profile that is ambient, whose angle is then of no account.
+        // The same holds for an ambient profile, whose result does not depend on the angle.
         (
             Proof::Ranges,
             "profile",
@@ -332,7 +332,7 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
                 {"from": "facing", "to": "all.b"}, {"from": "all", "to": "output.color"}
             ]),
         ),
-        // A clamp that cannot clamp: noise lies in [0, 1], and half of it more so.
+        // The clamp cannot clamp: noise lies in [0, 1], and half of it in [0, 0.5].
         (
             Proof::Ranges,
             "clamp",
@@ -345,7 +345,7 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
                 {"from": "clamp", "to": "output.color"}
             ]),
         ),
-        // A factor that never exceeds 0.
+        // The factor never exceeds 0.
         (
             Proof::Ranges,
             "mix",
@@ -359,7 +359,7 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
                 {"from": "mix", "to": "output.color"}
             ]),
         ),
-        // An opaque look is never cut.
+        // The look is opaque, so it is never cut.
         (
             Proof::Ranges,
             "output",
@@ -379,7 +379,7 @@ fn removable_look(nodes: &Json, wires: &Json, is_cut: bool) -> SetupLook {
     look(&json!({"nodes": nodes, "wires": wires}))
 }
 
-/// The scalars of what `shade` gives for a surface, in f32.
+/// The scalars of `shade`'s result for a surface, in f32.
 fn shaded(shader: &CompiledShader, surface: &HashMap<&str, Vec<f64>>) -> Vec<u32> {
     let options = interp::Options { derivatives: Derivatives::Zero, ..interp::Options::default() };
     let program =
@@ -398,7 +398,7 @@ fn shaded(shader: &CompiledShader, surface: &HashMap<&str, Vec<f64>>) -> Vec<u32
     let mut bits = Vec::new();
     while let Some(value) = values.pop() {
         match value.parts() {
-            // Of a look that may be cut, the color comes first.
+            // The result of a look that may be cut is a struct whose first member is the color.
             Some(parts) => values.extend(parts.first().cloned()),
             None => bits.extend(
                 value.components().unwrap_or_default().iter().map(|x| (*x as f32).to_bits()),
@@ -420,7 +420,7 @@ fn every_kind_of_removal_changes_no_bit() {
         let whole =
             compile(&look.look, library, &Options { unspecialized: true, ..Options::default() })
                 .expect("it compiles");
-        // Which of two equal nodes goes is open.
+        // Either of two equal nodes may be the one that is removed.
         let is_it =
             |removal: &&Removal| removal.path.to_string() == node || removal.proof == Proof::Equal;
         let removal = pruned.removed.iter().find(is_it);
@@ -444,7 +444,7 @@ fn every_kind_of_removal_changes_no_bit() {
                 pruned.wgsl
             );
         }
-        // On the GPU the same look is drawn whole where its values are live, which prunes nothing.
+        // The GPU draws the same look whole if its values are live, which prunes nothing.
         let setup = scene_of(vec![(look, mesh.clone(), fitted)], Scene::default());
         let live = pixels(&planned(&mut Planner::default(), &setup, &Live::All));
         let baked = pixels(&planned(&mut Planner::default(), &setup, &Live::Keyed));
@@ -474,7 +474,7 @@ fn live_values_are_never_proved_by_ranges() {
         let shader = compile(&look.look, Library::built_in(), &live).expect("it compiles");
         let proved: Vec<_> =
             shader.removed.iter().filter(|removal| removal.proof == Proof::Ranges).collect();
-        // An opaque look stays opaque whatever is edited.
+        // An opaque look stays opaque, whatever is edited.
         assert!(
             proved.iter().all(|removal| removal.path.to_string() == "output" && node != "output"),
             "{node}: {proved:?}"
@@ -496,7 +496,7 @@ fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them()
         let look =
             look(&json!({"name": "one", "lights": {"key": {"direction": [1, 1, 1]}}, "nodes": [
                 {"id": "facing", "kind": "facing"},
-                // A picture that does not exist: loading it would be an error.
+                // The image does not exist: loading it would be an error.
                 {"id": "image", "kind": "image", "values": {"image": "nowhere.png"}},
                 {"id": "kappa", "kind": "kappa"},
                 {"id": "tinted", "kind": "multiply"},
@@ -586,8 +586,8 @@ const DETAIL_NORMALS: PassId = PassId::named("detail_normals");
 const DETAIL_CURVATURE: PassId = PassId::named("detail_curvature");
 const SPARSE_DETAIL_CURVATURE: PassId = PassId::named("detail_curvature_sparse");
 
-/// Looks of different tiers find curvature in different ways, side by side: of the same normals,
-/// each pass with those who read it.
+/// Looks of different tiers compute curvature in different ways, side by side: from the same
+/// normals, each pass with the objects that read it.
 #[test]
 fn each_tier_of_curvature_has_a_pass_of_its_own() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -623,7 +623,7 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
     for ((kind, reason), (wanted, word)) in both.iter().zip(&wanted) {
         assert!(kind == wanted && reason.contains(word), "{kind:?}: {reason}");
     }
-    // Of its own tier each look alone needs no other's pass.
+    // A look alone, of a single tier, needs no other tier's pass.
     let kinds = |tier| {
         passes(&plan(vec![colored("one", red, tier)]))
             .into_iter()
@@ -635,7 +635,7 @@ fn each_tier_of_curvature_has_a_pass_of_its_own() {
         [NORMALS, SPARSE_CURVATURE, DETAIL_NORMALS, SPARSE_DETAIL_CURVATURE, PassId::LOOK]
     );
     assert_eq!(kinds(Tier::Fast), [DETAIL_NORMALS, SPARSE_DETAIL_CURVATURE, PassId::LOOK]);
-    // Side by side they look as they do alone, on targets that one renderer keeps.
+    // Side by side, looks are the same as alone, on targets that one renderer keeps.
     let mut renderer = renderer();
     let mut draw =
         |looks| block_on(renderer.picture(&plan(looks))).unwrap_or_else(|error| panic!("{error}"));
@@ -679,7 +679,7 @@ fn work_repeats_only_if_what_it_reads_changed() {
         let plan = planned(&mut planner, setup, &Live::Keyed);
         let told = effects(&plan, renderer.done());
         let ran = block_on(renderer.draw(&plan)).unwrap_or_else(|error| panic!("{error}"));
-        // What was told before drawing is what happened.
+        // The effects that were told before drawing are those that happened.
         let runs = told
             .iter()
             .filter(|effect| effect.kind == EffectKind::Pass && effect.state == EffectState::Runs);
@@ -693,7 +693,7 @@ fn work_repeats_only_if_what_it_reads_changed() {
     assert_eq!(run(&first), all);
     assert_eq!(run(&first), [], "the same picture again");
 
-    // The mesh stays where it is in memory, as it does in a scene.
+    // The mesh keeps its address in memory, as it does in a scene.
     let kept = first.objects[0].mesh.clone();
     first = setup([0.1, 0.5, 0.9], Camera::default());
     first.objects[0].mesh = kept.clone();
@@ -728,7 +728,7 @@ fn pictures_that_only_the_detail_normals_read_are_read() {
     assert_ne!(bumpy, pixels(&self::plan(&flat, Cull::All)));
 }
 
-/// Costs are counted in the shader itself: what is told of nodes adds up to what is told of their
+/// Costs are counted in the shader itself: the costs of a look's nodes add up to the cost of the
 /// look.
 #[test]
 fn every_effect_has_its_cost() {
@@ -757,7 +757,7 @@ fn every_effect_has_its_cost() {
     assert!(whole - nodes < 60, "what belongs to no node unpacks what came in: {nodes} of {whole}");
     let profile = effect(&effects, "node `one/tone`").cost.operations;
     assert!(2 * profile > nodes, "the profile is most of it");
-    // What is left out says what it saves: its whole function.
+    // An effect that is left out tells its saving: its whole function.
     let saved: u64 = of(EffectKind::Node)
         .filter(|effect| !runs(effect))
         .map(|effect| effect.cost.operations)

@@ -1,5 +1,5 @@
-//! Groups made, dissolved and pasted at random: the picture stays what it was, and undoing gives
-//! the file back byte for byte.
+//! Groups that are made, dissolved and pasted at random: the picture stays the same, and undoing
+//! restores the file byte for byte.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::truth;
@@ -50,7 +50,7 @@ fn values(look: &Look, seed: u64) -> Vec<[f64; 4]> {
     truth(&setup, "", &samples(seed))
 }
 
-/// The graphs of a look, and one of them.
+/// One of the graphs of a look, at random.
 fn any_graph(look: &Look, random: &mut Random) -> GraphId {
     let definitions = look.definitions.keys().cloned().map(GraphId::Definition);
     let graphs: Vec<GraphId> = std::iter::once(GraphId::Look).chain(definitions).collect();
@@ -83,8 +83,7 @@ fn random_dissolve(look: &Look, random: &mut Random) -> Option<Edit> {
     Some(dissolve(look, &graph, id, definition).expect("none is muted").edit)
 }
 
-/// Groups and ungroups again and again; nothing of the picture changes, and all of it can be
-/// undone.
+/// Groups and ungroups again and again; the picture does not change, and all steps can be undone.
 fn check(look: &Look, seed: u64) {
     let mut random = Random::new(seed);
     let before = values(look, seed);
@@ -176,7 +175,7 @@ fn keys_and_exposed_inputs_follow_into_a_group_and_out_of_it() {
     assert_eq!(look.exposed[0].target.to_string(), "layer.offset");
     assert_eq!(look.time_keys[0].target.to_string(), "layer.cutoff");
     assert!(look.definitions.is_empty(), "nothing uses it any more");
-    // Out of the library's group: the layer's own input becomes that of a node in it.
+    // Dissolving the library's group moves the layer's own input to a node that was in the group.
     let layer = definition(&look, "light_layer").unwrap();
     let opened = dissolve(&look, &GraphId::Look, &"layer".into(), layer).unwrap();
     let close = look.apply(opened.edit).unwrap();
@@ -197,7 +196,7 @@ fn a_muted_group_is_not_dissolved() {
     assert!(dissolve(&look, &GraphId::Look, &"layer".into(), layer).is_err());
 }
 
-/// What goes through the clipboard comes out as it was, in another look too.
+/// Nodes that go through the clipboard come out the same, in another look, too.
 #[test]
 fn what_is_copied_is_pasted_with_its_groups_and_lights() {
     for seed in 0..12 {
@@ -216,7 +215,7 @@ fn what_is_copied_is_pasted_with_its_groups_and_lights() {
         let undo = other.apply(pasted.edit).unwrap();
         assert_eq!(pasted.nodes.len(), nodes.len());
         assert_eq!(values(&other, seed), values(&look, seed), "seed {seed}");
-        // A second time beside the first: no output, and nothing of the first changes.
+        // A second paste beside the first pastes no output, and changes nothing of the first.
         let again = paste_text(&other, &GraphId::Look, &text, Some([500.0, 300.0])).unwrap();
         assert_eq!(again.nodes.len(), nodes.len() - 1);
         let undo_again = other.apply(again.edit).unwrap();

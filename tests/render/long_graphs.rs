@@ -82,7 +82,7 @@ fn four_thousand_nodes_give_the_closed_form() {
             .fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
         assert!((value[0] - wanted).abs() < 1e-6, "{} for {wanted}", value[0]);
     }
-    // Half way, too, where the start is still felt.
+    // The start still has an influence half way.
     for (value, start) in support::eval::eval(&setup, "n19.sum", &samples).iter().zip(starts) {
         let wanted =
             (0..20).map(step).fold(start, |x, (kind, b)| if kind == "add" { x + b } else { x * b });
@@ -94,8 +94,8 @@ fn four_thousand_nodes_give_the_closed_form() {
     }
 }
 
-/// Values that are read again much later go from part to part, through the parts of parts between
-/// them.
+/// Values that are read again much later are passed from part to part, through the parts of parts
+/// between them.
 #[cfg(feature = "gpu")]
 #[test]
 fn what_is_read_again_much_later_is_handed_on() {

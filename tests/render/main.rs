@@ -1,4 +1,5 @@
-//! Pictures of the GPU: effects, pruning, muting, groups and surfaces that leave them as they were.
+//! Pictures of the GPU: effects, pruning, muting and groups that leave them unchanged, and
+//! surfaces.
 
 use chiaro_test_drawing as support;
 

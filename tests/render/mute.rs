@@ -1,4 +1,4 @@
-//! A muted node lets through what comes in.
+//! Muted nodes: they pass their input through.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::{eval, look};
@@ -90,8 +90,8 @@ fn what_has_nothing_to_let_through_gives_zero() {
     close(color(&look), [0.0; 3]);
 }
 
-/// What stands in a muted node's port by default goes on, wherever the node stands in the file: its
-/// value, and what it reads from its surroundings.
+/// A muted node passes on the default of an unwired port, wherever the node stands in the file: a
+/// value, or a context.
 #[test]
 fn a_muted_node_lets_through_what_its_unwired_port_has() {
     let shown = |kind: &str, is_first: bool| {
@@ -121,7 +121,7 @@ fn a_muted_node_lets_through_what_its_unwired_port_has() {
     }
 }
 
-/// Each kind alone, with nothing but the lights that it must have.
+/// Each kind is muted alone, with nothing but the lights that it needs.
 #[test]
 fn every_kind_that_needs_no_stack_can_be_muted_alone() {
     use chiaro::library::{Fallback, Type};

@@ -1,6 +1,6 @@
-//! The code of custom nodes and of a project's node files: what is beyond a bound or cannot run in
-//! a look is refused with its place, before anything overflows, and every loop ends alike wherever
-//! it runs.
+//! Code of custom nodes and of a project's node files: code beyond a bound, or that cannot run in a
+//! look, is refused with its place before anything overflows, and every loop ends alike wherever it
+//! runs.
 
 use std::path::Path;
 
@@ -35,7 +35,7 @@ fn compiled(code: &str) -> Result<CompiledShader, Vec<Diagnostic>> {
     compile(&read(&look_json(code)), Library::built_in(), &Options::default())
 }
 
-/// The one thing that is wrong with code, in a look and in a node file.
+/// The only problem of the code, in a look and in a node file.
 fn refused(code: &str) -> Diagnostic {
     let mut library = Library::default();
     library.add_file("nodes/own/f.wgsl", code);
@@ -57,7 +57,7 @@ fn body(body: &str) -> String {
 
 #[test]
 fn what_would_overflow_a_stack_is_told_with_its_bound() {
-    // Tests run on 2 MiB of stack, as the least of our threads does.
+    // Tests run on 2 MiB of stack, the least that our threads have.
     for expression in [
         vec!["x"; 20_000].join("+"),
         "- ".repeat(20_000) + "x",
@@ -96,7 +96,7 @@ fn what_takes_long_is_told_before_the_work() {
     );
 }
 
-/// What no look can run is in `tests/cases/node`.
+/// Cases that no look can run are in `tests/cases/node`.
 #[test]
 fn small_arrays_and_private_variables_are_allowed() {
     let allowed = "const T = array<f32, 4>(0.0, 1.0, 2.0, 3.0); var<private> p: f32;\n\
@@ -128,7 +128,7 @@ fn a_loop_without_an_end_to_be_seen_is_counted_in_the_shader_and_in_every_export
     let files = exported.expect("it is exported").value;
     let texts: Vec<_> = files.iter().filter(|file| !file.name.ends_with(".json")).collect();
     assert!(texts.len() >= LANGUAGES.len());
-    // SPIR-V is no text, and neither vertices nor normals have anything to do with the node.
+    // SPIR-V is no text, and files of vertices and normals do not contain the node.
     let is_of_node = |name: &str| {
         !["spv", "vert", "normals", "curvature"].iter().any(|part| name.contains(part))
     };
@@ -162,7 +162,7 @@ fn a_project_s_loops_are_noted_once_and_have_the_same_end() {
     );
 }
 
-/// What is known is folded by the interpreter, to the same number.
+/// A known value is folded by the interpreter, to the same number.
 #[test]
 fn the_interpreter_ends_where_the_shader_does() {
     let endless =
@@ -196,7 +196,7 @@ fn the_gpu_and_the_reference_end_alike() {
     }
 }
 
-/// Loops of loops, through calls, would take hours.
+/// Nested loops, through calls, would take hours.
 #[test]
 fn loops_in_loops_are_bounded() {
     let code = "// Ours.\nfn f(x: f32) -> f32 \
@@ -236,8 +236,8 @@ fn what_a_driver_would_recurse_over_is_told() {
     assert!(told.contains(&MAX_DEPTH.to_string()), "{told}");
 }
 
-/// Of 20,000 differences and absolute values in a row, Mesa takes 3 MiB of stack; tests have 2 MiB,
-/// as the least of our threads.
+/// Mesa takes 3 MiB of stack for 20,000 differences and absolute values in a row; tests have 2 MiB,
+/// the least that our threads have.
 #[cfg(feature = "gpu")]
 #[test]
 fn what_a_driver_recurses_over_has_the_stack_for_it() {
@@ -258,7 +258,7 @@ fn what_a_driver_recurses_over_has_the_stack_for_it() {
     let look = support::eval::look(&json!({"nodes": nodes, "wires": wires}));
     let samples =
         [chiaro::frame::EvalSample { kappa: 0.5, ..chiaro::frame::EvalSample::default() }];
-    // 0.5 becomes 0, and 0 becomes 0.5, an even number of times.
+    // 0.5 becomes 0 and 0 becomes 0.5, an even number of times.
     assert_eq!(support::eval::eval(&look, "n9.value", &samples)[0][0], 0.5);
 }
 

@@ -1,4 +1,4 @@
-//! The probe tells what a pixel's wires really carry.
+//! Probe: the values that it tells are those of the pixel's wires.
 
 use std::path::PathBuf;
 
@@ -55,7 +55,7 @@ fn lit() -> Json {
     })
 }
 
-/// Everywhere, with a curvature pass around the pixel, the last wire is the picture's own pixel.
+/// The last wire is the picture's own pixel everywhere, with a curvature pass around the pixel.
 #[test]
 fn the_output_wire_is_the_pixel() {
     for pixel in [[32, 32], [20, 40], [45, 25], [12, 31], [33, 51]] {
@@ -66,7 +66,7 @@ fn the_output_wire_is_the_pixel() {
             assert!((got - wanted).abs() < 1e-12, "{stack:?} for {color:?} at {pixel:?}");
         }
         assert!(wires.iter().all(WireValue::is_finite));
-        // f32 is near, and not the same.
+        // f32 values are near the f64 ones, and not the same.
         assert!(wires.iter().all(|wire| wire.difference() < 1e-4), "{wires:?}");
         assert!(wires.iter().any(|wire| wire.difference() > 0.0));
         let first = |node: &str| wires.iter().position(|wire| wire.node.to_string() == node);
@@ -82,7 +82,7 @@ fn nothing_is_drawn_beside_the_object() {
     assert_eq!(probed(&lit(), [1, 1]).0, None);
 }
 
-/// The first wire that is no number is the one that a custom node broke.
+/// The first wire that is no number is the output of a custom node that divides by 0.
 #[test]
 fn the_first_broken_wire_is_found() {
     let code = "fn broken(tone: f32) -> f32 { return tone / (tone - tone); }";

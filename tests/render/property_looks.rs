@@ -1,5 +1,5 @@
 //! Random looks: valid ones compile for every stage and liveness and show finite pixels; broken
-//! ones are told about, with a place, and never panic.
+//! ones are reported with a place, and never panic.
 #![cfg(feature = "gpu")]
 
 use crate::support;
@@ -22,8 +22,8 @@ struct Source {
     ty: Type,
 }
 
-/// A graph as it grows: every wire goes from an earlier node to a later one, so that there is no
-/// ring.
+/// A graph that grows: every wire goes from an earlier node to a later one, so that there is no
+/// cycle.
 struct Growing {
     nodes: Vec<Json>,
     wires: Vec<Json>,
@@ -74,7 +74,7 @@ fn value_for(input: &Input, random: &mut Random) -> Option<Json> {
     })
 }
 
-/// Whether a function for a wider type takes this number as that type.
+/// True if a function for a wider type takes this number as that type.
 fn is_widened(def: &NodeDef, port: &PortName) -> bool {
     let is_wide = |parameter: &Parameter| {
         let Parameter::Input(index, ty) = parameter else { return false };
@@ -94,8 +94,8 @@ impl Growing {
         (!fitting.is_empty()).then(|| *random.pick(&fitting))
     }
 
-    /// A node of a kind, wired by chance and where it must be; `false` where nothing there feeds
-    /// it.
+    /// Adds a node of a kind, wired at random and wherever a wire is needed; returns `false` if
+    /// nothing in the graph can feed it.
     fn add(&mut self, def: &NodeDef, random: &mut Random) -> bool {
         let id = format!("n{}", self.nodes.len());
         let (mut values, mut wires) = (Map::new(), Vec::new());
@@ -105,7 +105,7 @@ impl Growing {
             let must = input.fallback == Fallback::Wire;
             let is_wired =
                 must || (input.options.is_empty() && !input.ty.is_setting() && random.chance(0.5));
-            // A node of any width takes any width, though only one.
+            // A node of any width takes any width, but the same on all inputs.
             let widens = input.ty == Type::Float && is_widened(def, &input.name);
             let first_of_width = widens && fed.is_empty();
             let ty = if def.special == Special::Reroute || (first_of_width && random.chance(0.5)) {
@@ -131,8 +131,8 @@ impl Growing {
                 None => {}
             }
         }
-        // What a node of any width gives is left to what it is fed with; where that is mixed,
-        // nobody takes it here.
+        // The output of a node of any width has the width of its inputs; if those are mixed,
+        // nothing takes the output here.
         fed.dedup();
         let has_variant =
             |ty: &Type| def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
@@ -174,7 +174,7 @@ impl Growing {
         let library = Library::built_in();
         let defs: Vec<_> =
             library.nodes.values().filter(|def| def.special != Special::Output).collect();
-        // Something of each type to begin with.
+        // The graph begins with a source of each type.
         for kind in ["base", "light", "parametrization", "facing", "vertex_color", "uv"] {
             self.add(&library.nodes[kind], random);
         }
@@ -213,8 +213,8 @@ fn random_look(seed: u64, count: usize) -> Json {
     let last =
         outer.sources.iter().rev().find(|source| source.ty.convert_to(&Type::Composite).is_some());
     let shown = last.map_or("n0".to_owned(), |source| source.endpoint.clone());
-    // Something half built that nothing needs: a light where a number belongs, and what hangs on
-    // it.
+    // The look has an unfinished part that nothing needs: a light where a number belongs, and the
+    // node after that.
     outer.nodes.push(json!({"id": "loose", "kind": "sine"}));
     outer.nodes.push(json!({"id": "end", "kind": "arctangent"}));
     outer.wires.push(json!({"from": "n1.light", "to": "loose.angle"}));
@@ -265,7 +265,7 @@ fn fail(what: impl std::fmt::Display, look: &Json) -> TestCaseError {
     TestCaseError::fail(format!("{what}\n{look}"))
 }
 
-/// Reads, compiles in every way, evaluates and draws.
+/// Reads a look, compiles it in every way, evaluates and draws it.
 fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
     let json = random_look(seed, 10 + (seed % 50) as usize);
     let loaded = Look::read(&json.to_string(), "random.json");
@@ -279,7 +279,7 @@ fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
             for unspecialized in [false, true] {
                 let options =
                     Options { stage, live: live.clone(), unspecialized, ..Options::default() };
-                // naga validates within.
+                // naga validates the module in `compile`.
                 compile(&look, library, &options).map_err(|problems| {
                     fail(format!("{options:?}: {}", support::eval::told(&problems)), &json)
                 })?;
@@ -337,8 +337,8 @@ fn random_looks_soak() {
     run(3000, |seed| check_valid(seed, seed % 4 == 0));
 }
 
-/// Breaks a look in one way; says what a diagnostic of it must have: a place in the graph or in the
-/// file, or nothing where the look may still be whole.
+/// Breaks a look in one way. Returns the place that a diagnostic of it must have: in the graph or
+/// in the file, or empty if the look may still be whole.
 fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
     let nodes = look["nodes"].as_array().map_or(0, Vec::len);
     let wires = look["wires"].as_array().map_or(0, Vec::len);
@@ -361,7 +361,7 @@ fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
             "must"
         }
         4 => {
-            // A ring of two.
+            // A cycle of two nodes.
             let list = look["nodes"].as_array_mut().expect("a list");
             list.push(json!({"id": "ring_a", "kind": "add"}));
             list.push(json!({"id": "ring_b", "kind": "add"}));
@@ -373,7 +373,7 @@ fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
             "must"
         }
         5 => {
-            // A light into a number.
+            // A light wired to a number.
             look["nodes"]
                 .as_array_mut()
                 .expect("a list")
@@ -422,7 +422,7 @@ fn break_it(look: &mut Json, random: &mut Random) -> &'static str {
     }
 }
 
-/// Whether somebody who reads it finds the spot.
+/// True if a reader of the problem finds its place.
 fn is_placed(problem: &Diagnostic) -> bool {
     let place = &problem.place;
     place.node.is_some() || place.port.is_some() || place.json_path.is_some() || place.at.is_some()
@@ -453,7 +453,7 @@ fn check_broken(seed: u64) -> Result<(), TestCaseError> {
     {
         return Err(fail(format!("a problem without a place: {problem}"), &json));
     }
-    // Truncated and garbled text.
+    // The text is cut short or garbled.
     let text = json.to_string();
     let cut: String = text.chars().take(random.index(text.len())).collect();
     let problems = problems_of(&cut);

@@ -1,5 +1,4 @@
-//! What the compiler leaves out changes nothing: specialized looks against unspecialized ones, live
-//! against baked.
+//! Pruning changes nothing: specialized looks against unspecialized ones, live against baked.
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::{content, eval_with, look, options, renderer};
@@ -16,7 +15,7 @@ use chiaro::library::{BypassResult, Fallback, Library, Limit, NodeDef, Test, Typ
 use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
 
-/// Holds one way of compiling a look against another.
+/// Compares one way of compiling a look with another.
 fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
     compare_in(Library::built_in(), errors, look, a, b);
 }
@@ -32,11 +31,12 @@ fn compare_in(library: &Library, errors: &mut Errors, look: &SetupLook, a: &Opti
     }
 }
 
-/// What judges a look that is compiled in two ways, besides what is made of it.
+/// Sources that decide on the verdict on a look that is compiled in two ways, besides the compiled
+/// modules.
 const JUDGES: &[&str] =
     &["src/scene/frame", "src/render", "tests/drawing/eval.rs", "tests/render/prune.rs"];
 
-/// A way of compiling that is held against baked code, and by how much they may differ.
+/// Ways of compiling that are compared with baked code, with their error bounds.
 fn ways() -> [(&'static str, Options, f64); 2] {
     [
         ("unspecialized", Options { unspecialized: true, ..Options::default() }, 1.0 / 255.0),
@@ -44,7 +44,7 @@ fn ways() -> [(&'static str, Options, f64); 2] {
     ]
 }
 
-/// What the verdict on a look that is compiled in two ways depends on.
+/// Key of the verdict on a look that is compiled in two ways.
 fn key(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Key {
     let mut key = Key::of_sources(JUDGES)
         .with(renderer().gpu().info.driver_info.as_bytes())
@@ -76,7 +76,7 @@ fn examples_are_the_same_unspecialized_and_live() {
     ledger.close();
 }
 
-/// One digit of a shader is another, and a line of the ledger says what is not so.
+/// A changed digit of a shader, and a forged line of the ledger, are both found.
 #[test]
 fn a_changed_shader_and_a_forged_line_are_found() {
     let look = halved::look();
@@ -122,7 +122,7 @@ fn random_stacks_are_the_same_unspecialized_and_live() {
     assert!(removed > 20, "hardly anything was removed: {removed}");
 }
 
-/// A fitting value for an input that a bypass asks nothing of.
+/// A suitable value for an input without a condition of a bypass.
 fn ordinary(ty: &Type, random: &mut Random) -> Json {
     match ty {
         Type::Bool => json!(random.chance(0.5)),
@@ -150,7 +150,7 @@ fn constant(ty: &Type, x: f64) -> Json {
 fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> SetupLook {
     let mut values = Map::new();
     let bypass = &def.bypasses[index];
-    // What a port takes: a node that is for any type takes this one.
+    // Type of a port: a node for any type takes `ty`.
     let type_of = |port: &chiaro::library::Input| {
         let is_wide = def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
         let is_first = port.ty == Type::Float
@@ -176,7 +176,7 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
                 values.insert(name, other);
             }
             Test::Word(words) => drop(values.insert(name, json!(random.pick(words)))),
-            // `ordinary` lies between 0 and 1; so does a clamped stack.
+            // Values of `ordinary` lie between 0 and 1; so does a clamped stack.
             Test::Unit | Test::UnitAlpha => {}
             Test::AtMost(limit) | Test::AtLeast(limit) => {
                 let side = if matches!(condition.test, Test::AtMost(_)) { -1.0 } else { 1.0 };
@@ -184,7 +184,7 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
                     Limit::Number(number) => {
                         drop(values.insert(name, constant(&type_of(input), number + 0.5 * side)));
                     }
-                    // Beyond whatever `ordinary` gives.
+                    // The value is beyond all values of `ordinary`.
                     Limit::Input(other) => {
                         let other = &def.inputs[*other];
                         values
@@ -198,7 +198,7 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
         json!({"id": "base", "kind": "base", "values": {"color": [0.3, 0.6, 0.9, 0.5]}}),
         json!({"id": "output", "kind": "output"}),
     ];
-    // An angle comes from a light's parametrization, and is seen through a profile.
+    // An angle comes from a light's parametrization, and is shown through a profile.
     let mut wires = Vec::new();
     let uses = |ty: Type| def.visible_inputs().any(|input| input.ty == ty);
     if uses(Type::Angle) || uses(Type::Light) {
@@ -228,7 +228,8 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
         wires.push(json!({"from": from, "to": format!("node.{}", input.name)}));
     }
     if let BypassResult::Input(port) = bypass.result {
-        // What stands in the node's place is known to nobody before the fragment, where it can be.
+        // The input that takes the node's place is wired if it can be, so that its value is unknown
+        // before the fragment.
         let input = &def.inputs[port];
         let is_free =
             bypass.conditions.iter().all(|c| c.input != port && c.test != Test::Same(port));
@@ -250,7 +251,8 @@ fn bypassed(def: &NodeDef, index: usize, ty: &Type, random: &mut Random) -> Setu
     look(&json!({"lights": lights, "nodes": nodes, "wires": wires}))
 }
 
-/// Every `@bypass` of every node: with its conditions met the node gives what stands in its place.
+/// Every `@bypass` of every node: with its conditions met, the node's result is the one that
+/// replaces it.
 #[test]
 fn every_bypass_gives_what_the_node_gives() {
     let library = Library::built_in();
@@ -273,7 +275,7 @@ fn every_bypass_gives_what_the_node_gives() {
                         &samples,
                     );
                     for (x, y) in with.iter().flatten().zip(without.iter().flatten()) {
-                        // One step of f32 where a rule says what is true of the reals.
+                        // A rule that holds for real numbers may be off by one step of f32.
                         let step = f64::from(f32::EPSILON) * y.abs();
                         let excess = ((x - y).abs() - step).max(0.0);
                         errors.note(excess, 0.0, || {
@@ -293,7 +295,7 @@ fn every_bypass_gives_what_the_node_gives() {
     assert!(rules > 25, "{rules} rules");
 }
 
-/// The values that make a rule apply are what is removed: each rule is reported.
+/// Values that make a rule apply remove the node: each rule is reported.
 #[test]
 fn every_bypass_is_taken() {
     let library = Library::built_in();

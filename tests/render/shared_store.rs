@@ -1,4 +1,4 @@
-//! Pictures of one window share what they read, upload and compile.
+//! Store shared by the pictures of a window: files that are read, uploads and compiled modules.
 
 use crate::support::eval::renderer;
 use crate::support::wait::block_on;
@@ -31,14 +31,14 @@ fn two_pictures_with_the_same_mesh_read_it_once_and_upload_it_once() {
     assert!(drawn[0] == drawn[1] && store.len() == 1);
     assert_eq!((store.reads(), gpu.uploads().meshes), (1, 1));
 
-    // What no picture uses any more goes, and is read again when it is asked for.
+    // Assets that no picture uses any more are dropped, and read again on request.
     drop(pictures);
     assert!(store.is_empty());
     let mut assets = Assets::of(&store);
     let setup = open(look.as_ref(), mesh.to_str(), &mut assets).unwrap().value;
     assert_eq!((store.reads(), store.len()), (2, 1));
 
-    // A file that has changed is another mesh, for all who ask from then on.
+    // A file that has changed is another mesh, for all requests from then on.
     let mut others = Assets::of(&store);
     std::fs::write(&mesh, format!("{OBJ}f 1//1 3//1 2//1\n")).unwrap();
     let changed = open(look.as_ref(), mesh.to_str(), &mut others).unwrap().value;

@@ -1,6 +1,6 @@
-//! What surfaces show where they are cut out, lit in linear light, or mirrored, held against
-//! geometry and closed forms. Every picture is of files as an artist has them, opened and drawn as
-//! `chiaro render` does.
+//! Surfaces that are cut out, lit in linear light, or mirrored, compared with geometry and closed
+//! forms. Every picture is made from files as an artist has them, opened and drawn as by `chiaro
+//! render`.
 #![cfg(feature = "gpu")]
 
 use std::fs;
@@ -21,14 +21,14 @@ use glam::{DVec3, DVec4};
 use image::{Rgba, RgbaImage};
 use serde_json::{Value as Json, json};
 
-/// Pixels along a side of every picture here. The camera sees a square of 2 by 2 scene units.
+/// Side of every picture here, in pixels. The camera sees a square of 2 by 2 scene units.
 const SIDE: u32 = 64;
-/// Half an 8-bit step: what is stored in half floats and comes by other arithmetic is nearer than
-/// this.
+/// Largest difference of equal colors, half an 8-bit step: half floats and other arithmetic err by
+/// less.
 const NEAR: f32 = 0.5 / 255.0;
 const BACKDROP: [f32; 4] = [0.25, 0.5, 0.125, 1.0];
 
-/// A folder of one test's own.
+/// A folder for one test.
 struct Folder(tempfile::TempDir);
 
 impl Folder {
@@ -55,8 +55,8 @@ impl Folder {
             .unwrap();
     }
 
-    /// Draws a scene of these objects, seen along -z without perspective; `change` has the last
-    /// word on the scene.
+    /// Draws a scene of these objects, seen along -z without perspective; `change` may edit the
+    /// scene last.
     fn draw_with(&self, objects: &Json, change: impl Fn(&mut Json)) -> Picture {
         self.draw_live(objects, change, &Live::Keyed, 0.0)
     }
@@ -88,7 +88,7 @@ impl Folder {
         block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
     }
 
-    /// The scene as the GPU draws it baked and while it is edited, and as the reference does.
+    /// The scene as the GPU draws it, baked and live, and as the reference draws it.
     fn draw_everywhere(&self, scene: &Json) -> [Picture; 3] {
         self.json("scene.json", scene);
         let mut assets = Assets::default();
@@ -116,7 +116,7 @@ impl Folder {
     }
 }
 
-/// An object as its file has it.
+/// JSON of an object.
 fn object(mesh: &str, look: &str) -> Json {
     json!({"id": mesh.split('.').next(), "mesh": mesh, "looks": look, "transform": {"fit": false}})
 }
@@ -125,13 +125,13 @@ fn pixels(picture: &Picture) -> impl Iterator<Item = (u32, u32, [f32; 4])> + '_ 
     (0..SIDE).flat_map(move |y| (0..SIDE).map(move |x| (x, y, picture.pixel(x, y))))
 }
 
-/// Where the middle of a pixel lies, from -1 to 1 and with y up.
+/// Position of a pixel's middle, from -1 to 1, with y up.
 fn place(x: u32, y: u32) -> (f64, f64) {
     let step = 2.0 / f64::from(SIDE);
     ((f64::from(x) + 0.5) * step - 1.0, 1.0 - (f64::from(y) + 0.5) * step)
 }
 
-/// The texel of an image of `side` texels that covers the picture.
+/// The texel at a pixel, for an image of `side` texels that covers the picture.
 fn texel(side: u32, x: u32, y: u32) -> (u32, u32) {
     (x * side / SIDE, y * side / SIDE)
 }
@@ -147,7 +147,7 @@ fn write_square(folder: &Folder, name: &str, material: &Json) {
     let corners = [[-1f32, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
     let mut bytes: Vec<u8> =
         corners.iter().flat_map(|[x, y]| [*x, *y, 0.0]).flat_map(f32::to_le_bytes).collect();
-    // A glTF counts v downward.
+    // glTF counts v downward.
     bytes.extend(
         corners.iter().flat_map(|[x, y]| [0.5 + 0.5 * x, 0.5 - 0.5 * y]).flat_map(f32::to_le_bytes),
     );
@@ -179,7 +179,7 @@ fn write_square(folder: &Folder, name: &str, material: &Json) {
 
 // --- Alpha cut-outs
 
-/// A look that shows an image, alpha and all, with values of the output.
+/// A look that shows an image with its alpha, with values of the output.
 fn image_look(image: &str, output: &Json) -> Json {
     json!({
         "nodes": [
@@ -201,7 +201,7 @@ fn flat_look(color: [f32; 4]) -> Json {
 }
 
 const LEAF: [u8; 3] = [204, 51, 102];
-/// Alphas of the leaf's texels, in turn: below a cutoff of a half, and whole.
+/// Alphas of the leaf's texels, in turn: 0 and 127 are below a cutoff of a half, 255 is opaque.
 const ALPHAS: [u8; 4] = [0, 255, 127, 255];
 
 fn leaf_alpha(x: u32, y: u32) -> u8 {
@@ -214,9 +214,9 @@ fn leaf_folder() -> Folder {
     let [r, g, b] = LEAF;
     folder.image("leaf.png", 4, |x, y| [r, g, b, ALPHAS[((x + y) % 4) as usize]]);
     folder.json("paint.json", &flat_look([0.0, 0.25, 1.0, 1.0]));
-    // A wall behind the upper half. A speck of it before the leaf, beyond the picture, brings its
-    // middle before the leaf's too, so that it is drawn after it: what the leaf cuts out must be no
-    // depth either.
+    // The wall is behind the upper half. A speck of the near wall lies before the leaf, beyond the
+    // picture, and brings the wall's middle before the leaf's too, so that the wall is drawn after
+    // the leaf: texels that the leaf cuts out must leave no depth either.
     let speck = "v 3 0 3\nv 3.1 0 3\nv 3 0.1 3\nf 5 6 7\n";
     let wall = "v -1 0 -1\nv 1 0 -1\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n";
     folder.text("wall.obj", wall);
@@ -224,7 +224,7 @@ fn leaf_folder() -> Folder {
     folder
 }
 
-/// Every pixel is the leaf's, the wall's or the backdrop's.
+/// Asserts that every pixel is the leaf's, the wall's or the backdrop's.
 fn assert_cut(picture: &Picture, wall: [f32; 4]) {
     let leaf = LEAF.map(|c| f32::from(c) / 255.0);
     for (x, y, found) in pixels(picture) {
@@ -290,7 +290,7 @@ fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
         })
     };
     let cases = [
-        // The look's cutoff, the material's, whether an alpha of 0.5 is drawn.
+        // The look's cutoff, the material's, and true if an alpha of 0.5 is drawn.
         (0.5, None, true),
         (above_half, None, false),
         (0.0, Some(0.5), true),
@@ -312,7 +312,7 @@ fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
             assert_eq!(found[3] > 0.0, is_drawn, "{own} {material} at {x}, {y}");
             if is_drawn {
                 // A mask of the material leaves nothing half transparent; a look's own cutoff
-                // leaves alpha as it is.
+                // leaves alpha unchanged.
                 let is_masked = material["alphaCutoff"].as_f64().is_some_and(|cutoff| cutoff > 0.0);
                 assert_near(
                     found,
@@ -325,12 +325,12 @@ fn the_greater_of_both_cutoffs_counts_and_alpha_equal_to_it_is_drawn() {
     }
 }
 
-/// The normals and curvature passes are cut too, with an image that is not the first of the look's.
+/// The normals and curvature passes are cut, too, by an image that is not the first of the look's.
 #[test]
 fn what_is_seen_through_a_hole_has_its_own_curvature() {
     let folder = Folder::new();
     folder.image("tint.png", 1, |_, _| [0, 0, 255, 255]);
-    // A frame around a hole of half the picture's side.
+    // The frame has a hole of half the picture's side.
     let is_hole = |x: u32, y: u32| (2..6).contains(&x) && (2..6).contains(&y);
     folder.image("mask.png", 8, |x, y| [255, 255, 255, if is_hole(x, y) { 0 } else { 255 }]);
     write_square(
@@ -380,17 +380,17 @@ fn what_is_seen_through_a_hole_has_its_own_curvature() {
 
 // --- Linear light
 
-/// IEC 61966-2-1.
+/// Linear value of an sRGB-encoded one (IEC 61966-2-1).
 fn decoded(coded: f64) -> f64 {
     if coded <= 0.04045 { coded / 12.92 } else { ((coded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// IEC 61966-2-1.
+/// sRGB-encoded value of a linear one (IEC 61966-2-1).
 fn encoded(light: f64) -> f64 {
     if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// Every byte once, in 16 by 16 texels.
+/// Each byte once, in 16 by 16 texels.
 fn byte_at(x: u32, y: u32) -> u8 {
     let (column, row) = texel(16, x, y);
     (row * 16 + column) as u8
@@ -424,7 +424,7 @@ fn colors_come_through_linear_light_as_they_were_and_data_does_not() {
 fn light_adds_up_in_linear_light_and_is_encoded_once() {
     let folder = Folder::new();
     folder.image("bytes.png", 16, |x, y| [(y * 16 + x) as u8, 60, 200, 255]);
-    // Bent as it is seen, though it is flat: the normal at x is (x, 0, 1), made unit.
+    // The shape is flat with bent normals: the normal at x is (x, 0, 1), normalized.
     folder.text(
         "bent.obj",
         "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn -1 0 1\nvn 1 0 \
@@ -465,7 +465,7 @@ fn light_adds_up_in_linear_light_and_is_encoded_once() {
             let normal = DVec3::new(place(x, y).0, 0.0, 1.0).normalize();
             let u = angle(normal, held(DVec3::new(1.0, 0.0, 2.0)));
             let pi = std::f64::consts::PI;
-            // What a light's intensity below 1 takes, it takes from the tone.
+            // An intensity of a light below 1 dims the tone.
             let tone = 0.8 * profile_tone(u, 0.0, [0.0, pi / 2.0, pi / 2.0]);
             let tint = DVec3::new(128.0 / 255.0, 192.0 / 255.0, 1.0).map(light);
             let paper = DVec3::new(f64::from(byte_at(x, y)) / 255.0, 60.0 / 255.0, 200.0 / 255.0);
@@ -509,8 +509,8 @@ fn vertex_colors_and_backdrops_are_display_colors_in_linear_looks_too() {
     }
 }
 
-/// However a `#rrggbb` comes into a look, it is as shown: a surface of nothing else shows it, in
-/// every color space.
+/// A `#rrggbb` is display-referred, however it comes into a look: a surface of nothing else shows
+/// that color, in every color space.
 #[test]
 fn hex_colors_are_as_shown_in_every_color_space() {
     let folder = Folder::new();
@@ -544,7 +544,7 @@ fn hex_colors_are_as_shown_in_every_color_space() {
                 {"time": 0, "value": orange}, {"time": 2, "value": blue}]}]});
             near(picture(&timed, &json!({}), 0.0), orange);
             near(picture(&timed, &json!({}), 2.0), blue);
-            // Half-way between the two in the look's own colors.
+            // The value half-way lies between the two in the look's own colors.
             let half = picture(&timed, &json!({}), 1.0);
             for channel in 0..3 {
                 let [a, b] = [orange, blue].map(|hex| f64::from(shown(hex)[channel]));
@@ -564,8 +564,8 @@ fn hex_colors_are_as_shown_in_every_color_space() {
 
 // --- Mirrored objects
 
-/// A crooked tent without symmetry, open below, with UVs; its edges pass through no middle of a
-/// pixel.
+/// A crooked tent without symmetry, open below, with UVs; none of its edges passes through the
+/// middle of a pixel.
 const TENT: &str = "v -0.71 -0.53 -0.31\nv 0.62 -0.41 -0.17\nv 0.33 0.68 -0.23\nv -0.47 0.57 \
                     -0.41\nv 0.11 -0.07 0.49\n\
     vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.6 0.4\n\
@@ -593,10 +593,10 @@ fn lit_look() -> Json {
     })
 }
 
-/// One of the ways to mirror: a scale, what it does to the camera, and to the picture.
+/// A way to mirror: a scale, and its effect on the camera and on the picture.
 struct Mirror {
     scale: [f64; 3],
-    /// -1 where the scene is then looked at from behind.
+    /// -1 if the scene is then looked at from behind, else 1.
     eye: f64,
     flips: [bool; 2],
 }
@@ -609,7 +609,7 @@ const MIRRORS: [Mirror; 4] = [
     Mirror { scale: [-1.0, -1.0, -1.0], eye: -1.0, flips: [false, true] },
 ];
 
-/// The picture of `mesh` in `look`, and that of its mirror image under mirrored light.
+/// The picture of `mesh` in `look`, and the picture of its mirror image under mirrored light.
 fn mirrored_pair(folder: &Folder, mesh: &str, mirror: &Mirror) -> (Picture, Picture) {
     let picture = |scale: [f64; 3], eye: f64| {
         let mut object = object(mesh, "look.json");
@@ -649,7 +649,7 @@ fn a_mirrored_object_gives_the_mirrored_picture() {
         let (straight, mirrored) = mirrored_pair(&folder, "tent.obj", mirror);
         assert_mirrored(&straight, &mirrored, mirror.flips);
     }
-    // The picture shows something, and is not its own mirror image.
+    // The picture shows an object, and is not its own mirror image.
     let (straight, mirrored) = mirrored_pair(&folder, "tent.obj", &MIRRORS[0]);
     let differs = pixels(&straight).filter(|&(x, y, pixel)| pixel != mirrored.pixel(x, y)).count();
     assert!(differs > 500, "{differs}");
@@ -673,8 +673,7 @@ fn normal_maps_are_mirrored_with_their_objects() {
     }
 }
 
-/// A square that is seen from its front alone is there from the front and gone from behind,
-/// mirrored or not.
+/// A square with one visible side is drawn from the front and not from behind, mirrored or not.
 #[test]
 fn one_sided_fronts_stay_fronts() {
     let folder = Folder::new();
@@ -701,7 +700,7 @@ fn one_sided_fronts_stay_fronts() {
     assert_eq!(folder.draw(&json!([card])).pixel(9, 9), BACKDROP);
 }
 
-/// A mirror inside a glTF's own nodes is as good as one in the scene.
+/// A mirror within a glTF's own nodes acts like one in the scene.
 #[test]
 fn a_mirror_inside_a_file_is_as_one_in_the_scene() {
     let folder = tent_folder(&lit_look());
@@ -720,7 +719,7 @@ fn a_mirror_inside_a_file_is_as_one_in_the_scene() {
     );
 }
 
-/// Far beyond any distance that a GPU and the reference may differ by for their arithmetic alone.
+/// Smallest difference that cannot come from the arithmetic of the GPU and the reference alone.
 const APART: f32 = 1.5 / 255.0;
 
 #[track_caller]
@@ -756,10 +755,10 @@ fn shape_object(shape: &str) -> Json {
     json!({"id": "shape", "mesh": shape, "looks": "look.json", "transform": {"fit": false}})
 }
 
-/// Every ray from an eye that is so near to a sphere, or within it, meets its surface: the far
-/// plane of what such an eye sees is the horizon, and that lies beyond the corners of the picture.
-/// So nothing of the backdrop may be seen, neither where the near plane of a scene of that size
-/// would cut a hole, nor through that hole.
+/// Every ray from an eye so near to a sphere, or within it, meets the sphere's surface: the far
+/// plane of such an eye's view is the horizon, beyond the corners of the picture. So no backdrop
+/// may be seen, neither where the near plane of a scene of that size would cut a hole, nor through
+/// that hole.
 #[test]
 fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
     let folder = Folder::new();
@@ -769,8 +768,8 @@ fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
         let corner = (0.5 * fov).tan();
         for x in [-corner, 0.0, corner] {
             let ray = DVec3::new(x, corner, -1.0).normalize();
-            // The discriminant of |eye + t ray| = 1, and that the nearest meeting is before the
-            // eye, if that is outside.
+            // The discriminant of |eye + t ray| = 1 is positive, and the nearest hit is before the
+            // eye, if the eye is outside.
             let (half_b, c) = (ray.z * eye, eye * eye - 1.0);
             assert!(half_b * half_b > c && (c < 0.0 || -half_b > 0.0), "a ray misses the sphere");
         }
@@ -785,8 +784,8 @@ fn a_surface_right_before_the_eye_is_whole_and_the_same_everywhere() {
     }
 }
 
-/// What an Output's alpha cut-off of 0 does not cut has one side where its file says so, whether
-/// the value is folded or not.
+/// A surface with an alpha cutoff of 0, which cuts nothing, has one side if its file says so,
+/// whether the value is folded or not.
 #[test]
 fn a_cutoff_of_nothing_shows_no_other_side() {
     let folder = Folder::new();
@@ -808,7 +807,7 @@ fn a_cutoff_of_nothing_shows_no_other_side() {
     }
 }
 
-/// A distance that no f32 holds is none of nothing: to a GPU it would mean a light that never
+/// A distance beyond f32's range is not the same as none: to a GPU it would mean a light that never
 /// fades.
 #[test]
 fn distances_of_lights_that_no_f32_holds_mean_the_same_everywhere() {

@@ -34,12 +34,12 @@ pub(super) struct Arguments {
     print: bool,
 }
 
-/// What is written, by its place below the user's data folder.
+/// Paths of the files that are written, below the user's data folder.
 const ENTRY: &str = "applications/chiaro.desktop";
 const TYPES: &str = "mime/packages/chiaro.xml";
 const ICON: &str = "icons/hicolor/scalable/apps/chiaro.svg";
 
-/// Programs that make desktops take notice, and the folder that each looks through.
+/// Programs that update a desktop's databases, and the folder that each of them reads.
 const TOOLS: [(&str, &str); 2] =
     [("update-mime-database", "mime"), ("update-desktop-database", "applications")];
 
@@ -92,15 +92,15 @@ fn data_home(variable: impl Fn(&'static str) -> Option<OsString>) -> Result<Path
     )
 }
 
-/// All that is written: places and texts.
+/// All files that are written: paths and texts.
 fn files(program: &Path) -> Result<[(&'static str, String); 3], Diagnostic> {
     let entry = include_str!("chiaro.desktop").replace("{{exec}}", &quoted(program)?);
     let icon = include_str!("chiaro.svg").to_owned();
     Ok([(ENTRY, entry), (TYPES, include_str!("chiaro.xml").to_owned()), (ICON, icon)])
 }
 
-/// A path as the Exec line of an entry takes it: quoted as for a shell, that as a text of the
-/// entry, and `%` doubled.
+/// A path for the Exec line of an entry: quoted as for a shell, then escaped as a string of the
+/// entry, with `%` doubled.
 fn quoted(program: &Path) -> Result<String, Diagnostic> {
     let text = program
         .to_str()
@@ -124,13 +124,13 @@ fn quoted(program: &Path) -> Result<String, Diagnostic> {
 
 fn write(path: &Path, text: &str) -> Result<bool, Diagnostic> {
     if let Some(folder) = path.parent() {
-        // If it cannot be made, writing tells why.
+        // A failure to create the folder is reported by the write.
         let _ = fs::create_dir_all(folder);
     }
     write_atomic(path, text.as_bytes()).map(|()| true).map_err(|problem| *problem)
 }
 
-/// Whether there was anything to remove.
+/// Removes a file. Returns true if it existed.
 fn remove(path: &Path) -> Result<bool, Diagnostic> {
     match fs::remove_file(path) {
         Ok(()) => Ok(true),
@@ -142,8 +142,8 @@ fn remove(path: &Path) -> Result<bool, Diagnostic> {
     }
 }
 
-/// Lets a tool read a folder anew, where there are both. Without it the desktop takes notice at the
-/// next login.
+/// Lets a tool read a folder anew, if both exist. Otherwise the desktop takes notice at the next
+/// login.
 fn tell_desktop(tool: &str, folder: &Path, output: &Output) {
     if !folder.is_dir() {
         return;

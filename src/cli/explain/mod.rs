@@ -1,5 +1,5 @@
-//! `chiaro explain`: the frame plan in words, and what became of each look on the way to its
-//! shader. Needs no GPU.
+//! `chiaro explain`: the frame plan in words, and the compilation of each look to its shader. Needs
+//! no GPU.
 
 mod report;
 mod text;
@@ -71,7 +71,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     warnings.extend(check_values(&setup, &arguments.document, &library)?);
     output.diagnostics(&warnings);
     let live = if arguments.live { Live::All } else { Live::Keyed };
-    // As `chiaro render` without options.
+    // Options of `chiaro render` without arguments.
     let options = PlanOptions { size: [800, 800], samples: 4, time: arguments.time };
     let mut planner = Planner::new(assets);
     let plan = planner.plan(&setup, &library, &live, &options)?;

@@ -1,4 +1,4 @@
-//! What there is to tell of a frame plan, as data.
+//! Report on a frame plan, as data.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
@@ -16,31 +16,31 @@ use crate::frame::{
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Rate, Special};
 
-/// Why a node is not in the shader though nothing of it is lost, in [`Removal::reason`].
+/// Reason of a [`Removal`] for a node that is folded, so that nothing of it is lost.
 const FOLDED: &str = "its value is known before drawing";
 
-/// As many things as are told that a uniform is computed from: along a chain they add up.
+/// Largest number of values that a uniform is said to be computed from: along a chain they add up.
 const MAX_FROM: usize = 32;
 
-/// A frame plan.
+/// Report on a frame plan: passes, effects, looks.
 #[derive(Debug, Serialize)]
 pub(super) struct Report {
     pub(super) passes: Vec<Pass>,
     pub(super) dropped: Vec<Dropped>,
-    /// Everything that the picture may cost.
+    /// All effects that the picture may cost time for.
     pub(super) effects: Vec<Effect>,
-    /// Bytes of the uniforms that every module reads.
+    /// Size of the uniforms that every module reads, in bytes.
     pub(super) view_bytes: usize,
     pub(super) object_bytes: usize,
     pub(super) looks: Vec<LookReport>,
 }
 
-/// A look as it is drawn. One that is compiled in two ways (a choice is keyed or set) is told
-/// twice.
+/// A look as it is drawn. A look that is compiled in two ways (because a choice is keyed or set)
+/// has two reports.
 #[derive(Debug, Serialize)]
 pub(super) struct LookReport {
     pub(super) name: String,
-    /// The objects that wear it.
+    /// Objects that wear the look.
     pub(super) objects: BTreeSet<String>,
     pub(super) modules: Vec<Module>,
     pub(super) attributes: Vec<AttributeReport>,
@@ -59,11 +59,11 @@ pub(super) struct LookReport {
 pub(super) struct Module {
     pub(super) name: String,
     pub(super) lines: usize,
-    /// Of its `Look` uniform.
+    /// Size of the module's `Look` uniform, in bytes.
     pub(super) uniform_bytes: u32,
 }
 
-/// A vertex attribute with its reason.
+/// A vertex attribute with the reason for it.
 #[derive(Debug, Serialize)]
 pub(super) struct AttributeReport {
     pub(super) name: &'static str,
@@ -72,7 +72,7 @@ pub(super) struct AttributeReport {
     pub(super) why: String,
 }
 
-/// Something of the surroundings that fragments read.
+/// A context that fragments read.
 #[derive(Debug, Serialize)]
 pub(super) struct SurroundingsReport {
     #[serde(skip)]
@@ -82,7 +82,7 @@ pub(super) struct SurroundingsReport {
     pub(super) readers: Vec<String>,
 }
 
-/// An image that is read.
+/// An image that the look reads.
 #[derive(Debug, Serialize)]
 pub(super) struct ImageReport {
     pub(super) path: String,
@@ -98,7 +98,7 @@ pub(super) struct Uniform {
     pub(super) offset: u32,
     pub(super) of: String,
     pub(super) rate: Rate,
-    /// What it is computed from; 32 things at most.
+    /// Values that the member is computed from; 32 at most.
     pub(super) from: Vec<String>,
 }
 
@@ -107,23 +107,23 @@ pub(super) struct Uniform {
 pub(super) struct KeysReport {
     pub(super) name: String,
     pub(super) object: String,
-    /// What decides, with what it is now.
+    /// Drivers of the keys, with their current values.
     pub(super) by: Vec<Deciding>,
-    /// Of each key; together 1.
+    /// Weight of each key; their sum is 1.
     pub(super) weights: Vec<f64>,
 }
 
-/// What decides between keys.
+/// A driver that decides between keys.
 #[derive(Debug, Serialize)]
 pub(super) struct Deciding {
     pub(super) what: String,
-    /// A number, or a unit direction.
+    /// Current value: a number, or a unit direction.
     pub(super) now: Vec<f64>,
-    /// `rad` or nothing.
+    /// Unit of the value: `rad` or empty.
     pub(super) unit: &'static str,
 }
 
-/// Where the look's nodes run, groups inlined.
+/// Stages that the look's nodes run in, groups inlined.
 #[derive(Debug, Default, Serialize)]
 pub(super) struct Nodes {
     pub(super) total: usize,
@@ -135,7 +135,7 @@ pub(super) struct Nodes {
 
 impl Report {
     /// # Errors
-    /// What is wrong with a look; none that was planned has anything.
+    /// Problems of a look; a look that was planned has none.
     pub(super) fn new(
         setup: &Setup,
         plan: &FramePlan,
@@ -152,7 +152,7 @@ impl Report {
                 known.keys.extend(keys(&setup.looks[index].look, draw));
                 continue;
             }
-            // Time is in the plan already: what it chose is what was compiled, so nothing here
+            // Time is in the plan already: the choices at that time were compiled, so nothing here
             // depends on it.
             let shown = structural_look(&setup.looks[index].look, 0.0, values);
             let typed = check(&shown, library, None)?.value;
@@ -170,7 +170,7 @@ impl Report {
         })
     }
 
-    /// Every module; where there is more than one, each under a line that names it.
+    /// WGSL of every module; if there are several, each below a line that names it.
     pub(super) fn wgsl(&self) -> String {
         let modules: Vec<_> = self
             .looks
@@ -189,7 +189,7 @@ impl Report {
     }
 }
 
-/// Which look a draw wears, and the values that its object sets.
+/// Index of the look that a draw wears, and the values that its object sets.
 fn look_of<'s>(setup: &'s Setup, draw: &Draw) -> Option<(usize, &'s Values)> {
     let object = setup.objects.iter().find(|object| object.id == draw.object)?;
     let part = object.mesh.parts.iter().position(|part| part.indices == draw.indices)?;
@@ -261,7 +261,7 @@ fn reading(
     let reads = |input: &Option<crate::compile::TypedInput>| {
         input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
     };
-    // The Output's normal is for the modules that draw normals.
+    // The Output's normal is read by the modules that draw normals.
     let is_plain = |node: &crate::compile::TypedNode| node.def.special != Special::Output;
     let reader = |node: &&crate::compile::TypedNode| {
         node.inputs.iter().any(reads) && is_plain(node) && emitted.contains(&node.path)
@@ -291,7 +291,7 @@ fn attribute_report(attribute: Attribute, surroundings: &[SurroundingsReport]) -
     AttributeReport { name: attribute.name(), ty: attribute.wgsl_type(), why }
 }
 
-/// Some names; many are counted.
+/// A list of names; of many, the first few and a count.
 pub(super) fn names(paths: &[String]) -> String {
     const MOST: usize = 4;
     let shown: Vec<String> = paths.iter().take(MOST).map(|path| format!("`{path}`")).collect();
@@ -302,10 +302,10 @@ pub(super) fn names(paths: &[String]) -> String {
     }
 }
 
-/// The members of the `Look` uniform, with what each depends on.
+/// The members of the `Look` uniform, with the values that each depends on.
 fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
     let steps = shader.host.source().steps;
-    // Steps read only earlier ones, so one pass does.
+    // Steps read only earlier steps, so one pass over them is enough.
     let mut known: Vec<(Rate, BTreeSet<String>)> = Vec::with_capacity(steps.len());
     for step in &steps {
         known.push(match step {
@@ -341,7 +341,7 @@ fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
     shader.host.members.iter().map(uniform).collect()
 }
 
-/// What decides between the keys of a look on an object.
+/// The keys of a look on an object, with their drivers.
 fn keys(look: &Look, draw: &Draw) -> Vec<KeysReport> {
     let tell = |(keys, (now, weights)): (&DirectionKeys, &(glam::DVec3, Vec<f64>))| KeysReport {
         name: keys.name.clone(),
@@ -383,7 +383,7 @@ fn joined(known: &[(Rate, BTreeSet<String>)], operands: &[usize]) -> (Rate, BTre
     })
 }
 
-/// The nodes that what drives keys is computed by.
+/// Paths of the nodes that the drivers of keys are computed by.
 fn driving(typed: &TypedGraph) -> HashSet<String> {
     let (mut seen, mut open) =
         (HashSet::new(), typed.drivers.iter().map(|driver| driver.node).collect::<Vec<_>>());

@@ -1,4 +1,4 @@
-//! A report in words.
+//! Report in words, for a terminal.
 
 use std::fmt::Write as _;
 
@@ -115,8 +115,7 @@ fn tell_uniforms(look: &LookReport) -> String {
     text
 }
 
-/// What decides between direction keys, and how much each weighs; of the first objects, where there
-/// are many.
+/// Drivers of direction keys, and the weight of each key; for the first objects, if there are many.
 fn tell_keys(look: &LookReport) -> String {
     const MOST: usize = 16;
     if look.keys.is_empty() {
@@ -155,7 +154,7 @@ fn tell_keys(look: &LookReport) -> String {
     text
 }
 
-/// A node with its operations, where it runs.
+/// A node with its operations, and the stage that it runs in.
 fn with_cost(path: &str, look: &LookReport, report: &Report) -> String {
     let is_it = |effect: &&Effect| {
         effect.kind == EffectKind::Node
@@ -185,7 +184,7 @@ fn tell_nodes(look: &LookReport, report: &Report) -> String {
         let _ =
             writeln!(text, "    {} left out, without changing the picture:", nodes.removed.len());
         for removal in &nodes.removed {
-            // Reasons by ranges say so themselves.
+            // Reasons by ranges name their proof themselves.
             let label = Some(removal.proof.label()).filter(|label| !removal.reason.contains(label));
             let saved = EffectCost::operations(removal.operations);
             let saved = (removal.operations > 0).then(|| format!("saves {saved}"));

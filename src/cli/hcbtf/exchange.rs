@@ -70,7 +70,7 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     check_free(&path, &outputs)?;
     let form = arguments.form.map_or_else(|| exchange::Form::guessed(from), exchange::Form::from);
     let grid = arguments.grid.map(|grid| grid.0);
-    // How large the images of a folder are they tell themselves.
+    // Images of a folder tell their size themselves.
     let fitted = || match form {
         exchange::Form::Folder => exchange::fitted(from, form, Grid::THESIS, arguments.gap),
         _ => Grid::THESIS,
@@ -163,11 +163,11 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     Ok(())
 }
 
-/// What is written to a path: as it was `asked`, or as the name says. Nobody finds a PNG in a file
-/// that is called x.ktx2.
+/// Form of the file at `path`: the one that was `asked` for, or the one that the name says. Nobody
+/// expects a PNG in a file named x.ktx2.
 ///
 /// # Errors
-/// Where the name says nothing, or something else than what was asked.
+/// A name that says no form, or another form than was asked for.
 fn written_form(path: &Path, asked: Option<Form>) -> Result<Form, Diagnostic> {
     let is_folder = path.is_dir() || path.as_os_str().to_string_lossy().ends_with(['/', '\\']);
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());

@@ -1,4 +1,4 @@
-//! `chiaro hcbtf info`: what a file holds.
+//! `chiaro hcbtf info`: the content of a file.
 
 use std::path::PathBuf;
 
@@ -22,7 +22,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// What the names of storages mean.
+/// Help with the meaning of the storages' names.
 fn help() -> String {
     let storages =
         Storage::ALL.map(|storage| format!("  {:<9}{}\n", storage.word(), storage.about()));
@@ -40,8 +40,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     Ok(())
 }
 
-/// What textures are made for: the adapter that Chiaro would draw with, else what WebGPU
-/// guarantees.
+/// Device that textures are prepared for: the adapter that Chiaro would draw with, else the limits
+/// that WebGPU guarantees.
 async fn present() -> Device {
     #[cfg(feature = "gpu")]
     if let Ok(gpu) = chiaro_render::Gpu::headless().await {
@@ -50,7 +50,7 @@ async fn present() -> Device {
     Device::guaranteed()
 }
 
-/// How many samples are painted and empty, and how many each rule fills or changes.
+/// Numbers of samples that are painted, that are empty, and that each rule fills or changes.
 struct Counts {
     painted: usize,
     empty: usize,

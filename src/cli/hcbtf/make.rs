@@ -1,4 +1,5 @@
-//! `chiaro hcbtf synthesize` and `bake`: new tiles from a painted one, and a look as one.
+//! `chiaro hcbtf synthesize` and `bake`: new tiles from a painted one, and a look baked to an
+//! HCBTF.
 
 use std::path::PathBuf;
 

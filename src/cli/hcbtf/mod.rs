@@ -78,25 +78,25 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     }
 }
 
-/// Reads a file and tells what is odd in it.
+/// Reads a file and prints its warnings.
 fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
     let (hcbtf, notes) = load(path)?.into_parts();
     output.diagnostics(&notes);
     Ok(hcbtf)
 }
 
-/// Runs the rules, and tells how far they are.
+/// Runs the rules, and shows their progress.
 fn filled(hcbtf: &Hcbtf, path: &Path, output: &Output) -> Result<FilledSamples, Vec<Diagnostic>> {
     let filled = output.watch("filling", |progress| fill(hcbtf, progress));
     filled.map_err(|why| vec![Diagnostic::from(why).in_file(path.display().to_string())])
 }
 
-/// Refuses to replace a file, but with `--force`, and never what is read.
+/// Refuses to replace a file without `--force`, and always to replace an input.
 fn check_free(path: &Path, outputs: &Outputs) -> Result<(), Vec<Diagnostic>> {
     outputs.check(path, OutputKind::DOCUMENT).map_err(|problem| vec![problem])
 }
 
-/// Writes a document, and says so.
+/// Writes a document, and prints a message about it.
 fn save(
     hcbtf: &Hcbtf,
     path: &Path,
@@ -110,7 +110,7 @@ fn save(
     Ok(())
 }
 
-/// Says how much of a document is painted.
+/// Prints the number of painted samples of a document.
 fn tell_painted(hcbtf: &Hcbtf, output: &Output) {
     output.message(&format!(
         "{} of {} samples are painted",
@@ -119,7 +119,7 @@ fn tell_painted(hcbtf: &Hcbtf, output: &Output) {
     ));
 }
 
-/// The grid as the command line writes it: texels, lights and views.
+/// A grid as the command line writes it: texels, lights and views.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct GridText(Grid);
 
@@ -143,7 +143,7 @@ impl FromStr for GridText {
     }
 }
 
-/// A path with `.hcbtf` at its end.
+/// The path with `.hcbtf` at its end.
 fn with_ending(path: &Path) -> PathBuf {
     let has_ending = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("hcbtf"));
     if has_ending {

@@ -1,4 +1,4 @@
-//! `chiaro hcbtf new`: one to begin with.
+//! `chiaro hcbtf new`: a new file to begin with.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! `chiaro hcbtf rules`: the rules of a file as JSON, and others in their place.
+//! `chiaro hcbtf rules`: the rules of a file as JSON, and their replacement.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ use crate::output::Output;
 use crate::target::outputs;
 use chiaro_scene::hcbtf::{read_rules, write};
 
-/// How wide help is written.
+/// Width of the help, in columns.
 const WIDTH: usize = 98;
 
 /// What `chiaro hcbtf rules` is given.
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     Ok(())
 }
 
-/// Every rule, from the one list that there is.
+/// Help with every rule, from the one list of rules.
 fn help() -> String {
     let mut help = "Examples:\n  chiaro hcbtf rules grass.hcbtf > rules.json\n  \
                     echo '[{\"rule\": \"blend\"}, {\"rule\": \"lambert\", \"amount\": 0.6}]' > \
@@ -68,12 +68,12 @@ fn help() -> String {
     help
 }
 
-/// Without the marks of Markdown.
+/// The text without Markdown's marks.
 fn plain(text: &str) -> String {
     text.replace(['`', '*'], "")
 }
 
-/// Lines that begin after so many spaces.
+/// The text in lines that are indented by `indent` spaces.
 fn wrapped(text: &str, indent: usize) -> String {
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {

@@ -1,4 +1,4 @@
-//! What there is to tell about one kind of node, whether it is a file, a group or the custom node.
+//! Documentation of one kind of node, be it a file, a group or the custom node.
 
 use crate::document::{Tier, Value};
 use crate::library::{
@@ -6,20 +6,20 @@ use crate::library::{
     Preset, Special, TierError, Type,
 };
 
-/// One kind of node.
+/// Documentation of one kind of node.
 #[derive(Debug)]
 pub(super) struct Entry {
     pub(super) kind: String,
     pub(super) label: String,
     pub(super) category: String,
-    /// Paragraphs with an empty line between.
+    /// Paragraphs, with an empty line between them.
     pub(super) help: String,
-    /// Those that a document can give.
+    /// Inputs that a document can give.
     pub(super) inputs: Vec<Input>,
     pub(super) outputs: Vec<Output>,
     pub(super) presets: Vec<Preset>,
     pub(super) sources: Vec<String>,
-    /// The wider types that it works in where its wires have them.
+    /// Wider types that the node works in if its wires have them.
     pub(super) widths: Vec<Type>,
     pub(super) tiers: Vec<Tier>,
     pub(super) errors: Vec<TierError>,
@@ -27,19 +27,19 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    /// The words that its inputs offer.
+    /// The words that the inputs offer.
     pub(super) fn choices(&self) -> impl Iterator<Item = &str> {
         self.inputs.iter().flat_map(|input| input.options.iter().map(|(word, _)| word.as_str()))
     }
 
-    /// Whether `choice` is a word that one of its inputs offers.
+    /// True if `choice` is a word that one of the inputs offers.
     pub(super) fn offers(&self, choice: &str) -> bool {
         self.choices().any(|word| word == choice)
     }
 }
 
-/// Everything that the library offers, by category: those of [`CATEGORIES`] in their order, then
-/// others by name.
+/// All kinds of the library, by category: those of [`CATEGORIES`] in their order, then others by
+/// name.
 pub(super) fn entries(library: &Library) -> Vec<Entry> {
     let groups = library.groups.values().map(|group| of_group(group, library));
     let mut entries: Vec<Entry> =
@@ -59,7 +59,7 @@ fn of_node(def: &NodeDef) -> Entry {
     }
     let mut outputs = def.outputs.clone();
     if def.special == Special::Output {
-        // What the window shows; no wire leaves from it.
+        // The Output is what the window shows; no wire leaves it.
         outputs.clear();
     }
     Entry {
@@ -101,7 +101,7 @@ fn of_group(group: &GroupDef, library: &Library) -> Entry {
     }
 }
 
-/// The node whose WGSL is a value of its own.
+/// The custom node, whose WGSL is one of its values.
 fn custom() -> Entry {
     let code = Input {
         name: CUSTOM_CODE.into(),
@@ -136,7 +136,7 @@ fn custom() -> Entry {
     }
 }
 
-/// What an input has while it is unwired and without a value, as a document writes it.
+/// Default of an unwired input without a value, as a document writes it.
 pub(super) fn default_text(input: &Input) -> String {
     match &input.fallback {
         Fallback::Wire => "must be wired".to_owned(),
@@ -147,7 +147,7 @@ pub(super) fn default_text(input: &Input) -> String {
     }
 }
 
-/// A value as a document writes it; angles also in degrees.
+/// The value as a document writes it; angles also in degrees.
 pub(super) fn value_text(value: &Value, unit: &str) -> String {
     let json = json_text(value);
     match value {
@@ -158,7 +158,7 @@ pub(super) fn value_text(value: &Value, unit: &str) -> String {
     }
 }
 
-/// A value in JSON.
+/// The value as JSON.
 pub(super) fn json_text(value: &Value) -> String {
     match value {
         Value::Number(x) => number(*x),
@@ -169,7 +169,7 @@ pub(super) fn json_text(value: &Value) -> String {
     }
 }
 
-/// The least and the greatest value.
+/// The range from the least to the greatest value.
 pub(super) fn range_text(input: &Input) -> String {
     match (input.min, input.max) {
         (Some(min), Some(max)) => format!("{} to {}", number(min), number(max)),
@@ -179,7 +179,7 @@ pub(super) fn range_text(input: &Input) -> String {
     }
 }
 
-/// To four decimals, which is more than a hand types.
+/// The number with four decimals, which are more than people type.
 fn number(x: f64) -> String {
     let rounded = (x * 1e4).round() / 1e4;
     if rounded == 0.0 && x != 0.0 { format!("{x:e}") } else { rounded.to_string() }
@@ -215,7 +215,7 @@ mod tests {
             (entries[0].category.as_str(), entries[0].kind.as_str()),
             ("layer", "light_layer")
         );
-        // What is not there for the reader is not told.
+        // Hidden inputs are not for the reader.
         assert!(entries.iter().flat_map(|entry| &entry.inputs).all(|input| !input.hidden));
     }
 }

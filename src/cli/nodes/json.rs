@@ -41,7 +41,7 @@ pub(super) fn entry(entry: &Entry) -> Json {
     })
 }
 
-/// An input; what it has not is left out.
+/// JSON of an input; fields that it lacks are left out.
 fn input(input: &Input) -> Json {
     let mut told = json!({
         "name": input.name, "label": input.label, "type": input.ty.to_string(), "help": input.help

@@ -1,4 +1,4 @@
-//! docs/nodes.md: everything that a hand needs to know to write a look.
+//! docs/nodes.md: all documentation that is needed to write a look by hand.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use crate::library::{Context, Conversion, Input, Rate, Type};
 
 const HEAD: &str = include_str!("head.md");
 const CUSTOM: &str = include_str!("custom.md");
-/// What the gallery says of kinds, by kind.
+/// The gallery's samples, by kind.
 type Samples = serde_json::Map<String, serde_json::Value>;
 
 /// The whole document.
@@ -100,7 +100,7 @@ fn section(entry: &Entry, samples: &Samples) -> String {
     text
 }
 
-/// The node as the canvas draws it, and what it gives, where there is something to see of it.
+/// The node as the canvas draws it, and its output if there is something to see of it.
 fn pictures(entry: &Entry, samples: &Samples) -> String {
     if entry.kind == crate::catalog::CUSTOM_KIND {
         return String::new();
@@ -164,12 +164,12 @@ fn what(label: &str, help: &str) -> String {
     if help.is_empty() { format!("{label}.") } else { format!("{label}: {help}") }
 }
 
-/// Fit for a cell of a table.
+/// The text escaped for a cell of a table.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|").replace('\n', " ")
 }
 
-/// Every pair of types that a wire joins though they differ.
+/// Table of all pairs of different types that a wire converts between.
 fn conversions() -> String {
     use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
     let types = [Float, Int, Bool, Vec2, Vec3, Vec4, Color, Composite, Angle];
@@ -187,7 +187,7 @@ fn conversions() -> String {
     text
 }
 
-/// What unwired inputs may have.
+/// Table of the contexts that unwired inputs may have.
 fn surroundings() -> String {
     let mut text =
         String::from("| word | type | known | what it is |\n| --- | --- | --- | --- |\n");

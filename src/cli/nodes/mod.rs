@@ -1,4 +1,5 @@
-//! `chiaro nodes`: the library as a table, one node's documentation, or all of it as docs/nodes.md.
+//! `chiaro nodes`: the library as a table, one node's documentation, or the whole documentation as
+//! docs/nodes.md.
 
 mod entry;
 mod json;
@@ -100,11 +101,11 @@ async fn draw(
     Ok(())
 }
 
-/// The node of a kind, of a kind with choices (`blend.multiply`), or of a name that people read.
+/// The node of a kind, of a kind with choices (`blend.multiply`), or of a label.
 ///
 /// # Errors
-/// With near names where there is none, and with the choices that there are where it has not this
-/// one.
+/// An unknown name, with near names as a hint; an unknown choice, with the node's choices as a
+/// hint.
 fn find<'e>(name: &str, entries: &'e [Entry]) -> Result<&'e Entry, Diagnostic> {
     let mut words = name.split('.');
     let kind = words.next().unwrap_or_default();
@@ -128,7 +129,7 @@ fn no_choice(entry: &Entry, choice: &str) -> Diagnostic {
     problem.hint(format!("there are {}", words.join(", ")))
 }
 
-/// Near names, of kinds and of what people read for them.
+/// Error of an unknown kind, with near names of kinds and of labels.
 fn unknown(kind: &str, entries: &[Entry]) -> Diagnostic {
     if kind.starts_with("by.") {
         let problem =

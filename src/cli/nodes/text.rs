@@ -1,4 +1,4 @@
-//! Nodes for a terminal.
+//! Documentation of nodes for a terminal.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::entry::{Entry, default_text, json_text, range_text};
 use super::markdown::tier_word;
 use crate::library::Input;
 
-/// One line a node, by category.
+/// Table with one line a node, by category.
 pub(super) fn table(entries: &[Entry]) -> String {
     let width = |of: fn(&Entry) -> &str| {
         entries.iter().map(|entry| of(entry).chars().count()).max().unwrap_or(0)
@@ -30,7 +30,7 @@ pub(super) fn table(entries: &[Entry]) -> String {
     text
 }
 
-/// Everything about one node.
+/// All documentation of one node.
 pub(super) fn whole(entry: &Entry) -> String {
     let what = if entry.is_group { "a group of" } else { "of" };
     let mut text =
@@ -99,7 +99,7 @@ fn input_lines(input: &Input) -> String {
     text
 }
 
-/// Lines of at most 96 characters, each begun with `indent`.
+/// The text in lines of at most 96 characters, each indented by `indent`.
 fn wrapped(text: &str, indent: &str) -> String {
     const WIDTH: usize = 96;
     let mut lines = vec![indent.to_owned()];

@@ -1,5 +1,5 @@
-//! Takes a look apart: what the whole of it, each node and each pass cost, and how far each is from
-//! the truth.
+//! Benchmark of a setup's looks: cost and distance from the truth of the whole look, of each node
+//! and of each pass.
 
 use super::cost::{Series, alternate};
 use super::error::VISIBLE;
@@ -16,34 +16,34 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Renderer;
 
-/// What is measured.
+/// Options of a benchmark.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BenchOptions {
-    /// The picture.
+    /// The picture that is drawn: size, samples and time.
     pub plan: PlanOptions,
-    /// How often each variant is drawn.
+    /// Number of times each variant is drawn.
     pub rounds: usize,
-    /// Which nodes are measured beside the whole.
+    /// Nodes that are measured beside the whole look.
     pub nodes: MeasuredNodes,
-    /// Whether the picture is compared with the reference's.
+    /// True if the picture is compared with the reference's.
     pub truth: bool,
 }
 
-/// Which nodes a report has rows of.
+/// Selection of the nodes that a report has rows of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeasuredNodes {
-    /// None: the whole and its passes only.
+    /// No nodes: the whole look and its passes only.
     None,
-    /// Those that have more than one tier.
+    /// Nodes that have more than one tier.
     Tiered,
-    /// Those that have one tier only, too.
+    /// Nodes that have more than one tier, and nodes that can be left out.
     Every,
 }
 
 /// Measures `setup` on `renderer`'s GPU.
 ///
 /// # Errors
-/// What is wrong with the setup, what the GPU refuses, or that `progress` stopped it.
+/// Problems of the setup, errors of the GPU, or `Stopped` if `progress` was stopped.
 pub async fn bench(
     setup: &Setup,
     library: &Library,
@@ -73,7 +73,7 @@ pub async fn bench(
     })
 }
 
-/// A node that is measured.
+/// A node to measure, with the tiers it is measured in.
 struct BenchNode {
     look: usize,
     id: NodeId,
@@ -132,7 +132,7 @@ impl Bench<'_> {
         Ok(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?)
     }
 
-    /// The truth, [settled](Truth::settle) with the exact tier's picture.
+    /// The truth of the setup, [settled](Truth::settle) with the exact tier's picture.
     async fn truth(&mut self, progress: &Progress) -> Result<Truth, MeasureError> {
         let exact = Variant::Looks(Tier::Exact);
         let setup = exact.of(self.setup);
@@ -157,6 +157,7 @@ impl Bench<'_> {
         plan: &FramePlan,
         truth: Option<&Truth>,
     ) -> Result<Option<ErrorFigures>, MeasureError> {
+        // The picture is compared with one sample a pixel, as the truth has.
         let plan = FramePlan { samples: 1, ..plan.clone() };
         match truth {
             Some(truth) => Ok(Some(truth.compare(&mut self.precise, &plan).await?)),
@@ -164,7 +165,8 @@ impl Bench<'_> {
         }
     }
 
-    /// The whole, in each tier and as it asks itself; with the passes of each.
+    /// Rows of the whole look, in each tier and in the tiers that the document asks for; each with
+    /// the rows of its passes.
     async fn looks(
         &mut self,
         tiers: &[Tier],
@@ -209,7 +211,7 @@ impl Bench<'_> {
         Ok(rows)
     }
 
-    /// A node in each tier, against the same look without it.
+    /// Rows of a node: each of its tiers, against the same look without the node.
     async fn node(
         &mut self,
         node: &BenchNode,
@@ -231,7 +233,8 @@ impl Bench<'_> {
             progress,
         )
         .await?;
-        // What cannot be left out is told against its own cheapest tier, which then costs nothing.
+        // A node that cannot be left out is measured against its own cheapest tier, which then
+        // costs nothing.
         let without = series.last().cloned().unwrap_or_default();
         let sizes_without = plans.last().map(Sizes::of).unwrap_or_default();
         let mut rows = Vec::new();

@@ -1,5 +1,5 @@
-//! What something costs in time: measured in turns with what it is compared with, because machines
-//! drift and are shared, and told as a median with its confidence interval.
+//! Cost in time: variants are measured in turns with what they are compared with, because machines
+//! drift and are shared; the result is a median with its confidence interval.
 
 use serde::Serialize;
 
@@ -8,29 +8,30 @@ use crate::frame::{FramePlan, PassId};
 use crate::progress::Progress;
 use crate::render::Renderer;
 
-/// Frames before the first that counts: pipelines are made and caches filled in them.
+/// Frames before the first that counts: they create pipelines and fill caches.
 const WARM_UP: usize = 2;
 
 /// A median with its 95% confidence interval, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Estimate {
-    /// Half of the measurements lie below.
+    /// Half of the measurements lie below the median.
     pub median: f64,
-    /// The true median is rarely below.
+    /// Lower end of the interval: the true median is rarely below.
     pub low: f64,
-    /// The true median is rarely above.
+    /// Upper end of the interval: the true median is rarely above.
     pub high: f64,
 }
 
 impl Estimate {
-    /// The median of `samples`, and the interval by order statistics, which assumes nothing of how
-    /// they are spread. None gives zeros.
+    /// The median of `samples`, and the interval by order statistics, which assumes nothing about
+    /// the distribution of the samples. Zeros if there are no samples.
     pub fn of(samples: &[f64]) -> Self {
         let mut sorted = samples.to_vec();
         sorted.sort_by(f64::total_cmp);
         let Some(last) = sorted.len().checked_sub(1) else { return Self::default() };
         let count = sorted.len() as f64;
-        // The number of samples below the median is binomial(n, 1/2): normal enough from six on.
+        // The number of samples below the median is binomial(n, 1/2): close enough to normal from
+        // six samples on.
         let reach = 0.98 * count.sqrt();
         let low = (0.5 * count - reach).floor().max(0.0) as usize;
         let high = (0.5 * count + reach).ceil() as usize;
@@ -38,39 +39,39 @@ impl Estimate {
         Self { median, low: sorted[low.min(last)], high: sorted[high.min(last)] }
     }
 
-    /// Whether 0 lies within: nothing was seen beyond the noise.
+    /// True if 0 lies within the interval: no difference was seen beyond the noise.
     pub fn is_noise(&self) -> bool {
         self.low <= 0.0 && self.high >= 0.0
     }
 
-    /// Whether two cannot be told apart.
+    /// True if the intervals overlap, so that the two medians cannot be told apart.
     pub fn overlaps(&self, other: &Self) -> bool {
         self.low <= other.high && other.low <= self.high
     }
 }
 
-/// What one plan took in each round, in milliseconds.
+/// Times of one plan in each round, in milliseconds.
 #[derive(Clone, Debug, Default)]
 pub struct Series {
-    /// The whole frame.
+    /// Times of the whole frame, by round.
     pub frame: Vec<f64>,
-    /// Each pass.
+    /// Times of each pass, by round.
     pub passes: Vec<(PassId, Vec<f64>)>,
 }
 
 impl Series {
-    /// The frame's median.
+    /// The median time of the frame.
     pub fn estimate(&self) -> Estimate {
         Estimate::of(&self.frame)
     }
 
-    /// What this took more than `other` in the same rounds.
+    /// Additional time of this series over `other` in the same rounds, in milliseconds.
     pub fn over(&self, other: &Self) -> Estimate {
         let pairs: Vec<f64> = self.frame.iter().zip(&other.frame).map(|(a, b)| a - b).collect();
         Estimate::of(&pairs)
     }
 
-    /// How many times as long this took as `other`, in the same rounds.
+    /// Ratio of this series' time to `other`'s in the same rounds.
     pub fn ratio(&self, other: &Self) -> Estimate {
         let pairs: Vec<f64> =
             self.frame.iter().zip(&other.frame).map(|(a, b)| a / b.max(1e-9)).collect();
@@ -78,10 +79,10 @@ impl Series {
     }
 }
 
-/// Runs the plans in turns, `rounds` times each.
+/// Measures the plans in turns, `rounds` times each.
 ///
 /// # Errors
-/// What the GPU refuses, or that it was stopped.
+/// Errors of the GPU, or `Stopped` if `progress` was stopped.
 pub async fn alternate(
     renderer: &mut Renderer,
     plans: &[&FramePlan],
@@ -91,7 +92,7 @@ pub async fn alternate(
     let mut series = vec![Series::default(); plans.len()];
     for round in 0..WARM_UP + rounds {
         progress.step()?;
-        // Every other round runs backwards, so that none always follows the same one.
+        // Every other round runs backwards, so that no plan always follows the same one.
         let forwards = round % 2 == 0;
         for turn in 0..plans.len() {
             let index = if forwards { turn } else { plans.len() - 1 - turn };
@@ -119,13 +120,13 @@ mod tests {
     fn the_median_and_its_interval() {
         let samples: Vec<f64> = (1..=25).map(f64::from).collect();
         let estimate = Estimate::of(&samples);
-        // 12.5 -+ 4.9 samples.
+        // The interval reaches 12.5 -+ 4.9 samples.
         assert_eq!((estimate.median, estimate.low, estimate.high), (13.0, 8.0, 19.0));
         assert_eq!(Estimate::of(&[4.0]), Estimate { median: 4.0, low: 4.0, high: 4.0 });
         assert_eq!(Estimate::of(&[]), Estimate::default());
     }
 
-    /// Of many experiments about one in twenty misses the truth, not one in two and not none.
+    /// About one experiment in twenty misses the truth, not one in two and not none.
     #[test]
     fn the_interval_holds_the_truth_as_often_as_it_says() {
         let mut state = 9_u64;
@@ -136,7 +137,7 @@ mod tests {
             (state >> 11) as f64 / (1_u64 << 53) as f64
         };
         let held = (0..2000).filter(|_| {
-            // A skewed spread, as times have: the median of -ln(1 - x) is ln 2.
+            // Samples of a skewed distribution, as times have: the median of -ln(1 - x) is ln 2.
             let samples: Vec<f64> = (0..31).map(|_| -(1.0 - random()).ln()).collect();
             let estimate = Estimate::of(&samples);
             (estimate.low..=estimate.high).contains(&std::f64::consts::LN_2)

@@ -1,19 +1,19 @@
-//! How far a picture is from the truth. Colors are compared where both show the same objects;
-//! edges are told apart.
+//! Distance of a picture from the truth. Colors are compared where both pictures show the same
+//! objects; pixels on edges are counted apart.
 
 use serde::Serialize;
 
 use crate::frame::Picture;
 
-/// A difference that eight bits a channel can show.
+/// Smallest difference that eight bits a channel can show.
 pub const VISIBLE: f64 = 1.0 / 255.0;
 
 /// A picture in f64: premultiplied RGBA, rows from the top.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Colors<'a> {
-    /// Pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Row by row.
+    /// Pixels, row by row.
     pub rgba: std::borrow::Cow<'a, [[f64; 4]]>,
 }
 
@@ -27,36 +27,37 @@ impl From<&Picture> for Colors<'static> {
     }
 }
 
-/// Figures of one comparison.
+/// Figures of one comparison of a picture with the truth.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ErrorFigures {
-    /// How many pixels were compared.
+    /// Number of pixels that were compared.
     pub pixels: u64,
     /// The largest difference in a channel.
     pub max: f64,
     /// The root of the mean square over all channels.
     pub rms: f64,
-    /// All but one pixel in a thousand are below.
+    /// Error that all but one pixel in a thousand stay below.
     pub p999: f64,
-    /// The largest difference in color as an eye sees it: a distance in Oklab, where black and
-    /// white are 1 apart.
+    /// The largest difference in perceived color: a distance in Oklab, where black and white are 1
+    /// apart.
     pub color: f64,
-    /// How many pixels differ by more than 1/255.
+    /// Number of pixels that differ by more than 1/255.
     pub visible: u64,
     /// Column and row of the pixel that differs most.
     pub worst: [u32; 2],
-    /// Pixels that are NaN or infinite in the picture.
+    /// Number of pixels that are NaN or infinite in the picture.
     pub broken: u64,
-    /// Pixels on edges, where coverage differs by how triangles are rounded to the pixel grid.
+    /// Number of pixels on edges, where coverage differs by how triangles are rounded to the pixel
+    /// grid.
     pub edges: u64,
-    /// The largest difference there.
+    /// The largest difference of a pixel on an edge.
     pub edge_max: f64,
-    /// How many of them differ by more than 1/255.
+    /// Number of pixels on edges that differ by more than 1/255.
     pub edge_visible: u64,
 }
 
 impl ErrorFigures {
-    /// The worst of several comparisons; means are joined over all pixels.
+    /// The worst figures of several comparisons; means are taken over all pixels.
     pub fn join<'a>(figures: impl IntoIterator<Item = &'a Self>) -> Self {
         let mut joined = Self::default();
         let mut squares = 0.0;
@@ -80,10 +81,10 @@ impl ErrorFigures {
     }
 }
 
-/// Compares `picture` with `truth` pixel by pixel. `is_edge` says where coverage may differ; those
-/// are kept apart.
+/// Compares `picture` with `truth` pixel by pixel. `is_edge` tells, by index, the pixels whose
+/// coverage may differ; their figures are kept apart.
 ///
-/// Pictures of different sizes share nothing, and give no pixels.
+/// Pictures of different sizes cannot be compared: the figures then count no pixels.
 pub fn compare(
     picture: &Colors<'_>,
     truth: &Colors<'_>,
@@ -126,7 +127,7 @@ pub fn compare(
     figures
 }
 
-/// The largest difference of a channel.
+/// The largest difference of any channel.
 pub(super) fn difference(a: &[f64; 4], b: &[f64; 4]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }

@@ -1,4 +1,4 @@
-//! What an error is, as one number: which of the figures of a comparison a bound is meant for.
+//! Measure of an error: the one figure of a comparison that a bound applies to.
 
 use std::str::FromStr;
 
@@ -8,15 +8,15 @@ use super::ErrorFigures;
 
 /// One of the figures of a comparison with the truth.
 ///
-/// The default is the 99.9th percentile, because it is what an eye judges a picture by: the largest
+/// The default is the 99.9th percentile, because an eye judges a picture by it: the largest
 /// difference is that of a single pixel, where a crease or a silhouette decides by the last bit of
-/// f32, and the exact tier itself may be far off there. Over several views each has to be within,
-/// so that a bad view is not averaged away.
+/// f32, and the exact tier itself may be far off there. Over several views each view has to be
+/// within the bound, so that a bad view is not averaged away.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Measure {
     /// The largest difference of any channel of any pixel.
     Max,
-    /// All but one pixel in a thousand are below, in every view.
+    /// Error that all but one pixel in a thousand stay below, in every view.
     #[default]
     P999,
     /// The root of the mean square over all channels and pixels.
@@ -24,7 +24,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// Its number among `figures`.
+    /// This measure's number among `figures`.
     pub fn of(self, figures: &ErrorFigures) -> f64 {
         match self {
             Self::Max => figures.max,
@@ -33,7 +33,7 @@ impl Measure {
         }
     }
 
-    /// How it is written on the command line and in reports.
+    /// The word for this measure on the command line and in reports.
     pub fn word(self) -> &'static str {
         match self {
             Self::Max => "max",
@@ -42,7 +42,7 @@ impl Measure {
         }
     }
 
-    /// What a bound on it says of a picture.
+    /// Meaning of a bound on this measure, as a phrase for reports.
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Max => "the largest error of any pixel",

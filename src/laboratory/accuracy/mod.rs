@@ -1,11 +1,11 @@
-//! What accuracy costs in time: the same frame plan on the GPU and in f64, with error and cost side
-//! by side.
+//! Accuracy and its cost in time: the same frame plan on the GPU and in f64, with error and cost
+//! side by side.
 //!
-//! [`bench()`] takes a look apart: the whole of it in each tier, each of its nodes in each tier
-//! against the same look without that node, and each pass. Times are measured in turns and told
-//! with their confidence interval (see [`cost`]); errors are distances from the reference's picture
-//! (see [`error`]). Everything that is measured is a [`variant`] of one setup, so that no two rows
-//! can differ by more than what they name.
+//! [`bench()`] measures a look in its parts: the whole look in each tier, each of its nodes in each
+//! tier against the same look without that node, and each pass. Times are measured in turns and
+//! reported with their confidence interval (see [`cost`]); errors are distances from the
+//! reference's picture (see [`error`]). Everything that is measured is a [`variant`] of one setup,
+//! so that no two rows can differ by more than what they name.
 
 pub mod bench;
 pub mod cost;
@@ -32,12 +32,12 @@ pub use report::{Report, Row, Subject};
 pub use truth::Truth;
 pub use variant::Variant;
 
-/// Why a measurement has no result.
+/// Reason why a measurement has no result.
 #[derive(Debug)]
 pub enum MeasureError {
-    /// Somebody stopped the measurement.
+    /// The caller stopped the measurement.
     Stopped,
-    /// What was measured could not be made or drawn.
+    /// The setup could not be compiled or drawn.
     Problems(Vec<Diagnostic>),
 }
 

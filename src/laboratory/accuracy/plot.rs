@@ -1,5 +1,4 @@
-//! Error against time as an SVG: one point a measurement, and the front of those that nothing
-//! beats.
+//! Plot of error against time as an SVG: one point a measurement, and the Pareto front.
 
 use std::fmt::Write as _;
 
@@ -14,10 +13,10 @@ const LEFT: f64 = 84.0;
 const RIGHT: f64 = 24.0;
 const TOP: f64 = 56.0;
 const BOTTOM: f64 = 64.0;
-/// No error is drawn smaller: what f32 cannot tell from none.
+/// Smallest error that is drawn: f32 cannot tell smaller ones from none.
 const LEAST_ERROR: f64 = 1e-8;
 
-/// An axis of powers of ten.
+/// A logarithmic axis: powers of ten from `from` to `to`, drawn between `start` and `end`.
 struct Axis {
     from: f64,
     to: f64,
@@ -35,7 +34,7 @@ impl Axis {
         if !low.is_finite() {
             (low, high) = (-1.0, 0.0);
         }
-        // Room around the points, and never less than half a decade.
+        // The axis leaves room around the points, even if all lie on one.
         let room = 0.12 * (high - low) + 0.15;
         Self { from: low - room, to: high + room, start, end }
     }
@@ -45,8 +44,8 @@ impl Axis {
         self.start + share.clamp(0.0, 1.0) * (self.end - self.start)
     }
 
-    /// Round numbers with a mark: 1, 2 and 5 of each decade where there are few, powers of ten
-    /// where there are many.
+    /// Round numbers with a tick: 1, 2 and 5 of each decade on an axis of few decades, powers of
+    /// ten on one of many.
     fn ticks(&self) -> Vec<f64> {
         let decades = self.from.floor() as i32..=self.to.ceil() as i32;
         let steps: &[f64] = if self.to - self.from < 3.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
@@ -58,7 +57,7 @@ impl Axis {
     }
 }
 
-/// Draws the report's rows about the whole, or about one node, with errors by a measure of choice.
+/// Draws those rows of the report whose subject `about` accepts, with errors by `measure`.
 pub fn svg(
     report: &Report,
     about: impl Fn(&Subject) -> bool,

@@ -1,4 +1,4 @@
-//! What was measured, as data and as a table.
+//! Report of the measurements, as data and as a table.
 
 use std::fmt::Write as _;
 
@@ -10,42 +10,42 @@ use crate::document::Tier;
 use crate::frame::PassId;
 use crate::ids::NodeId;
 
-/// Everything that one run measured.
+/// All measurements of one run.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
     /// The GPU's name.
     pub adapter: String,
-    /// Whether it is a program and no device: its times say little about a device's.
+    /// True if the adapter is a software renderer, whose times say little about a device's.
     pub is_software: bool,
-    /// Whether times are the GPU's own; otherwise they are those of the clock on the wall.
+    /// True if times are the GPU's own timestamps; otherwise they are wall-clock times.
     pub has_timestamps: bool,
-    /// Pixels.
+    /// Width and height of the picture, in pixels.
     pub size: [u32; 2],
     /// Samples a pixel.
     pub samples: u32,
-    /// How often each variant was drawn.
+    /// Number of times each variant was drawn.
     pub rounds: usize,
-    /// In the order of measuring: the whole with its passes, then nodes.
+    /// Rows in the order of measuring: the whole look with its passes, then nodes.
     pub rows: Vec<Row>,
 }
 
-/// What a row is about.
+/// Subject of a row.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
     /// The whole frame.
     Whole,
-    /// A pass of the row before.
+    /// A pass of the whole frame in the row before.
     Pass(PassId),
-    /// A node; its time and sizes are what it adds.
+    /// A node; the row's time and sizes are what the node adds.
     Node {
         /// The look's name.
         look: String,
         /// The node.
         id: NodeId,
-        /// What the artist calls it.
+        /// The artist's name of the node.
         name: String,
-        /// What it is.
+        /// The node's kind.
         kind: String,
     },
 }
@@ -53,25 +53,25 @@ pub enum Subject {
 /// One measurement.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// Of what.
+    /// Subject of the measurement.
     pub subject: Subject,
-    /// In which tier; `None` for the tiers that the document asks for.
+    /// Tier that was measured; `None` for the tiers that the document asks for.
     pub tier: Option<Tier>,
-    /// Milliseconds.
+    /// Time a frame, in milliseconds.
     pub time: Estimate,
-    /// What it is made of.
+    /// Sizes of the frame plan; `None` for a pass.
     pub sizes: Option<Sizes>,
-    /// How far from the truth.
+    /// Distance from the truth; `None` if there was no comparison.
     pub error: Option<ErrorFigures>,
 }
 
 impl Row {
-    /// Its error on one axis: the largest difference of a channel.
+    /// The row's error by the largest difference of a channel.
     pub fn max_error(&self) -> Option<f64> {
         self.error.as_ref().map(|error| error.max)
     }
 
-    /// The same by another measure.
+    /// The row's error by `measure`.
     pub fn error_by(&self, measure: Measure) -> Option<f64> {
         self.error.as_ref().map(|error| measure.of(error))
     }
@@ -92,7 +92,7 @@ pub fn pareto_front(rows: &[&Row]) -> Vec<usize> {
     pareto_front_by(rows, Measure::Max)
 }
 
-/// The same with errors by a measure of choice.
+/// The Pareto front as [`pareto_front`] finds it, with errors by `measure`.
 pub fn pareto_front_by(rows: &[&Row], measure: Measure) -> Vec<usize> {
     let mut order: Vec<usize> =
         (0..rows.len()).filter(|&index| rows[index].error.is_some()).collect();
@@ -109,7 +109,7 @@ pub fn pareto_front_by(rows: &[&Row], measure: Measure) -> Vec<usize> {
     order
 }
 
-/// A tier's word.
+/// Word for a tier in reports.
 pub fn tier_word(tier: Option<Tier>) -> &'static str {
     match tier {
         Some(Tier::Exact) => "exact",
@@ -120,8 +120,8 @@ pub fn tier_word(tier: Option<Tier>) -> &'static str {
 }
 
 impl Report {
-    /// Which tiers of the whole are within an error, by a measure of choice; nothing where no error
-    /// is known.
+    /// Lines that tell which tiers of the whole look are within the error `most` by `measure`;
+    /// empty if no error is known.
     pub fn verdict(&self, measure: Measure, most: f64) -> String {
         let mut lines = String::new();
         for row in self.rows.iter().filter(|row| row.subject == Subject::Whole) {
@@ -143,7 +143,7 @@ impl Report {
         lines
     }
 
-    /// As a table of text.
+    /// The report as a table of text.
     pub fn table(&self) -> String {
         let mut lines = vec![HEADER.map(str::to_owned)];
         lines.extend(self.rows.iter().map(cells));
@@ -234,7 +234,7 @@ fn cells(row: &Row) -> [String; 12] {
     ]
 }
 
-/// Two digits, whatever the size.
+/// The number with two digits, whatever its magnitude.
 fn small(number: f64) -> String {
     if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") }
 }

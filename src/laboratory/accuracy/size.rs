@@ -1,4 +1,4 @@
-//! What a frame is made of, counted and not measured: instructions, memory, and the bytes that must
+//! Sizes of a frame plan, counted and not measured: instructions, memory, and the bytes that must
 //! move.
 
 use std::collections::HashSet;
@@ -13,20 +13,20 @@ use crate::frame::{FramePlan, attribute_bytes};
 /// Sizes of one frame plan.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Sizes {
-    /// SPIR-V instructions within functions, over all modules that the plan runs, as naga writes
-    /// them.
+    /// SPIR-V instructions within functions, as naga writes them, over all modules that the plan
+    /// runs.
     pub instructions: u64,
     /// Lines of WGSL, over the same modules.
     pub lines: u64,
     /// Bytes of uniforms, meshes, images and targets.
     pub memory: u64,
-    /// Bytes that a frame must at least read and write once: meshes, images and targets; caches may
-    /// save no less.
+    /// Bytes that a frame must read and write at least once: meshes, images and targets; caches
+    /// cannot save these.
     pub traffic: u64,
 }
 
 impl Sizes {
-    /// Counts what `plan` needs.
+    /// Counts the sizes of `plan`.
     pub fn of(plan: &FramePlan) -> Self {
         let mut sizes = Self::default();
         let mut modules: HashSet<*const CompiledShader> = HashSet::new();
@@ -96,7 +96,7 @@ fn count_in_functions(words: &[u32]) -> u64 {
 }
 
 impl Sizes {
-    /// What this needs more than `other`; 0 where it needs less.
+    /// Sizes that this plan needs more than `other`; 0 where it needs less.
     pub fn over(&self, other: &Self) -> Self {
         Self {
             instructions: self.instructions.saturating_sub(other.instructions),

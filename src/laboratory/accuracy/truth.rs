@@ -1,4 +1,4 @@
-//! The reference's picture of a setup, to hold others against.
+//! Truth: the reference's picture of a setup, that other pictures are compared with.
 
 use std::ops::Range;
 
@@ -14,30 +14,31 @@ use crate::progress::Progress;
 use crate::reference::{self, Modules, ReferencePicture, Snap};
 use crate::render::Renderer;
 
-/// GPUs and software Vulkan decide coverage where they have rounded vertices to, to 2^-8 of a
-/// pixel; it agrees where the truth does the same. What is interpolated lies between vertices as
-/// they are: a GPU that rounds it too is off by that.
+/// Grid that vertices are snapped to. GPUs and software Vulkan decide coverage after rounding
+/// vertices to 2^-8 of a pixel; coverage agrees if the truth rounds them alike. Interpolated values
+/// lie between the unrounded vertices: a GPU that rounds for interpolation too is off by the
+/// difference.
 const GRID: Snap = Snap::Subpixel(8);
 
-/// A picture in f64: nothing folded, every value at f64, one sample a pixel.
+/// A picture in f64: not specialized, every value in f64, one sample a pixel.
 #[derive(Debug)]
 pub struct Truth {
     picture: ReferencePicture,
-    /// From where it is seen.
+    /// View that the picture is taken from.
     view: View,
-    /// Pixels on edges: next to one where something else is on top.
+    /// Pixels on edges, by index: those next to a pixel with something else on top.
     edges: Vec<bool>,
-    /// The rows that others are held against, from the top.
+    /// Rows, from the top, that other pictures are compared in.
     rows: Range<usize>,
 }
 
 impl Truth {
-    /// Renders `setup` as it is, with what `planner` (one [for the truth](Planner::for_truth)) has
-    /// read. `progress` counts the picture's passes.
+    /// Renders `setup` as it is, with the assets that `planner` (one [for the
+    /// truth](Planner::for_truth)) has read. `progress` counts the picture's passes.
     ///
     /// # Errors
-    /// What is wrong with the setup, what the interpreter cannot run, or that `progress` was
-    /// stopped.
+    /// Problems of the setup, constructs that the interpreter cannot run, or `Stopped` if
+    /// `progress` was stopped.
     pub fn of(
         setup: &Setup,
         library: &Library,
@@ -48,7 +49,7 @@ impl Truth {
         Self::in_rows(setup, library, planner, options, 0..options.size[1], progress)
     }
 
-    /// The same of some rows alone, from the top; others are held against these.
+    /// Renders `rows` alone, counted from the top; other pictures are compared in these rows.
     ///
     /// # Errors
     /// As [`of`](Self::of).
@@ -66,7 +67,7 @@ impl Truth {
         let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
         let [width, height] = options.size;
         let reach = reach(&plan);
-        // What is around the rows says where their edges are.
+        // Rows around the wanted ones are rendered too, to find the edges of the wanted ones.
         let around = 1 + reach as u32;
         let region = [0, rows.start.saturating_sub(around), width, (rows.end + around).min(height)];
         let region = (rows != (0..height)).then_some(region);
@@ -76,20 +77,20 @@ impl Truth {
         Ok(Self { picture, edges, view: plan.view, rows: rows.start as usize..rows.end as usize })
     }
 
-    /// The picture.
+    /// The reference's picture.
     pub fn picture(&self) -> &ReferencePicture {
         &self.picture
     }
 
-    /// Whether a pixel, rows from the top, lies on an edge, where coverage may differ.
+    /// True if a pixel, rows from the top, lies on an edge, where coverage may differ.
     pub fn is_edge(&self, index: usize) -> bool {
         self.edges.get(index).copied().unwrap_or(true)
     }
 
-    /// Counts pixels as on edges where rounding decides which of two triangles they show, and so
-    /// what is drawn leaps: those that differ from `got` by more than `above` says, and that a
-    /// camera which stands one step of the grid aside sees as they were drawn. `setup`, `planner`
-    /// and `options` are those that this was rendered with. Returns how many they are.
+    /// Counts pixels as on edges if rounding decides which of two triangles they show, so that
+    /// their color leaps: pixels that differ from `got` by more than `above` of their index, and
+    /// that a camera one step of the grid aside sees as they were drawn. `setup`, `planner` and
+    /// `options` are those that this truth was rendered with. Returns the number of such pixels.
     ///
     /// # Errors
     /// As [`of`](Self::of).
@@ -110,7 +111,7 @@ impl Truth {
             self.indices().filter(|&index| index < got.rgba.len()).filter(is_off).collect();
         drop(colors);
         let all = open.len();
-        // So many are no chance.
+        // Differences in so many pixels are no accident of rounding.
         if all > MOST_BESIDE {
             return Ok(0);
         }
@@ -144,11 +145,11 @@ impl Truth {
         Ok(all - open.len())
     }
 
-    /// How far the GPU's picture of `plan` is from this one. `renderer` should be
+    /// Error figures of the GPU's picture of `plan` against this truth. `renderer` should be
     /// [precise](crate::render::Gpu::precise), and the plan have one sample a pixel.
     ///
     /// # Errors
-    /// What the GPU refuses.
+    /// Errors of the GPU.
     pub async fn compare(
         &self,
         renderer: &mut Renderer,
@@ -157,7 +158,7 @@ impl Truth {
         Ok(self.figures(&Colors::from(&renderer.picture(plan).await?)))
     }
 
-    /// How far a picture that was drawn is from this one.
+    /// Error figures of a drawn picture against this truth.
     pub fn figures(&self, got: &Colors<'_>) -> ErrorFigures {
         let indices = self.indices();
         let Some(got_here) = got.rgba.get(indices.clone()) else { return ErrorFigures::default() };
@@ -171,20 +172,20 @@ impl Truth {
         figures
     }
 
-    /// The pixels of the rows that others are held against.
+    /// Indices of the pixels in the rows that other pictures are compared in.
     fn indices(&self) -> Range<usize> {
         let width = self.picture.size[0] as usize;
         self.rows.start * width..self.rows.end * width
     }
 
-    /// Its colors, premultiplied.
+    /// The colors of the picture, premultiplied.
     pub fn colors(&self) -> Colors<'_> {
         let pixels = self.picture.color.values.chunks_exact(4);
         Colors { size: self.picture.size, rgba: pixels.map(|p| [p[0], p[1], p[2], p[3]]).collect() }
     }
 }
 
-/// Steps of the grid to all sides, in pixels.
+/// One step of the grid in each of eight directions, in pixels.
 const BESIDE: [[f64; 2]; 8] = {
     const STEP: f64 = 1.0 / 256.0;
     [
@@ -198,11 +199,12 @@ const BESIDE: [[f64; 2]; 8] = {
         [-STEP, STEP],
     ]
 };
-/// Of a picture in which more pixels differ none is looked at again.
+/// Largest number of differing pixels that are settled; of a picture with more none is looked at
+/// again.
 const MOST_BESIDE: usize = 200;
 
-/// The same seen by a camera that stands so many pixels to the right and up, as pixels are where it
-/// looks at.
+/// The setup with its camera moved `x` pixels to the right and `y` up; the size of a pixel is taken
+/// at the camera's target.
 fn aside(setup: &Setup, view: &View, [x, y]: [f64; 2]) -> Setup {
     let mut setup = setup.clone();
     let camera = &mut setup.scene.camera;
@@ -213,17 +215,18 @@ fn aside(setup: &Setup, view: &View, [x, y]: [f64; 2]) -> Setup {
     setup
 }
 
-/// A depth bends more than this from pixel to pixel where one part of a surface hides another: in
-/// pixels.
+/// Smallest second difference of depth from pixel to pixel that counts as an edge, where one part
+/// of a surface hides another, in pixels.
 const BEND: f64 = 3.0;
 
-/// How far an edge is felt, in pixels: beyond its neighbours as far as passes over normals look.
+/// Distance from an edge up to which pixels count as on it, in pixels: neighbors, and beyond them
+/// as far as passes over normals look.
 fn reach(plan: &FramePlan) -> usize {
     1 + plan.reach()
 }
 
-/// Pixels that have a neighbour with another draw on top, or nothing, or another part of the same
-/// surface: there a GPU may see the one where the truth sees the other.
+/// Pixels that have a neighbor with another draw on top, or nothing, or another part of the same
+/// surface: a GPU may see one of them where the truth sees the other.
 fn edges(picture: &ReferencePicture, view: &View, reach: usize) -> Vec<bool> {
     let [width, height] = picture.size.map(|side| side as usize);
     let distances: Vec<f64> = picture.depths.iter().map(|&depth| view.distance(depth)).collect();
@@ -249,7 +252,7 @@ fn edges(picture: &ReferencePicture, view: &View, reach: usize) -> Vec<bool> {
     widened(&borders, width, reach)
 }
 
-/// Whether anything within `reach` to either side, above or below, or both, is set.
+/// The set widened by `reach` pixels to all sides, diagonals included.
 fn widened(set: &[bool], width: usize, reach: usize) -> Vec<bool> {
     let height = set.len() / width.max(1);
     let near = |at: usize, size: usize| at.saturating_sub(reach)..(at + reach + 1).min(size);

@@ -1,10 +1,10 @@
-//! Picks tiers: the cheapest that stay under a stated error, or the most accurate that stay within
-//! a stated time.
+//! Choice of tiers: the cheapest within a stated error, or the most accurate within a stated time.
 //!
-//! Each node's tiers are first measured alone, in error over every station (a view, a turn of the
-//! lights, a time) and in time against the exact tier. A choice is then made from these, and
-//! measured as a whole; where the errors of several nodes add up beyond the bound, the one that
-//! errs most for what it saves goes back, until the whole is within.
+//! Each node's tiers are first measured alone, in error over every viewpoint (a view, a turn of the
+//! lights, a time) and in time against the exact tier. A choice is then made from these
+//! measurements, and measured as a whole; where the errors of several nodes add up beyond the
+//! bound, the node that errs most for the time it saves goes back, until the whole is within the
+//! bound.
 
 use serde::Serialize;
 
@@ -22,102 +22,101 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Renderer;
 
-/// What is to be kept.
+/// Bound that a choice must keep.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Goal {
-    /// The error, by the [measure](TuneOptions::measure) that is asked for, is not larger; as fast
-    /// as possible.
+    /// Largest error, by the [measure](TuneOptions::measure) of the options; as fast as possible
+    /// within it.
     MaxError(f64),
-    /// Milliseconds a frame; as accurate as possible.
+    /// Most time a frame, in milliseconds; as accurate as possible within it.
     MaxTime(f64),
 }
 
-/// How to tune.
+/// Options of tuning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuneOptions {
-    /// What is to be kept.
+    /// Bound that the choice must keep.
     pub goal: Goal,
-    /// By what errors are judged.
+    /// Measure that errors are judged by.
     pub measure: Measure,
     /// The picture whose time counts.
     pub plan: PlanOptions,
-    /// The side in pixels of the pictures that are compared with the truth.
+    /// Side of the pictures that are compared with the truth, in pixels.
     pub error_side: u32,
-    /// How often each variant is drawn.
+    /// Number of times each variant is drawn.
     pub rounds: usize,
-    /// Where the error is measured.
+    /// Number of viewpoints that the error is measured at.
     pub stations: usize,
 }
 
-/// A node that may have another tier than the exact one.
+/// A tier that a node may have instead of the exact one, with its error and the time it saves.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Candidate {
-    /// The look, by its index in the setup.
+    /// Index of the look in the setup.
     pub look: usize,
     /// The node.
     pub node: NodeId,
     /// The tier.
     pub tier: Tier,
-    /// The error over all stations with this node alone in this tier, by the measure that was asked
-    /// for.
+    /// Error over all viewpoints with this node alone in this tier, by the measure of the options.
     pub error: f64,
-    /// Milliseconds that it saves against the exact tier.
+    /// Time saved against the exact tier, in milliseconds.
     pub saves: Estimate,
-    /// Cheaper tiers of the same node that cannot be told from this one in time.
+    /// Cheaper tiers of the same node whose time cannot be told from this one's.
     pub ties: Vec<Tier>,
 }
 
-/// The pixel that is farthest from the truth.
+/// The pixel that is farthest from the truth, over all setups and viewpoints.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Worst {
-    /// How far it is.
+    /// Error of the pixel: the largest difference of a channel.
     pub error: f64,
-    /// Column and row.
+    /// Column and row of the pixel.
     pub pixel: [u32; 2],
-    /// The side of the picture in pixels.
+    /// Side of the picture, in pixels.
     pub side: u32,
-    /// Which of the setups.
+    /// Index of the setup.
     pub setup: usize,
-    /// Seen from where.
+    /// Viewpoint of the picture.
     pub station: Viewpoint,
 }
 
-/// What was chosen.
+/// Result of tuning: the chosen tiers with their errors and times.
 #[derive(Clone, Debug, Serialize)]
 pub struct TuneReport {
-    /// What was to be kept.
+    /// Bound that the choice had to keep.
     pub goal: Goal,
-    /// By what errors were judged.
+    /// Measure that errors were judged by.
     pub measure: Measure,
-    /// Whether it is.
+    /// True if the choice keeps the bound.
     pub is_met: bool,
-    /// The choices that are not exact, as indices of `candidates`.
+    /// Choices that are not exact, as indices of `candidates`.
     pub chosen: Vec<usize>,
-    /// Everything that was measured.
+    /// All candidates that were measured.
     pub candidates: Vec<Candidate>,
-    /// The whole with what was chosen, over all stations.
+    /// Error of the whole with the choice, over all viewpoints.
     pub error: ErrorFigures,
-    /// The pixel that is farthest off then.
+    /// The pixel that is farthest off with the choice.
     pub worst: Worst,
-    /// The same for the exact tier alone: what no choice can be better than.
+    /// Error of the whole in the exact tier; no choice can be better.
     pub error_exact: ErrorFigures,
     /// The pixel that is farthest off in the exact tier.
     pub worst_exact: Worst,
-    /// Milliseconds a frame, exact.
+    /// Time a frame with the exact tier, in milliseconds.
     pub time_exact: Estimate,
-    /// Milliseconds a frame, with what was chosen.
+    /// Time a frame with the choice, in milliseconds.
     pub time: Estimate,
-    /// Milliseconds that it saves, measured in turns.
+    /// Time a frame that the choice saves, measured in turns, in milliseconds.
     pub saves: Estimate,
-    /// The GPU.
+    /// The GPU's name.
     pub adapter: String,
-    /// How many stations the errors are over.
+    /// Number of viewpoints that the errors are taken over.
     pub stations: usize,
 }
 
 impl TuneReport {
-    /// The tier of each node that could have another: what was chosen, or exact.
+    /// The tier of each node that could have another than exact: the chosen one, or exact.
     pub fn tiers(&self) -> Vec<(&NodeId, Tier)> {
         let mut tiers: Vec<(&NodeId, Tier)> = Vec::new();
         for (index, candidate) in self.candidates.iter().enumerate() {
@@ -131,7 +130,7 @@ impl TuneReport {
         tiers
     }
 
-    /// What was reached, in a sentence or two.
+    /// Summary of the result, in a sentence or two.
     pub fn summary(&self) -> String {
         let (measure, figures) = (self.measure, &self.error);
         let goal = match self.goal {
@@ -157,8 +156,8 @@ impl TuneReport {
         )
     }
 
-    /// Whether the exact tier itself is farther from the truth than what is allowed, so that no
-    /// choice can be within.
+    /// True if the exact tier itself is farther from the truth than the bound, so that no choice
+    /// can be within it.
     pub fn is_exact_beyond(&self) -> bool {
         matches!(self.goal, Goal::MaxError(most) if self.measure.of(&self.error_exact) > most)
     }
@@ -173,8 +172,8 @@ fn is_faster(candidate: &Candidate) -> bool {
     candidate.saves.low > 0.0
 }
 
-/// Whether another tier of the same node is as fast, as far as can be told, and nearer to the
-/// truth.
+/// True if `other` is a tier of the same node that is as fast, as far as can be told, and nearer to
+/// the truth.
 pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
     let is_same_node = (candidate.look, &candidate.node) == (other.look, &other.node);
     is_same_node
@@ -183,11 +182,11 @@ pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
         && other.error < candidate.error
 }
 
-/// Tunes every look of `setups`, which wear the same looks on different meshes: all of them must be
+/// Tunes every look of `setups`, which use the same looks on different meshes: all setups must be
 /// within the error; the time is that of the first.
 ///
 /// # Errors
-/// What is wrong with the setups, what the GPU refuses, or that `progress` stopped it.
+/// Problems of the setups, errors of the GPU, or `Stopped` if `progress` was stopped.
 pub async fn tune(
     setups: &[Setup],
     library: &Library,
@@ -241,7 +240,8 @@ fn chosen_of(candidates: &[Candidate], chosen: &[usize]) -> Vec<Candidate> {
     chosen.iter().map(|&index| candidates[index].clone()).collect()
 }
 
-/// Nodes of the looks' own graphs with the tiers that they have beside the exact one.
+/// Nodes of the looks' own graphs that have more tiers than the exact one, with those tiers: the
+/// index of the look, the node, its tiers.
 fn nodes(setup: &Setup, library: &Library) -> Vec<(usize, NodeId, Vec<Tier>)> {
     let mut found = Vec::new();
     for (index, look) in setup.looks.iter().enumerate() {
@@ -256,11 +256,12 @@ fn nodes(setup: &Setup, library: &Library) -> Vec<(usize, NodeId, Vec<Tier>)> {
     found
 }
 
-/// Chooses at most one tier a node. `joint` measures the error of a choice as a whole. Of tiers
-/// that cannot be told apart in time, the one that is nearer to the truth is taken.
+/// Chooses at most one tier a node, as indices of `candidates`. `joint` measures the error of a
+/// choice as a whole. Of tiers that cannot be told apart in time, the one nearer to the truth is
+/// taken.
 ///
 /// # Errors
-/// What `joint` says.
+/// Errors of `joint`.
 pub async fn choose<E>(
     candidates: &[Candidate],
     goal: Goal,
@@ -273,7 +274,7 @@ pub async fn choose<E>(
     match goal {
         Goal::MaxError(most) => {
             usable.retain(|&index| candidates[index].error <= most);
-            // The cheapest of each node.
+            // The cheapest candidate of each node.
             usable.sort_by(|&a, &b| {
                 candidates[b].saves.median.total_cmp(&candidates[a].saves.median)
             });
@@ -296,7 +297,7 @@ pub async fn choose<E>(
                 let worst = (0..chosen.len())
                     .max_by(|&a, &b| price(chosen[a]).total_cmp(&price(chosen[b])));
                 let Some(gone) = worst.map(|at| chosen.remove(at)) else { break };
-                // A less cheap tier of the same node may still do.
+                // A less cheap tier of the same node may still be within the error.
                 let other = usable.iter().copied().find(|&index| {
                     place(index) == place(gone) && candidates[index].error < candidates[gone].error
                 });
@@ -305,7 +306,7 @@ pub async fn choose<E>(
             Ok(chosen)
         }
         Goal::MaxTime(most) => {
-            // The least error for what is saved comes first.
+            // Candidates with the least error for the time they save come first.
             let price =
                 |index: usize| candidates[index].error / candidates[index].saves.median.max(1e-9);
             usable.sort_by(|&a, &b| price(a).total_cmp(&price(b)));
@@ -340,7 +341,7 @@ struct Tuner<'a> {
     precise: Renderer,
     options: &'a TuneOptions,
     planner: Planner,
-    /// Each station's truth, with the index of its setup.
+    /// Truth of each viewpoint, with the index of its setup.
     truths: Vec<(usize, Viewpoint, Truth)>,
 }
 
@@ -391,7 +392,7 @@ impl<'a> Tuner<'a> {
         })
     }
 
-    /// The worst over all stations, and where that is.
+    /// The worst error of the choice over all viewpoints, and the pixel where it is.
     async fn error(
         &mut self,
         chosen: &[Candidate],
@@ -483,7 +484,7 @@ mod tests {
         Candidate { look: 0, node: node.into(), tier, error, saves, ties: Vec::new() }
     }
 
-    /// Chooses where the errors of candidates add up.
+    /// The choice among `candidates` if their errors add up.
     #[expect(clippy::disallowed_methods, reason = "nothing is waited for: no GPU measures here")]
     fn chosen(candidates: &[Candidate], goal: Goal, time_exact: f64) -> Vec<usize> {
         let mut sum = async |chosen: &[usize]| {
@@ -506,7 +507,8 @@ mod tests {
         assert_eq!(best, [0, 2], "too wrong, and lost in the noise, are left out");
     }
 
-    /// Both are much faster than exact, and nobody can say which is the faster one.
+    /// Both are much faster than exact, and the measured times do not tell which of the two is
+    /// faster.
     #[test]
     fn of_two_that_cannot_be_told_apart_the_more_accurate() {
         let mut candidates =
@@ -515,7 +517,8 @@ mod tests {
         assert_eq!(chosen(&candidates, goal, 10.0), [1]);
         candidates[0].ties = vec![Tier::Fast];
         assert_eq!(chosen(&candidates, goal, 10.0), [0]);
-        // Where that one is too far from the truth, or lost in the noise itself, the other stays.
+        // The more accurate one is passed over if it is too far from the truth, or lost in the
+        // noise itself.
         candidates[0].error = 0.004;
         assert_eq!(chosen(&candidates, goal, 10.0), [1]);
     }

@@ -1,4 +1,4 @@
-//! The same setup with one thing changed.
+//! Variants: the same setup with one thing changed.
 
 use crate::compile::can_be_muted;
 use crate::document::{Look, Node, Tier};
@@ -6,26 +6,26 @@ use crate::frame::Setup;
 use crate::ids::NodeId;
 use crate::library::{GroupPorts, Library, NodeDef};
 
-/// What a variant changes.
+/// The change that a variant makes to a setup.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Variant {
-    /// Nothing: the setup as it was read.
+    /// No change: the setup as it was read.
     #[default]
     Asked,
     /// Every node of every look in this tier.
     Looks(Tier),
     /// One node of one look in this tier, all else exact.
     Node {
-        /// The look, by its index in the setup.
+        /// Index of the look in the setup.
         look: usize,
         /// The node.
         node: NodeId,
-        /// Its tier.
+        /// Tier of the node.
         tier: Tier,
     },
     /// One node of one look left out, all else exact.
     Without {
-        /// The look, by its index in the setup.
+        /// Index of the look in the setup.
         look: usize,
         /// The node.
         node: NodeId,
@@ -33,7 +33,7 @@ pub enum Variant {
 }
 
 impl Variant {
-    /// The changed setup.
+    /// `setup` with the change of this variant.
     pub fn of(&self, setup: &Setup) -> Setup {
         let mut setup = setup.clone();
         if *self != Self::Asked {
@@ -50,8 +50,8 @@ impl Variant {
         setup
     }
 
-    /// Gives a node of the look's own graph a tier; the look's own where they are the same, so that
-    /// little is said.
+    /// Sets the tier of a node in the look's own graph; a tier equal to the look's is removed from
+    /// the node, to keep the file short.
     pub fn set_tier(look: &mut Look, node: &NodeId, tier: Tier) {
         let of_look = look.tier;
         if let Some(node) = look.graph.nodes.get_mut(node) {
@@ -67,7 +67,7 @@ impl Variant {
     }
 }
 
-/// Changes a node of a look's own graph, if there is one of that id.
+/// Changes a node of a look's own graph, if the graph has a node of that id.
 fn edit(setup: &mut Setup, look: usize, node: &NodeId, change: impl FnOnce(&mut Node)) {
     if let Some(node) =
         setup.looks.get_mut(look).and_then(|look| look.look.graph.nodes.get_mut(node))
@@ -76,8 +76,8 @@ fn edit(setup: &mut Setup, look: usize, node: &NodeId, change: impl FnOnce(&mut 
     }
 }
 
-/// The tiers that differ for a node, groups included: `exact` and whatever cheaper function it or a
-/// node within has.
+/// The tiers that differ for a node, groups included: `exact`, and every cheaper one that the node
+/// or a node within its group has a function for.
 pub fn tiers_of(look: &Look, library: &Library, kind: &str) -> Vec<Tier> {
     let mut tiers = vec![Tier::Exact];
     let mut open = vec![kind];
@@ -108,8 +108,8 @@ fn own_tiers(def: &NodeDef) -> impl Iterator<Item = Tier> + '_ {
     def.tiers().into_iter()
 }
 
-/// Whether a look still makes sense without a node: whatever it gives can be passed through or be
-/// zero.
+/// True if a look still makes sense without a node: each of its outputs can pass an input through
+/// or be zero.
 pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
     let definition = look
         .definitions

@@ -1,20 +1,20 @@
-//! From where looks are judged: views, turns of the lights and times, spread evenly.
+//! Viewpoints that looks are judged from: views, turns of the lights and times, spread evenly.
 
 use crate::frame::Setup;
 
 /// A view, a turn of the lights and a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Viewpoint {
-    /// Around the target, radians: to the right, then up.
+    /// Turn of the camera around its target: to the right, then up, in radians.
     pub orbit: [f64; 2],
-    /// Of the illumination frame, radians: around the vertical, then up.
+    /// Turn of the illumination frame: around the vertical, then up, in radians.
     pub lights: [f64; 2],
-    /// Seconds.
+    /// Time of the scene, in seconds.
     pub time: f64,
 }
 
 impl Viewpoint {
-    /// What people read, in degrees.
+    /// Description of the viewpoint for people, in degrees.
     pub fn told(&self) -> String {
         let [turn, rise] = self.orbit.map(f64::to_degrees);
         let [around, up] = self.lights.map(f64::to_degrees);
@@ -25,7 +25,7 @@ impl Viewpoint {
         )
     }
 
-    /// The setup seen from here.
+    /// The setup seen from this viewpoint.
     pub fn of(&self, setup: &Setup) -> Setup {
         let mut setup = setup.clone();
         setup.turn_camera(self.orbit);
@@ -34,17 +34,18 @@ impl Viewpoint {
     }
 }
 
-/// So many stations, the first one as the scene is; the rest spread evenly over views, lights and
-/// times.
+/// `count` viewpoints: the first one as the scene is, the others spread evenly over views, lights
+/// and times.
 pub fn viewpoints(setup: &Setup, count: usize) -> Vec<Viewpoint> {
-    // Multiples of powers of the generalised golden ratio fill a cube evenly (Roberts 2018).
+    // Multiples of powers of the generalized golden ratio fill a cube evenly (Roberts 2018).
     const STEPS: [f64; 5] =
         [0.856_674_883_7, 0.733_891_856_6, 0.628_706_720_8, 0.538_597_158_5, 0.461_402_658_3];
     let range = &setup.scene.time;
     let station = |index: usize| {
         let share = |axis: usize| (0.5 + STEPS[axis] * index as f64).fract();
         let turn = |share: f64| std::f64::consts::TAU * share;
-        // Even over the sphere, but not onto the poles, where a look is seldom seen.
+        // Elevations are even over the sphere, but spare the poles, from which a look is seldom
+        // seen.
         let rise = |share: f64| (1.6 * share - 0.8).asin();
         let time = range.start + share(4) * (range.end - range.start);
         Viewpoint {

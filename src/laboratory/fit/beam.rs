@@ -1,28 +1,29 @@
-//! Of many stacks of layers the few with which a search goes on.
+//! Beam of a search: the few of many stacks of layers that the search goes on with.
 
 use super::lit::Lit;
 use super::solve::Minimum;
 use super::stack::Layer;
 
-/// Some layers with how far off they are.
+/// Layers with their distance from the target.
 pub(super) type Stack = Minimum<Vec<Layer>>;
 
-/// What a search begins with, and what is tried where that does not come near.
+/// Width that a search begins with, and the wider one that is tried if the first does not come
+/// near.
 pub(super) const WIDTHS: [Width; 2] =
     [Width { beam: 3, beginnings: 8, lights: 64 }, Width { beam: 6, beginnings: 20, lights: 160 }];
 
-/// How much a search tries.
+/// Extent of a search.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Width {
-    /// Stacks that go on to the next layer.
+    /// Number of stacks that go on to the next layer.
     pub(super) beam: usize,
-    /// Beginnings of a layer that are turned downhill.
+    /// Number of initial values of a layer that descend.
     pub(super) beginnings: usize,
-    /// Lights from everywhere.
+    /// Number of lights from everywhere.
     pub(super) lights: usize,
 }
 
-/// The best, of those that begin at much the same light only the first.
+/// The best stacks; of those whose layers have much the same light only the first two.
 pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
     let mut kept: Vec<(Lit, Stack)> = Vec::new();
     for (lit, stack) in found {
@@ -39,7 +40,7 @@ pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
     kept.into_iter().map(|(_, stack)| stack).collect()
 }
 
-/// The best, of equals only the first.
+/// The best stacks, of equal ones only the first.
 pub(super) fn best_of(mut found: Vec<Stack>, most: usize) -> Vec<Stack> {
     found.sort_by(|a, b| a.error.total_cmp(&b.error));
     found.dedup_by(|b, a| {

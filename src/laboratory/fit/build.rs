@@ -1,4 +1,4 @@
-//! An ordinary look of light layers over a base.
+//! Construction of an ordinary look of light layers over a base.
 
 use glam::DVec3;
 
@@ -7,11 +7,11 @@ use super::stack::Layer;
 use crate::document::{Endpoint, Graph, Light, Look, Node, Value, Values, Wire};
 use crate::ids::{LightId, NodeId};
 
-/// From node to node on the canvas, in points.
+/// Distance from node to node on the canvas, in points.
 const APART: f64 = 260.0;
 
-/// A look with a layer for each of `layers`, of these colors from the base up, each with a light
-/// of its own.
+/// A look with the layers `layers`, each with a light of its own; `colors` are those of the base
+/// and of the layers from the bottom up.
 pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look {
     let mut look = Look { name: name.to_owned(), ..Look::default() };
     let color =
@@ -32,7 +32,7 @@ pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look
             ("falloff", falloff),
             ("cutoff", cutoff),
             ("convex", color(index + 1)),
-            // One color, whatever the shape: what was painted says nothing of curvature.
+            // The color does not depend on the shape: what was painted says nothing of curvature.
             ("slope", Value::Number(0.0)),
             ("blend", word(layer.mode.word())),
         ];
@@ -58,7 +58,7 @@ fn wire(graph: &mut Graph, from: &str, output: &str, to: &str, input: &str) {
     graph.wires.push(Wire { from: Endpoint::new(from, output), to: Endpoint::new(to, input) });
 }
 
-/// What a layer is called: its kind, numbered where there are several.
+/// Name of a layer: its kind, numbered if there are several of the kind.
 fn name_of(layers: &[Layer], index: usize) -> String {
     let kind = layers[index].lit.kind;
     let word = match kind {

@@ -1,4 +1,4 @@
-//! Which of many pixels a search looks at: some spread evenly, and some where most is missing.
+//! Choice of the pixels that a search looks at: some spread evenly, and some where most is missing.
 
 use std::collections::{HashMap, HashSet};
 
@@ -10,20 +10,20 @@ use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Graph, Look, Node, Wire};
 use crate::frame::Setup;
 
-/// More painted pixels than this are thinned: the others say the same.
+/// Largest number of painted pixels that are used; more are thinned, as the others say the same.
 pub(super) const MAX_PIXELS: usize = 4096;
 
-/// Painted pixels, thinned evenly where there are very many.
+/// Goals of the painted pixels, thinned evenly if there are very many.
 pub(super) fn thinned(target: &Target) -> Vec<PixelGoal> {
     evenly(target.wishes.len(), MAX_PIXELS).into_iter().map(|index| target.wishes[index]).collect()
 }
 
-/// So many of `count` places, evenly spread; all where there are fewer.
+/// At most `most` of `count` indices, evenly spread; all indices if there are fewer.
 pub(super) fn evenly(count: usize, most: usize) -> Vec<usize> {
     if count <= most { (0..count).collect() } else { (0..most).map(|i| i * count / most).collect() }
 }
 
-/// Half of the places evenly spread, half those with the largest `missing`, in order.
+/// At most `most` indices, in order: half of them evenly spread, half with the largest `missing`.
 pub(super) fn telling(missing: &[f64], most: usize) -> Vec<usize> {
     if missing.len() <= most {
         return (0..missing.len()).collect();
@@ -32,15 +32,15 @@ pub(super) fn telling(missing: &[f64], most: usize) -> Vec<usize> {
     evenly(missing.len(), most / 2).into_iter().for_each(|index| chosen[index] = true);
     let mut order: Vec<usize> = (0..missing.len()).filter(|&index| !chosen[index]).collect();
     order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
-    // Every other of the largest, so that one blot does not take all places.
+    // Every other index of the largest, so that one blot does not take all places.
     order.into_iter().step_by(2).take(most - most / 2).for_each(|index| chosen[index] = true);
     (0..missing.len()).filter(|&index| chosen[index]).collect()
 }
 
-/// The wish for each of some pixels that can be compared.
+/// The goals of those `pixels` that can be compared.
 ///
 /// # Errors
-/// `fit-target`: there is none.
+/// `fit-target`: no pixel has a goal.
 pub(super) fn wishes_of(
     pixels: &[[u32; 2]],
     wishes: &[PixelGoal],
@@ -59,25 +59,25 @@ pub(super) fn wishes_of(
     Ok(found)
 }
 
-/// The pixels of wishes.
+/// The pixels of the goals.
 pub(super) fn pixels_of(wishes: &[PixelGoal]) -> HashSet<[u32; 2]> {
     wishes.iter().map(|wish| wish.pixel).collect()
 }
 
-/// What the reference sees at the pixels that can be compared.
+/// Surface that the reference sees at the pixels that can be compared.
 #[derive(Debug)]
 pub(super) struct Surface {
-    /// The normal and the mirrored view of each, world space.
+    /// The normal and the mirrored view of each pixel, in world space.
     pub(super) directions: Vec<[DVec3; 2]>,
-    /// Column and row of each.
+    /// Column and row of each pixel.
     pub(super) pixels: Vec<[u32; 2]>,
 }
 
 impl Surface {
-    /// At the chosen pixels of a picture.
+    /// The surface at the chosen pixels of a picture.
     ///
     /// # Errors
-    /// What the interpreter cannot run.
+    /// Looks that the interpreter cannot run.
     pub(super) fn new(
         shot: &Shot<'_>,
         chosen: &HashSet<[u32; 2]>,
@@ -96,7 +96,7 @@ impl Surface {
     }
 }
 
-/// A look that shows what a node of this kind gives.
+/// A look that shows the output of a node of this kind.
 fn showing(kind: &str) -> Look {
     let node = |kind: &str| Node { kind: kind.to_owned(), ..Node::default() };
     let wire = Wire { from: Endpoint::new("shown", ""), to: Endpoint::new("output", "color") };
@@ -105,7 +105,7 @@ fn showing(kind: &str) -> Look {
     Look { graph: Graph { nodes, wires: vec![wire], ..Graph::default() }, ..Look::default() }
 }
 
-/// The same scene with another look in the place of the fitted one.
+/// The setup of the shot with another look in place of the fitted one.
 pub(super) fn wearing(shot: &Shot<'_>, look: Look) -> Setup {
     let mut setup = shot.setup.clone();
     setup.looks[shot.look].look = look;

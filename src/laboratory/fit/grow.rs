@@ -1,11 +1,11 @@
-//! Light layers from nothing: each is searched for where most is missing, and all are turned
-//! together after it.
+//! Fit of light layers from nothing: each layer is searched for where most is missing, and all
+//! layers are adjusted together after that.
 //!
-//! A layer is tried with lights from everywhere, and from where what is missing lies (its normal,
-//! or what a mirror would show there), with a few profiles, at every place in the stack. The best
-//! few are turned downhill, and the best stacks of those go on to the next layer, as one layer's
-//! best place is not always what is best with the next. Where the whole is not near enough, the
-//! lowest layer is turned over, and layers are taken out and searched for again.
+//! A layer is tried with lights from everywhere, and from the directions of the pixels that miss
+//! most (their normals, or what a mirror would show there), with a few profiles, at every place in
+//! the stack. The best few descend to a minimum, and the best stacks of those go on to the next
+//! layer, as one layer's best place is not always the best with the next. If the whole is not near
+//! enough, the lowest layer is turned over, and layers are taken out and searched for again.
 
 use glam::DVec3;
 use rayon::iter::{
@@ -32,13 +32,13 @@ use crate::frame::Setup;
 use crate::library::Library;
 use crate::progress::Progress;
 
-/// Pixels that a search looks at.
+/// Number of pixels that a search looks at.
 const PIXELS: usize = 320;
-/// Pixels of those that every light is tried at.
+/// Number of those pixels that every light is tried at.
 const FEW_PIXELS: usize = 96;
-/// Lights from where most is missing.
+/// Number of lights from where most is missing.
 const TELLING: usize = 12;
-/// Profiles that a search begins with: offset, fall-off and cut-off in degrees.
+/// Profiles that a search begins with: offset, fall-off and cut-off, in degrees.
 const SHAPES: [[f64; 3]; 6] = [
     [0.0, 60.0, 90.0],
     [0.0, 70.0, 120.0],
@@ -47,19 +47,19 @@ const SHAPES: [[f64; 3]; 6] = [
     [45.0, 60.0, 75.0],
     [70.0, 85.0, 100.0],
 ];
-/// A hard profile counts as such an RMS error of a channel where next to nothing is painted.
+/// Error that a hard profile counts as if next to nothing is painted, as an RMS of a channel.
 const SOFT: f64 = 4.0 / 255.0;
-/// How often layers are searched for again where the whole is not near enough.
+/// Number of times layers are searched for again if the whole is not near enough.
 const ROUNDS: usize = 2;
 
-/// Lays up to `layers` light layers over a base so that they show what `target` wishes of `setup`,
+/// Lays up to `layers` light layers over a base so that they show the goals of `target` in `setup`,
 /// and puts them in the place of the nodes of look number `look`. Layers that would change nothing
 /// are left out.
 ///
 /// # Errors
-/// `fit-target` where no painted pixel can be compared; `fit-layers` for no or too many layers;
-/// `stopped` where it was stopped before there was a layer, else the nearest that it had come to is
-/// what was fitted; what is wrong with the setup.
+/// `fit-target` if no painted pixel can be compared; `fit-layers` for no or too many layers;
+/// `stopped` if the fit was stopped before there was a layer, while a fit stopped later returns the
+/// nearest look so far; problems of the setup.
 pub fn fit_layers(
     setup: &Setup,
     look: usize,
@@ -76,7 +76,7 @@ pub fn fit_layers(
     }
     let shot = Shot { setup, look, library, size: target.size, time: options.time };
     let rest = Rest::new(&shot, target, options.keep_rest)?;
-    // The less is painted, the less calls for a hard edge.
+    // The smaller the painted part, the less evidence there is for a hard edge.
     let soft = SOFT * rest.share;
     let mut given = thinned(target);
     given.extend(rest.wishes);
@@ -88,7 +88,7 @@ pub fn fit_layers(
     let (whole, even) = (at(wishes.len()), at(PIXELS));
     let mut best: Option<Stack> = None;
     for width in WIDTHS {
-        // Another search begins anew, and so does what is told of it.
+        // Another search begins anew, and so does its progress.
         progress.begin(layers as u64 + 2);
         let grower = Grower {
             surface: &directions,
@@ -136,10 +136,10 @@ struct Grower<'a> {
     /// The normal and the mirrored view at each pixel.
     surface: &'a [[DVec3; 2]],
     wishes: &'a [PixelGoal],
-    /// All pixels, and as many as stand for them.
+    /// Search at all pixels, and at a smaller number that stands for all.
     whole: &'a Search,
     even: &'a Search,
-    /// How much a hard profile counts as an error of its own, an RMS of a channel.
+    /// Error that a hard profile counts as, as an RMS of a channel.
     soft: f64,
     enough: f64,
     width: Width,
@@ -147,7 +147,7 @@ struct Grower<'a> {
 }
 
 impl Grower<'_> {
-    /// Up to `most` layers.
+    /// Grows a stack of up to `most` layers.
     fn grow(&self, most: usize) -> Result<Stack, Diagnostic> {
         let whole = self.whole;
         let mut best: Vec<Layer> = Vec::new();
@@ -174,13 +174,14 @@ impl Grower<'_> {
         Ok(best)
     }
 
-    /// A search that looks most where most is missing.
+    /// A search at the pixels where most is missing.
     fn search(&self, missing: &[f64]) -> Search {
         Search::new(self.surface, self.wishes, &telling(missing, PIXELS)).softly(self.soft)
     }
 
-    /// Where not all that is wished can be had, what is farthest off must not have its way alone:
-    /// stacks go on downhill at pixels that stand for all. The nearest by all pixels comes first.
+    /// Lets the stacks that are not near enough descend at evenly spread pixels, and sorts all by
+    /// their error over all pixels. Where not all goals can be met, the pixels that are farthest
+    /// off must not decide alone.
     fn evened(&self, stacks: &mut [Stack]) -> Result<(), Diagnostic> {
         let Self { whole, even, .. } = *self;
         let step = |stack: &mut Stack| -> Result<(), Diagnostic> {
@@ -201,14 +202,14 @@ impl Grower<'_> {
         Ok(())
     }
 
-    /// Turns the lowest layer over, and takes each out and searches for it again, while that brings
-    /// the whole nearer.
+    /// Turns the lowest layer over, then takes each layer out and searches for it again, as long as
+    /// that brings the whole nearer.
     fn again(&self, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
         let whole = self.whole;
         let mut best = Minimum { error: whole.error(&whole.taken_over(&best)), point: best };
         for _ in 0..ROUNDS {
             let before = best.error;
-            // First the lowest turned over, then each without the layer in turn.
+            // The lowest layer is turned over first, then each layer is left out in turn.
             for out in std::iter::once(None).chain((0..best.point.len()).map(Some)) {
                 if best.error <= whole.error_of(self.enough) || self.progress.is_stopped() {
                     return Ok(best);
@@ -237,9 +238,9 @@ impl Grower<'_> {
         Ok(best)
     }
 
-    /// Stacks whose lowest layer is what lies around it, at any place: light that covers a dark
-    /// base, and dark that covers a light one from the other side, are so nearly the same picture
-    /// that a search may take either.
+    /// Stacks whose lowest layer is turned over, to cover its complement, at any place: light that
+    /// covers a dark base, and dark that covers a light base from the other side, are so nearly the
+    /// same picture that a search may find either.
     fn turned_over(&self, search: &Search, layers: &[Layer]) -> Result<Vec<Stack>, Diagnostic> {
         let Some((lowest, rest)) = layers.split_first() else { return Ok(Vec::new()) };
         let lit = lowest.lit.turned_over();
@@ -252,7 +253,7 @@ impl Grower<'_> {
         self.downhill(search, places(rest.len(), search).into_iter().map(over).collect())
     }
 
-    /// The best of some stacks, turned downhill.
+    /// The best of some stacks, after descending.
     fn downhill(&self, search: &Search, stacks: Vec<Vec<Layer>>) -> Result<Vec<Stack>, Diagnostic> {
         let turned = |stack: Vec<Layer>, steps: usize, share: f64| {
             descend(
@@ -270,7 +271,7 @@ impl Grower<'_> {
             .collect()
     }
 
-    /// Stacks with one more layer, turned downhill.
+    /// Stacks with one more layer, after descending.
     fn with_one_more(
         &self,
         search: &Search,
@@ -281,6 +282,8 @@ impl Grower<'_> {
             return Ok(Vec::new());
         }
         let lights = self.lights(missing);
+        // Every light is tried at few pixels, and only the best descend at all pixels of the
+        // search.
         let few = search.thinned(FEW_PIXELS);
         let below = few.taken_over(layers);
         let places = places(layers.len(), search);
@@ -335,13 +338,13 @@ impl Grower<'_> {
     }
 }
 
-/// How far off each pixel is.
+/// Distance of each pixel from its goal.
 fn missing(whole: &Search, layers: &[Layer]) -> Vec<f64> {
     let misses = whole.misses(&whole.taken_over(layers));
     misses.chunks_exact(3).map(|miss| miss.iter().map(|x| x * x).sum::<f64>().sqrt()).collect()
 }
 
-/// Where a layer may go among `count` others, and how it is laid. To add to the base is to cover
+/// Places in the stack and modes for a layer among `count` others. To add to the base is to cover
 /// it, unless the sum is cut off at white.
 fn places(count: usize, search: &Search) -> Vec<(usize, Mode)> {
     let at = |place: usize| {

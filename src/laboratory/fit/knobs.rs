@@ -1,5 +1,5 @@
-//! What of a look is turned: directions of its lights, profiles and colors, with where they are
-//! written.
+//! Knobs, the parts of a look that a fit turns: directions of its lights, profiles and colors, with
+//! the inputs that hold them.
 
 use std::collections::HashSet;
 
@@ -18,25 +18,25 @@ use super::state::{Setting, Shape};
 /// The ports of a profile, which belong together.
 const ENDS: [&str; 3] = ["offset", "falloff", "cutoff"];
 
-/// Of ramps as many stops are turned: each is a color of its own, and more of them than this few
-/// strokes tell nothing of.
+/// Largest number of ramp stops that are turned: each is a color of its own, and a few strokes
+/// could not determine more of them.
 const MOST_STOPS: usize = 24;
 
-/// What is turned.
+/// A part of a look that a fit turns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Knob {
-    /// Toward a directional light.
+    /// Direction toward a directional light.
     Direction(LightId),
-    /// A profile's offset, fall-off and cut-off.
+    /// Offset, fall-off and cut-off of a profile.
     Profile(NodePath),
-    /// A color; its alpha stays.
+    /// A color of an input; its alpha stays.
     Color { node: NodePath, port: PortName, alpha: f64 },
-    /// A color of a ramp, by its index; its place and alpha stay.
+    /// A color of a ramp, by the index of its stop; the stop's place and alpha stay.
     Stop { node: NodePath, port: PortName, index: usize, ramp: Ramp },
 }
 
 impl Knob {
-    /// What people read, with where it is written.
+    /// Noun for people, and the place of the knob in the look.
     pub(super) fn told(&self) -> (&'static str, String) {
         match self {
             Self::Direction(light) => ("light", light.to_string()),
@@ -46,7 +46,7 @@ impl Knob {
         }
     }
 
-    /// The inputs that it sets.
+    /// The inputs that the knob sets.
     pub(super) fn inputs(&self) -> Vec<(NodePath, PortName)> {
         match self {
             Self::Direction(_) => Vec::new(),
@@ -57,8 +57,8 @@ impl Knob {
         }
     }
 
-    /// The values of its inputs, in their order. `before` is what a ramp has by now: its stops are
-    /// set one after the other.
+    /// The values of the knob's inputs, in their order. `before` is the current value of the input:
+    /// the stops of a ramp are set one after the other.
     pub(super) fn values(&self, setting: &Setting, before: Option<&Value>) -> Vec<Value> {
         match (self, setting) {
             (Self::Stop { index, ramp, .. }, Setting::Color(color)) => {
@@ -74,8 +74,8 @@ impl Knob {
     }
 }
 
-/// Writes settings into a look, in numbers that people can read: five decimals are finer than a
-/// tenth of a pixel.
+/// Edits that write settings into a look, in numbers that people can read: five decimals are finer
+/// than a tenth of a pixel.
 pub(super) fn edits(knobs: &[Knob], state: &[Setting], look: &Look) -> Vec<Edit> {
     let mut edits = Vec::new();
     let mut values: IndexMap<(NodePath, PortName), Value> = IndexMap::new();
@@ -99,7 +99,7 @@ pub(super) fn edits(knobs: &[Knob], state: &[Setting], look: &Look) -> Vec<Edit>
     edits
 }
 
-/// A ramp with another color at a stop, which keeps its alpha.
+/// The ramp with another color at a stop, which keeps its alpha.
 fn with_stop(ramp: &Ramp, index: usize, color: [f64; 3]) -> Ramp {
     let mut ramp = ramp.clone();
     if let Some(stop) = ramp.stops.get_mut(index) {
@@ -115,7 +115,7 @@ fn short(x: f64) -> f64 {
 fn shortened(value: Value) -> Value {
     match value {
         Value::Number(x) => Value::Number(short(x)),
-        // A color that is opaque needs no alpha.
+        // An opaque color needs no alpha.
         Value::Vector(v) => {
             let is_opaque = v.len() == 4 && v[3] == 1.0;
             Value::Vector(v.into_iter().take(if is_opaque { 3 } else { 4 }).map(short).collect())
@@ -131,12 +131,12 @@ fn shortened(value: Value) -> Value {
     }
 }
 
-/// Everything of a look that can be turned, with where it stands. What is wired, keyed, or set by
-/// the scene stays, and so does a ramp whose stops would be more than [`MOST_STOPS`] with those of
-/// others.
+/// All knobs of a look, with their settings. Wired and keyed values, and those set by the scene,
+/// are no knobs; nor are the stops of a ramp that would make more than [`MOST_STOPS`] together with
+/// those of other ramps.
 ///
 /// # Errors
-/// Everything that is wrong with the look.
+/// Problems of the look.
 pub(super) fn knobs_of(
     setup: &Setup,
     index: usize,
@@ -193,7 +193,7 @@ pub(super) fn knobs_of(
     Ok(knobs)
 }
 
-/// What keys move, and what objects set.
+/// Targets that keys move, and those that objects set.
 fn fixed(setup: &Setup, index: usize, typed: &TypedGraph) -> HashSet<Target> {
     let mut fixed: HashSet<Target> = typed.keyed.iter().cloned().collect();
     for object in setup.objects.iter().filter(|object| object.looks.contains(&Some(index))) {
@@ -247,7 +247,7 @@ fn lights(
     named.into_iter().filter(free).filter_map(knob).collect()
 }
 
-/// The profile that a parameter is an end of, where all of its ends are parameters.
+/// The profile that a parameter is an end of, if all of its ends are parameters.
 fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
     let end = |name: &str| {
         let it =
@@ -261,7 +261,7 @@ fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
     Some((Knob::Profile(param.path.clone()), Setting::Profile(shape)))
 }
 
-/// The colors of a ramp.
+/// The color knobs of a ramp.
 fn stops(param: &Param, ramp: &Ramp) -> Vec<(Knob, Setting)> {
     let stop = |(index, color): (usize, &Vec<f64>)| {
         let &[r, g, b, ..] = color.as_slice() else { return None };

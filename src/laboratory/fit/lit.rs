@@ -1,9 +1,9 @@
-//! A layer's light and profile, and the tone that they make.
+//! Light and profile of a layer, and the tone that they make.
 //!
-//! The search has the formula of the BADF paper (eq. 5, 11) by hand and without antialiasing, at
-//! the reference's normals and mirrored views: it tries tens of thousands of tones, where the
-//! interpreter would take minutes. It only has to come near. What it finds becomes a look, and is
-//! turned on the reference from there.
+//! The search uses the formula of the BADF paper (eq. 5, 11) directly and without antialiasing, at
+//! the reference's normals and mirrored views: it tries tens of thousands of tones, for which the
+//! interpreter would take minutes. The formula only has to come near: the result becomes a look,
+//! whose fit goes on with the reference.
 
 use std::f64::consts::PI;
 
@@ -11,10 +11,10 @@ use glam::DVec3;
 
 use super::state::Shape;
 
-/// Angles, and beginnings of a profile, at which one is sought that shows what another leaves.
+/// Number of angles, and of initial offsets, at which the complement of a profile is searched for.
 const TURNED: u32 = 48;
 
-/// Which direction of the surface a layer's light is held against.
+/// Direction of the surface that a layer's light is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Diffuse,
@@ -24,7 +24,7 @@ pub(super) enum Kind {
 impl Kind {
     pub(super) const ALL: [Self; 2] = [Self::Diffuse, Self::Specular];
 
-    /// As documents say it.
+    /// Word for the kind in documents.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Diffuse => "diffuse",
@@ -33,7 +33,7 @@ impl Kind {
     }
 }
 
-/// Where a layer's light comes from, and how it falls off.
+/// Direction, kind and profile of a layer's light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Lit {
     pub(super) kind: Kind,
@@ -42,21 +42,21 @@ pub(super) struct Lit {
 }
 
 impl Lit {
-    /// The tone where the surface's direction is `direction`: 1 up to the offset, 0 from the
-    /// cut-off on (BADF eq. 5).
+    /// The tone for the surface direction `direction`: 1 up to the offset, 0 from the cut-off on
+    /// (BADF eq. 5).
     pub(super) fn tone(&self, direction: DVec3) -> f64 {
         self.shape.tone(self.direction.dot(direction).clamp(-1.0, 1.0).acos())
     }
 
-    /// What lies around it, from the other side, as nearly as a profile can show that.
+    /// The complement of this light, from the other side, as nearly as a profile can show it.
     pub(super) fn turned_over(&self) -> Self {
         let around = |angle: f64| 1.0 - self.shape.tone(PI - angle);
         let angles = || (0..=TURNED).map(|step| PI * f64::from(step) / f64::from(TURNED));
         let cutoff = PI - self.shape.offset;
         let shapes = (0..TURNED).flat_map(|begin| {
             let offset = cutoff * f64::from(begin) / f64::from(TURNED);
-            // A steep profile is as good as gone long before its cut-off, so what is left of it
-            // begins anywhere.
+            // A steep profile has all but vanished long before its cut-off, so the complement may
+            // begin at any angle.
             [0.2, 0.35, 0.5, 0.65, 0.8, 0.95].map(|share| Shape {
                 offset,
                 width: cutoff - offset,
@@ -76,7 +76,7 @@ impl Lit {
 }
 
 impl Shape {
-    /// The tone at so many radians from the light.
+    /// The tone at `angle` radians from the light.
     fn tone(&self, angle: f64) -> f64 {
         let Self { offset, width, share } = *self;
         let beyond = angle - offset;
@@ -99,8 +99,8 @@ impl Shape {
 mod tests {
     use super::*;
 
-    /// A profile and what is left of it make one together, nearly: no profile is exactly what
-    /// another leaves.
+    /// A profile and its complement add up to 1 only nearly: no profile is exactly the complement
+    /// of another.
     #[test]
     fn what_is_turned_over_lies_around() {
         for ends in [[0.3, 0.8, 1.4], [1.9, 2.0, PI], [0.8, 1.2, 1.25], [0.0, 1.0, PI]] {

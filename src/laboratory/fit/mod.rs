@@ -1,17 +1,17 @@
-//! Painted shading (Okabe et al. 2007, the last wish of the BADF paper): a look from what was
+//! Painted shading (Okabe et al. 2007, the last wish of the BADF paper): a look from strokes
 //! painted on a picture.
 //!
-//! A [`Target`] says what some pixels should show. [`fit_look`] turns the lights, profiles and
-//! colors of a look until it shows that; [`fit_layers`] begins from nothing and lays light layers
+//! A [`Target`] holds the goals of some pixels. [`fit_look`] turns the lights, profiles and colors
+//! of a look until the look shows them; [`fit_layers`] begins from nothing and lays light layers
 //! one over the other, each where most is missing. Both end in damped least squares (`solve`) on
-//! the picture of the f64 reference at the painted pixels alone (`model`), and leave an ordinary
-//! look with the edit that makes it. [`Report`] says how far off it was and is.
+//! the picture of the f64 reference at the painted pixels alone (`model`), and return an ordinary
+//! look with the edit that makes it. [`Report`] holds the errors before and after.
 //!
-//! Two things keep the search honest and quick. The colors of a stack of layers enter its picture
-//! linearly, so that for any tones of the layers the best colors are known at once, and only where
-//! light comes from and how it falls off is searched (variable projection, Golub and Pereyra 1973;
-//! `stack`). And a hard edge pulls at nothing but its own pixels, so that every search begins with
-//! soft profiles, which narrow by themselves as they come closer.
+//! Two facts keep the search honest and quick. The colors of a stack of layers enter its picture
+//! linearly, so that for any tones of the layers the best colors are known at once, and only the
+//! directions of lights and their fall-offs are searched (variable projection, Golub and Pereyra
+//! 1973; `stack`). And a hard edge affects nothing but its own pixels, so that every search begins
+//! with soft profiles, which narrow by themselves as they come closer.
 
 mod beam;
 mod build;
@@ -35,32 +35,34 @@ pub use report::{Changed, KnobCounts, MissedPixel, Report, picture_of};
 pub use target::{MAX_SIDE, PixelGoal, Target};
 pub use turn::fit_look;
 
-/// What of a look stays as it is.
+/// Parts of a look that a fit leaves as they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Keep {
-    /// Directions of lights.
+    /// True to keep the directions of lights.
     pub lights: bool,
-    /// Offsets, fall-offs and cut-offs.
+    /// True to keep offsets, fall-offs and cut-offs.
     pub profiles: bool,
-    /// Colors, that of the base too.
+    /// True to keep all colors, the base's included.
     pub colors: bool,
-    /// The color of the base.
+    /// True to keep the color of the base.
     pub base: bool,
 }
 
-/// How to fit.
+/// Options of a fit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
-    /// The time of the picture in seconds.
+    /// Time of the picture, in seconds.
     pub time: f64,
-    /// What stays.
+    /// Parts that stay as they are.
     pub keep: Keep,
-    /// How far what is not painted stays as it is: 0 lets it go, 1 keeps it as far as strokes let
-    /// it.
+    /// Degree to which unpainted pixels stay as they are: 0 lets them go, 1 keeps them as far as
+    /// the strokes allow; by default 0.
     pub keep_rest: f64,
-    /// From how many beginnings a look that is there is turned, its own first: at least 1.
+    /// Number of starting points that an existing look is turned from, its own settings first; at
+    /// least 1, by default 6.
     pub starts: usize,
-    /// The RMS error of a channel, from 0 to 1, that is small enough.
+    /// RMS error of a channel that is small enough to stop at, from 0 to 1; by default half of
+    /// 1/255.
     pub enough: f64,
 }
 
@@ -70,15 +72,15 @@ impl Default for FitOptions {
     }
 }
 
-/// A look that was fitted.
+/// Result of a fit.
 #[derive(Clone, Debug)]
 pub struct FittedLook {
     /// The look.
     pub look: Look,
-    /// What makes it of the look that was given, to be undone as one.
+    /// Edit that makes the fitted look of the given one, to be undone as one step.
     pub edit: Edit,
-    /// How far off it was and is.
+    /// Errors before and after the fit, and the changes.
     pub report: Report,
-    /// How far off it is at every painted pixel that was compared, by row and column.
+    /// Errors at every painted pixel that was compared, by row and column.
     pub misses: Vec<MissedPixel>,
 }

@@ -1,9 +1,9 @@
-//! A look at chosen pixels, as a function of what is turned.
+//! Model of a look at chosen pixels, as a function of its knobs.
 //!
-//! The look is compiled with what is turned as uniforms and all else folded, and its picture is
-//! drawn once by the reference, which keeps the fragments of the chosen pixels ([`Gathered`]). A
-//! step is then the host's programs in f64 and the fragment shader of these pixels: exactly the
-//! picture's own numbers, at a thousandth of its cost.
+//! The look is compiled with its knobs as uniforms and all else folded, and its picture is drawn
+//! once by the reference, which keeps the fragments of the chosen pixels ([`Gathered`]). A step
+//! then runs only the host's programs in f64 and the fragment shader of these pixels: it gives
+//! exactly the picture's own numbers, at a thousandth of its cost.
 
 use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
@@ -27,16 +27,16 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::{Gathered, Options, Sheet};
 
-/// What a picture is taken of, and when.
+/// Scene, look, size and time of a picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shot<'a> {
     pub(super) setup: &'a Setup,
-    /// The look, by its index in the setup.
+    /// Index of the look in the setup.
     pub(super) look: usize,
     pub(super) library: &'a Library,
-    /// Pixels.
+    /// Width and height, in pixels.
     pub(super) size: [u32; 2],
-    /// Seconds.
+    /// Time of the picture, in seconds.
     pub(super) time: f64,
 }
 
@@ -44,14 +44,14 @@ pub(super) struct Shot<'a> {
 #[derive(Debug)]
 struct Part {
     draw: usize,
-    /// The object's number and centre.
+    /// Index and center of the object.
     object: (usize, DVec3),
-    /// Its front, and how far other objects are.
+    /// Front of the object, and distances of other objects.
     front: DVec3,
     near: IndexMap<ObjectId, f64>,
     shader: Arc<CompiledShader>,
     table: ParamTable,
-    /// The parameters of each knob.
+    /// Parameters of each knob, by the knob's inputs.
     ids: Vec<Vec<Option<ParamId>>>,
     exposed: Values,
 }
@@ -67,10 +67,10 @@ pub(super) struct Model {
     scene_lights: IndexMap<LightId, Light>,
     illumination: DQuat,
     time: [f64; 2],
-    /// The gathered pixels that can be compared: of draws that wear the look, and not at their
-    /// edges.
+    /// The gathered pixels that can be compared: those of draws that wear the look, and not at the
+    /// edges of the draws.
     pub(super) pixels: Vec<[u32; 2]>,
-    /// Their places among the gathered ones.
+    /// Indices of `pixels` among the gathered pixels.
     places: Vec<usize>,
 }
 
@@ -78,7 +78,7 @@ impl Model {
     /// The look of `shot` at the `chosen` pixels, with `knobs` to be turned.
     ///
     /// # Errors
-    /// What is wrong with the look, and what the interpreter cannot run.
+    /// Problems of the look, and shaders that the interpreter cannot run.
     pub(super) fn new(
         shot: &Shot<'_>,
         knobs: Vec<Knob>,
@@ -150,13 +150,13 @@ impl Model {
         })
     }
 
-    /// The places of all pixels.
+    /// Indices of all pixels.
     pub(super) fn all(&self) -> Vec<usize> {
         (0..self.pixels.len()).collect()
     }
 
-    /// Places in [`pixels`](Self::pixels) that tell most about what is `missing` at each, of up to
-    /// `most` quads: a quad is shaded whole, whoever of it is looked at.
+    /// Indices in [`pixels`](Self::pixels) that tell most about what is `missing` at each pixel, of
+    /// up to `most` quads: a quad is shaded whole, whichever of its pixels are looked at.
     pub(super) fn telling(&self, missing: &[f64], most: usize) -> Vec<usize> {
         let quads = self.quads();
         let of_quad = |quad: &Vec<usize>| {
@@ -166,14 +166,14 @@ impl Model {
         of_quads(&quads, telling(&missing, most))
     }
 
-    /// Places in [`pixels`](Self::pixels) of up to `most` quads, evenly spread: they stand for all
-    /// pixels.
+    /// Indices in [`pixels`](Self::pixels) of up to `most` quads, evenly spread, which stand for
+    /// all pixels.
     pub(super) fn even(&self, most: usize) -> Vec<usize> {
         let quads = self.quads();
         of_quads(&quads, evenly(quads.len(), most))
     }
 
-    /// Places in [`pixels`](Self::pixels) by quads.
+    /// Indices in [`pixels`](Self::pixels) grouped by quad.
     fn quads(&self) -> Vec<Vec<usize>> {
         let mut quads: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (place, &index) in self.places.iter().enumerate() {
@@ -182,7 +182,7 @@ impl Model {
         quads.into_values().collect()
     }
 
-    /// Unit, from what is seen in the middle of a pixel toward the viewer, world space.
+    /// Unit vector from the point seen in the middle of a pixel toward the viewer, in world space.
     pub(super) fn toward_viewer(&self, [x, y]: [u32; 2]) -> DVec3 {
         let (view, [width, height]) =
             (&self.gathered.plan().view, self.gathered.plan().size.map(f64::from));
@@ -193,17 +193,17 @@ impl Model {
         )
     }
 
-    /// Some of the pixels, by their places in [`pixels`](Self::pixels).
+    /// Some of the pixels, by their indices in [`pixels`](Self::pixels), ready to be shaded.
     pub(super) fn sheet(&self, chosen: &[usize]) -> Sheet {
         let places: Vec<usize> = chosen.iter().map(|&index| self.places[index]).collect();
         self.gathered.sheet(&places)
     }
 
-    /// The colors of a sheet as they are seen, over the scene's backdrop where the look is
-    /// transparent.
+    /// The colors of a sheet, straight and display-referred, over the scene's backdrop where the
+    /// look is transparent.
     ///
     /// # Errors
-    /// What keeps a shader from ending.
+    /// Shaders that do not end.
     pub(super) fn colors(
         &self,
         sheet: &Sheet,
@@ -256,7 +256,7 @@ impl Model {
         let params: &[Param] = &part.shader.params;
         let mut values =
             self.rig.evaluate(params, &part.table, Wires::of(&part.shader), &inputs)?;
-        // What is turned is neither wired nor keyed, so nothing else has set it.
+        // A knob is neither wired nor keyed, so nothing else has set its inputs.
         for ((knob, setting), ids) in self.knobs.iter().zip(state).zip(&part.ids) {
             let before = ids.first().copied().flatten().and_then(|id| values.params.get(&id));
             let new = knob.values(setting, before);
@@ -277,7 +277,7 @@ impl Model {
     }
 }
 
-/// The places of some quads, in order.
+/// The pixels of the quads `chosen`, in order.
 fn of_quads(quads: &[Vec<usize>], chosen: Vec<usize>) -> Vec<usize> {
     let mut places: Vec<usize> = chosen.into_iter().flat_map(|quad| quads[quad].clone()).collect();
     places.sort_unstable();
@@ -288,8 +288,8 @@ fn plan_numbers(draw: &crate::frame::Draw) -> Vec<f64> {
     draw.look_uniforms.get(&Stage::Draw).map(|uniform| uniform.numbers.clone()).unwrap_or_default()
 }
 
-/// Whether a pixel lies beside one where something else is on top: a smooth picture has mixed them
-/// there.
+/// True if a pixel lies beside one with another draw on top: an antialiased picture has mixed their
+/// colors there.
 fn is_edge(gathered: &Gathered, [x, y]: [u32; 2]) -> bool {
     let [width, height] = gathered.plan().size;
     let draw = |x: u32, y: u32| gathered.coverage[(y * width + x) as usize].draw;
@@ -302,25 +302,26 @@ pub(super) fn rms_of(channels: [f64; 3]) -> f64 {
     (channels.iter().map(|x| x * x).sum::<f64>() / 3.0).sqrt()
 }
 
-/// How far a look is from what is wished of some pixels.
+/// Distance of a look from the goals of some pixels, as a least squares problem.
 #[derive(Debug)]
 pub(super) struct Painted<'a> {
     pub(super) model: &'a Model,
     pub(super) sheet: Sheet,
     pub(super) wishes: Vec<PixelGoal>,
-    /// How much a hard or narrow profile counts as an error of its own.
+    /// Error that a hard or narrow profile counts as.
     pub(super) soft: f64,
 }
 
 impl<'a> Painted<'a> {
-    /// The pixels of `wishes` (one for each of the model's pixels) at these places.
+    /// The problem for the pixels at the indices `chosen`; `wishes` holds a goal for each of the
+    /// model's pixels.
     pub(super) fn new(model: &'a Model, wishes: &[PixelGoal], chosen: &[usize]) -> Self {
         let wishes = chosen.iter().map(|&index| wishes[index]).collect();
         Self { model, sheet: model.sheet(chosen), wishes, soft: 0.0 }
     }
 
-    /// The same, with profiles that are to be broad and soft where that costs less than `soft`, an
-    /// RMS of a channel.
+    /// The problem with a preference for broad and soft profiles where that costs less than `soft`,
+    /// an RMS of a channel.
     #[must_use]
     pub(super) fn softly(self, soft: f64) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! How far a look is from what was painted, before and after, and what was turned.
+//! Report of a fit: errors of a look before and after, and the changes.
 
 use std::collections::HashSet;
 
@@ -15,55 +15,56 @@ use crate::document::Look;
 use crate::figures::count;
 use crate::frame::Picture;
 
-/// Cells along the picture that count as places of their own.
+/// Number of cells along a side of the picture; cells count as places of their own.
 const CELLS: u64 = 32;
-/// Pixels that are told of.
+/// Number of the worst pixels in a report.
 const WORST: usize = 5;
-/// An RMS error of a channel that is plainly seen.
+/// RMS error of a channel that is plainly seen.
 const FAR: f64 = 10.0 / 255.0;
-/// A fit that leaves more than this of what was missing did hardly help.
+/// Share of the former error above which a fit hardly helped.
 const HARDLY: f64 = 0.7;
 
-/// What a fit came to. Errors are of a channel, straight and as shown, from 0 to 1, weighted as
+/// Result of a fit. Errors are those of a channel, straight and as shown, from 0 to 1, weighted as
 /// painted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
-    /// Pixels that were painted.
+    /// Number of pixels that were painted.
     pub painted: usize,
-    /// Pixels that were compared: painted ones within the objects, thinned where there are very
-    /// many.
+    /// Number of pixels that were compared: painted ones within the objects, thinned if there are
+    /// very many.
     pub compared: usize,
-    /// Cells of the picture that pixels were compared in, of 32 by 32: two dots are a few, however
-    /// many pixels they have.
+    /// Number of cells, of 32 by 32 in the picture, that pixels were compared in: two dots have few
+    /// cells, however many pixels they have.
     pub places: usize,
-    /// Numbers that could be turned: two of a light, three of a profile and of a color.
+    /// Number of coordinates that could be turned: two of a light, three of a profile and of a
+    /// color.
     pub turned: usize,
-    /// What these are of.
+    /// Numbers of knobs that were turned.
     pub tried: KnobCounts,
-    /// What could have been turned as well, and was kept.
+    /// Numbers of further knobs that the options kept.
     pub kept: KnobCounts,
-    /// The RMS error of the look as it was.
+    /// RMS error of the given look.
     pub before: f64,
-    /// The RMS error now.
+    /// RMS error of the fitted look.
     pub after: f64,
-    /// How far what is not painted moved, RMS, where it was to stay.
+    /// RMS change of the unpainted pixels, if they were to stay.
     pub rest: Option<f64>,
-    /// It was stopped, and this is the nearest that it had come to.
+    /// True if the fit was stopped, and returned the nearest look so far.
     pub is_stopped: bool,
-    /// Everything that is another now.
+    /// All parts of the look that have changed.
     pub changed: Vec<Changed>,
-    /// The pixels that are farthest off, as much as they count, the worst first.
+    /// The pixels that are farthest off, weighted by how much they count, the worst first.
     pub worst: Vec<MissedPixel>,
 }
 
-/// How many things of a look.
+/// Numbers of the knobs of a look.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct KnobCounts {
-    /// Directional lights.
+    /// Number of directional lights.
     pub lights: usize,
-    /// Profiles.
+    /// Number of profiles.
     pub profiles: usize,
-    /// Colors, also of ramps.
+    /// Number of colors, those of ramps included.
     pub colors: usize,
 }
 
@@ -81,7 +82,7 @@ impl KnobCounts {
         things
     }
 
-    /// Those of `all` that are none of these.
+    /// Numbers of the knobs in `all` that are not among these.
     fn left_of(&self, all: &Self) -> Self {
         Self {
             lights: all.lights.saturating_sub(self.lights),
@@ -90,7 +91,7 @@ impl KnobCounts {
         }
     }
 
-    /// As people say it: `1 light, 2 profiles and 7 colors`; nothing where there are none.
+    /// Description for people: `1 light, 2 profiles and 7 colors`; `None` without any knob.
     pub fn told(&self) -> Option<String> {
         let each = [(self.lights, "light"), (self.profiles, "profile"), (self.colors, "color")];
         let mut named: Vec<String> = each
@@ -103,37 +104,37 @@ impl KnobCounts {
     }
 }
 
-/// One thing that is another than it was.
+/// One part of the look that has changed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Changed {
-    /// `light`, `profile` or `color`.
+    /// Kind of the part: `light`, `profile` or `color`.
     pub what: &'static str,
-    /// The light's id, the node, or the input.
+    /// Place of the part: the light's id, the node, or the input.
     pub place: String,
-    /// What it was, as people read it; empty where it was not there.
+    /// Former setting as people read it; empty if the part is new.
     pub from: String,
-    /// What it is.
+    /// New setting as people read it.
     pub to: String,
 }
 
-/// A pixel that does not show what was painted.
+/// A pixel with its goal and the color that the look shows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct MissedPixel {
-    /// Column and row.
+    /// Column and row of the pixel.
     pub pixel: [u32; 2],
-    /// Straight RGB as painted.
+    /// Painted color, straight RGB.
     pub wished: [f64; 3],
-    /// Straight RGB as it is.
+    /// Color of the look, straight RGB.
     pub shown: [f64; 3],
-    /// The RMS of the three channels.
+    /// RMS of the three channels' differences.
     pub error: f64,
 }
 
-/// The error at which a picture of misses is at its brightest.
+/// Error that a picture of misses shows at its brightest.
 const BRIGHT: f64 = 0.1;
 
-/// Where a look misses what was painted: black where it does not, over red and yellow to white;
-/// transparent where nothing was compared.
+/// Picture of the errors of a look: black for none, over red and yellow to white; transparent where
+/// nothing was compared.
 pub fn picture_of(size: [u32; 2], misses: &[MissedPixel]) -> Picture {
     let mut rgba = vec![[0.0; 4]; size[0] as usize * size[1] as usize];
     for missed in misses {
@@ -147,7 +148,7 @@ pub fn picture_of(size: [u32; 2], misses: &[MissedPixel]) -> Picture {
     Picture { size, rgba }
 }
 
-/// A compared pixel.
+/// A compared pixel, with its weight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ComparedPixel {
     missed: MissedPixel,
@@ -156,22 +157,22 @@ pub(super) struct ComparedPixel {
 }
 
 impl ComparedPixel {
-    /// How far off it is, as much as it counts: the root of its sum of squared residuals.
+    /// Weighted distance of the pixel from its goal: the root of its sum of squared residuals.
     pub(super) fn miss(&self) -> f64 {
         (3.0 * self.weight).sqrt() * self.missed.error
     }
 }
 
-/// Every compared pixel.
+/// All compared pixels.
 pub(super) type ComparedPixels = Vec<ComparedPixel>;
 
-/// Those of them that were painted.
+/// The compared pixels that were painted.
 pub(super) fn painted(compared: &ComparedPixels) -> Vec<MissedPixel> {
     compared.iter().filter(|one| !one.is_rest).map(|one| one.missed).collect()
 }
 
 impl Report {
-    /// What became of the look of `shot`, from how far off it was and is.
+    /// The report on the look of `shot`, from its errors before and after the fit.
     pub(super) fn new(
         shot: &Shot<'_>,
         fitted: &Look,
@@ -187,7 +188,7 @@ impl Report {
         let mut worst: Vec<&ComparedPixel> = after.iter().filter(|one| !one.is_rest).collect();
         let compared = worst.len();
         let tried = KnobCounts::of(&turned);
-        // What a brush hardly touched, at the edge of a stroke, hardly counts.
+        // Pixels that a brush hardly touched, at the edge of a stroke, hardly count.
         worst.sort_by(|a, b| b.miss().total_cmp(&a.miss()));
         let worst = worst.into_iter().take(WORST).map(|one| one.missed).collect();
         Ok(Self {
@@ -208,18 +209,18 @@ impl Report {
 }
 
 impl Report {
-    /// Whether what was painted is hardly there: it is off by more than an eye passes over, or by
-    /// most of what it was.
+    /// True if the look hardly shows what was painted: it is off by more than an eye passes over,
+    /// or by most of its former error.
     pub fn is_far_off(&self) -> bool {
         self.after > FAR || self.after > 0.5 * FAR && self.after > HARDLY * self.before
     }
 
-    /// What there is to warn of, of a look that was there, or of layers from nothing.
+    /// Warnings about a fit, of an existing look or of layers from nothing.
     pub fn warnings(&self, from_nothing: bool) -> Vec<Diagnostic> {
         self.few_places().into_iter().chain(self.far_off(from_nothing)).collect()
     }
 
-    /// It does not show what was painted.
+    /// Warning that the look does not show what was painted.
     fn far_off(&self, from_nothing: bool) -> Option<Diagnostic> {
         let tried = self.tried.told().unwrap_or_else(|| "nothing".to_owned());
         let steps = |error: f64| format!("{:.0}/255", 255.0 * error);
@@ -243,7 +244,7 @@ impl Report {
         self.is_far_off().then_some(problem)
     }
 
-    /// More was turned than so few places can tell.
+    /// Warning that more was turned than so few places can determine.
     fn few_places(&self) -> Option<Diagnostic> {
         let Self { places, turned, compared, .. } = self;
         let message = format!(
@@ -263,7 +264,7 @@ impl Report {
     }
 }
 
-/// The cells that pixels lie in, of a picture that is cut into 32 by 32.
+/// Number of cells that pixels lie in, for a picture that is cut into 32 by 32 cells.
 fn places(size: [u32; 2], compared: &ComparedPixels) -> usize {
     let cell = |pixel: [u32; 2]| {
         [0, 1].map(|axis| u64::from(pixel[axis]) * CELLS / u64::from(size[axis].max(1)))
@@ -271,7 +272,7 @@ fn places(size: [u32; 2], compared: &ComparedPixels) -> usize {
     compared.iter().map(|one| cell(one.missed.pixel)).collect::<HashSet<_>>().len()
 }
 
-/// How far the look of `shot` is off as it is.
+/// Comparison of the look of `shot` with the goals, as it is.
 pub(super) fn compared_as_is(
     shot: &Shot<'_>,
     given: &[PixelGoal],
@@ -281,7 +282,7 @@ pub(super) fn compared_as_is(
     compared(&model, &wishes, &[]).map_err(|one| vec![one])
 }
 
-/// How far a model is off at each of its pixels.
+/// Comparison of a model with the goals, at each of its pixels.
 pub(super) fn compared(
     model: &Model,
     wishes: &[PixelGoal],
@@ -296,7 +297,7 @@ pub(super) fn compared(
     Ok(wishes.iter().zip(colors).map(missed).collect())
 }
 
-/// The RMS of what was painted, or of the rest; `None` where there is none.
+/// RMS of the painted pixels, or of the rest; `None` if there are none.
 fn rms(compared: &ComparedPixels, of_rest: bool) -> Option<f64> {
     let chosen = compared.iter().filter(|one| one.is_rest == of_rest);
     let (sum, weight) = chosen.fold((0.0, 0.0), |(sum, total), one| {

@@ -1,9 +1,9 @@
-//! What nobody painted: it stays as the look shows it, as far as that is asked for.
+//! Unpainted pixels: they stay as the look shows them, as far as the options ask for.
 //!
-//! Two strokes have all lights and colors of a look for themselves, and what is between them
-//! becomes what it will. So pixels of the rest wish to stay. All together they count in proportion
-//! to what is painted, however large either is; close to a stroke they count less, for light that
-//! falls on a place goes out around it.
+//! Two strokes alone have all lights and colors of a look to themselves, and the look between them
+//! could become anything. So pixels of the rest are given goals to stay as they are. All together
+//! they count in proportion to the painted ones, however many either are; close to a stroke they
+//! count less, for light that falls on a place spreads around it.
 
 use std::collections::HashSet;
 
@@ -12,31 +12,30 @@ use super::model::{Model, Shot};
 use super::target::{PixelGoal, Target};
 use crate::diag::Diagnostic;
 
-/// As many pixels tell of what was not painted.
+/// Number of unpainted pixels that are given goals.
 const MOST: usize = 768;
-/// Pixels of a picture that they are chosen from.
+/// Number of pixels of a picture that they are chosen from.
 const MOST_SEEN: usize = 65_536;
-/// Where the rest is kept wholly, something that moves it as much as what is painted is held back
-/// by this part.
+/// Share by which a change is held back that moves painted pixels and a fully kept rest alike.
 const WHOLLY: f64 = 0.8;
-/// So far from a stroke the rest counts as much as it does anywhere, in parts of the picture's
-/// height.
+/// Distance from a stroke beyond which the rest counts fully, in parts of the picture's height.
 const REACH: f64 = 0.1;
 
-/// What nobody painted.
+/// Goals of the unpainted pixels.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rest {
-    /// Pixels that are to stay, with what they show.
+    /// Goals of the pixels that are to stay: the colors that they show.
     pub(super) wishes: Vec<PixelGoal>,
-    /// Of the object, the part that was not painted, from 0 to 1.
+    /// Share of the object that was not painted, from 0 to 1.
     pub(super) share: f64,
 }
 
 impl Rest {
-    /// The rest of what `target` wishes, kept by so much: 0 lets it go, 1 keeps it wholly.
+    /// The unpainted pixels of `target`, kept to the degree `kept`: 0 lets them go, 1 keeps them
+    /// fully.
     ///
     /// # Errors
-    /// What is wrong with the look, and what the interpreter cannot run.
+    /// Problems of the look, and shaders that the interpreter cannot run.
     pub(super) fn new(
         shot: &Shot<'_>,
         target: &Target,
@@ -74,7 +73,7 @@ impl Rest {
     }
 }
 
-/// How far a pixel is from all strokes: 0 beside one, 1 where it is none of their business.
+/// Distance of a pixel from all strokes: 0 beside a stroke, 1 beyond the strokes' reach.
 fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     let reach = REACH * f64::from(target.size[1]);
     let squared = |wish: &PixelGoal| {
@@ -84,12 +83,12 @@ fn away([x, y]: [u32; 2], target: &Target) -> f64 {
     };
     let nearest = target.wishes.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt();
     let part = (nearest / reach.max(1.0)).min(1.0);
+    // A smooth step, so that the weight of the rest has no visible edge.
     part * part * (3.0 - 2.0 * part)
 }
 
-/// How much the rest counts against what is painted, all together. Where all of a look moves as
-/// one, its optimum is then nearer to the rest by an even share of the way with every step of
-/// `kept`.
+/// Weight of the rest against the painted pixels, all together. If all of a look moves as one, each
+/// step of `kept` then moves its optimum toward the rest by an equal share of the way.
 fn share_of(kept: f64) -> f64 {
     let held = WHOLLY * kept.clamp(0.0, 1.0);
     held / (1.0 - held)
@@ -99,8 +98,8 @@ fn share_of(kept: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Something that moves strokes and rest alike, of which strokes wish 1 and the rest 0: the
-    /// least of (1 - x)^2 + s x^2.
+    /// A value `x` that moves strokes and rest alike, with the goals 1 and 0: the minimum of (1 -
+    /// x)^2 + s x^2.
     #[test]
     fn every_step_holds_an_even_share() {
         for step in 0..=10 {

@@ -1,62 +1,62 @@
 //! Damped least squares (Levenberg 1944, Marquardt 1963) on derivatives by finite differences,
 //! within bounds.
 //!
-//! Coordinates that stand at a bound, and that would leave it, are held for the step. Columns of
-//! the Jacobian are computed side by side on all cores; each is a number of its own, so that the
-//! result is the same on any number.
+//! Coordinates at a bound that a step would leave are held for the step. Columns of the Jacobian
+//! are computed side by side on all cores; each is independent of the others, so that the result is
+//! the same on any number of cores.
 
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
-/// The step of finite differences: an f64 has seven digits left for the derivative.
+/// Step of finite differences: it leaves seven digits of an f64 for the derivative.
 const STEP: f64 = 1e-6;
-/// How often a step may be shortened.
+/// Number of times a step may be shortened.
 const TRIES: usize = 8;
 
-/// Something whose residuals are to be small.
+/// A problem of least squares: residuals that depend on a point.
 pub(super) trait Problem: Sync {
-    /// What is changed.
+    /// The unknowns of the problem.
     type Point: Clone + Send + Sync;
 
-    /// How far a point may go along each coordinate, down and up.
+    /// Room of a point along each coordinate, down and up.
     fn room(&self, point: &Self::Point) -> Vec<[f64; 2]>;
 
-    /// A point that is so far away along each coordinate.
+    /// The point moved by `by` along each coordinate.
     fn moved(&self, point: &Self::Point, by: &[f64]) -> Result<Self::Point, Diagnostic>;
 
-    /// How far it is off, everywhere.
+    /// Residuals at a point.
     fn residuals(&self, point: &Self::Point) -> Result<Vec<f64>, Diagnostic>;
 
-    /// For how many steps a slope is carried along, by what the steps show of it, before it is
-    /// taken anew.
+    /// Number of steps that a Jacobian is updated for, by the changes that the steps show, before
+    /// it is computed anew.
     fn patience(&self) -> usize;
 }
 
-/// Where the descent came to.
+/// Result of a descent.
 #[derive(Clone, Debug)]
 pub(super) struct Minimum<P> {
     pub(super) point: P,
-    /// The sum of squared residuals.
+    /// Sum of squared residuals.
     pub(super) error: f64,
 }
 
-/// When to end.
+/// Conditions that end a descent.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StopRule {
-    /// So many steps.
+    /// Largest number of steps.
     pub(super) steps: usize,
-    /// A sum of squares that is small enough.
+    /// Sum of squared residuals that is small enough.
     pub(super) error: f64,
 }
 
 /// Descends from `start`.
 ///
-/// Once it is stopped, it is where it has come to.
+/// A stopped descent returns the point that it has reached.
 ///
 /// # Errors
-/// What cannot be evaluated.
+/// Points that cannot be evaluated.
 pub(super) fn descend<P: Problem>(
     problem: &P,
     start: P::Point,
@@ -95,25 +95,27 @@ pub(super) fn descend<P: Problem>(
                 break;
             }
             damping *= 5.0;
-            // A slope that was carried along misled: it is taken anew.
+            // A Jacobian that was updated over several steps misled: it is computed anew.
             if age > 0 {
                 break;
             }
         }
         age += 1;
+        // No step along a fresh Jacobian is better: the point is a minimum.
         if error >= before && age == 1 {
             break;
         }
-        // A slope serves while it leads down well.
+        // A Jacobian serves as long as it leads down well.
         if error > 0.5 * before || age > problem.patience() {
             columns.clear();
         }
+        // Three steps in a row that gain next to nothing end the descent.
         slow = if error > 0.999 * before { slow + 1 } else { 0 };
     }
     Ok(Minimum { point, error })
 }
 
-/// What is said of a fit that was stopped before it came any nearer.
+/// Error of a fit that was stopped before it came nearer.
 pub(super) fn stopped() -> Diagnostic {
     Diagnostic::error("stopped", "the fit was stopped before it came nearer")
 }
@@ -122,7 +124,7 @@ fn squared(residuals: &[f64]) -> f64 {
     residuals.iter().map(|r| r * r).sum()
 }
 
-/// What a step has shown of the slope along it (Broyden 1965).
+/// Updates the Jacobian by the change of residuals along a step (Broyden 1965).
 fn bring_up_to_date(columns: &mut [Vec<f64>], by: &[f64], before: &[f64], after: &[f64]) {
     let length: f64 = by.iter().map(|x| x * x).sum();
     if length <= 0.0 {
@@ -142,7 +144,7 @@ fn jacobian<P: Problem>(
     residuals: &[f64],
 ) -> Result<Vec<Vec<f64>>, Diagnostic> {
     let column = |index: usize| {
-        // Where there is no room above, the difference is taken below.
+        // A coordinate without room above is differentiated downward.
         let step = if room[index][1] < STEP { -STEP } else { STEP };
         let mut by = vec![0.0; room.len()];
         by[index] = step;
@@ -154,9 +156,9 @@ fn jacobian<P: Problem>(
 
 /// The normal equations of one step.
 struct Normal {
-    /// Of the columns with each other.
+    /// Products of the columns with each other.
     products: Vec<Vec<f64>>,
-    /// Down the slope.
+    /// Descent direction: products of the columns with the negative residuals.
     slope: Vec<f64>,
 }
 
@@ -170,7 +172,7 @@ impl Normal {
         }
     }
 
-    /// The step under a damping, within the room.
+    /// The step with a damping, within the room.
     fn step(&self, damping: f64, room: &[[f64; 2]]) -> Vec<f64> {
         let count = self.slope.len();
         let mut held: Vec<Option<f64>> = (0..count)
@@ -181,7 +183,8 @@ impl Normal {
                 (is_flat || leaves).then_some(0.0)
             })
             .collect();
-        // What leaves its range goes to the bound, and the others make up for it.
+        // A coordinate that would leave its range goes to the bound, and the others make up for
+        // that.
         for _ in 0..=count {
             let step = self.free_step(damping, &held);
             let beyond =
@@ -218,8 +221,8 @@ impl Normal {
 }
 
 /// Solves a symmetric, positive system by Cholesky's method; the result takes the place of `right`.
-/// What has no weight gets 0. The systems here have a few rows and are solved hundreds of thousands
-/// of times, where a library of large matrices spends its time on being called.
+/// Unknowns without weight get 0. The systems here have a few rows and are solved hundreds of
+/// thousands of times; a library of large matrices would spend its time on calls.
 pub(super) fn solve_in_place(matrix: &mut [Vec<f64>], right: &mut [f64]) {
     let count = right.len();
     for i in 0..count {
@@ -227,7 +230,7 @@ pub(super) fn solve_in_place(matrix: &mut [Vec<f64>], right: &mut [f64]) {
             let known: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
             let rest = matrix[i][j] - known;
             matrix[i][j] = if i == j {
-                // A row that others explain wholly, but for rounding.
+                // Other rows explain this row wholly, except for rounding.
                 if rest > 1e-14 * matrix[i][i].abs() { rest.sqrt() } else { f64::INFINITY }
             } else {
                 rest / matrix[j][j]
@@ -283,7 +286,7 @@ mod tests {
             let found = descend(&valley, [-1.2, 1.0], until, &Progress::new()).unwrap();
             assert!(found.point.iter().all(|x| (x - 1.0).abs() < 1e-6), "{found:?}");
         }
-        // With x and y at most 1/2 the least is at x = 1/2, y = 1/4.
+        // With x and y at most 1/2 the minimum is at x = 1/2, y = 1/4.
         let found =
             descend(&Valley { high: 0.5, patience: 0 }, [-1.2, 0.4], until, &Progress::new())
                 .unwrap();

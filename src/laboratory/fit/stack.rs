@@ -1,7 +1,7 @@
-//! Light layers one over the other, whose best colors are known for any tones.
+//! Stacks of light layers, one over the other, whose best colors are known for any tones.
 //!
 //! A layer mixes its color over what is below by its tone, or adds it; so the picture is a sum of
-//! the colors of base and layers, each times a factor that is made of tones. For given tones the
+//! the colors of base and layers, each multiplied by a factor made of tones. For given tones the
 //! best colors are a small linear least squares problem within 0 and 1 for each channel.
 
 use std::sync::Arc;
@@ -15,14 +15,14 @@ use super::state::Setting;
 use super::target::PixelGoal;
 use crate::diag::Diagnostic;
 
-/// As many layers as are laid.
+/// Largest number of layers.
 pub(super) const MAX_LAYERS: usize = 7;
-/// Base and layers.
+/// Largest number of colors: base and layers.
 const MOST: usize = MAX_LAYERS + 1;
-/// A channel that is wished as bright as this may be meant brighter.
+/// Channel value from which a goal may be meant brighter.
 const SATURATED: f64 = 0.998;
 
-/// How a layer is laid over what is below.
+/// Mode of a layer over what is below.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mode {
     Alpha,
@@ -30,7 +30,7 @@ pub(super) enum Mode {
 }
 
 impl Mode {
-    /// As documents say it.
+    /// Word for the mode in documents.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Alpha => "alpha",
@@ -39,7 +39,7 @@ impl Mode {
     }
 }
 
-/// A layer with its tone at the pixels that are looked at.
+/// A layer with its tone at the pixels of a search.
 #[derive(Clone, Debug)]
 pub(super) struct Layer {
     pub(super) lit: Lit,
@@ -53,30 +53,30 @@ pub(super) struct Search {
     /// The normal and the mirrored view at each pixel.
     surface: Vec<[DVec3; 2]>,
     wishes: Vec<PixelGoal>,
-    /// How much a hard profile counts as an error of its own, an RMS of a channel.
+    /// Error that a hard profile counts as, as an RMS of a channel.
     soft: f64,
 }
 
 impl Search {
-    /// At these places among all pixels.
+    /// A search at the indices `chosen` among all pixels.
     pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[PixelGoal], chosen: &[usize]) -> Self {
         let surface = chosen.iter().map(|&index| surface[index]).collect();
         Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect(), soft: 0.0 }
     }
 
-    /// The same, with profiles that are to be broad where that costs less than `soft`, an RMS of a
-    /// channel.
+    /// The search with a preference for broad profiles where that costs less than `soft`, an RMS of
+    /// a channel.
     #[must_use]
     pub(super) fn softly(self, soft: f64) -> Self {
         Self { soft, ..self }
     }
 
-    /// The same at no more than so many pixels.
+    /// The search at no more than `most` of its pixels.
     pub(super) fn thinned(&self, most: usize) -> Self {
         Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most)).softly(self.soft)
     }
 
-    /// Whether a channel is as bright as can be wished somewhere, where sums may have been cut off.
+    /// True if a goal is as bright as a channel can be, so that sums may have been cut off.
     pub(super) fn is_cut_off(&self) -> bool {
         self.wishes.iter().any(|wish| wish.color.iter().any(|channel| *channel >= SATURATED))
     }
@@ -90,12 +90,12 @@ impl Search {
         self.surface.iter().map(|directions| lit.tone(directions[which])).collect()
     }
 
-    /// The same layers at this search's pixels.
+    /// The layers with their tones at this search's pixels.
     pub(super) fn taken_over(&self, layers: &[Layer]) -> Vec<Layer> {
         layers.iter().map(|layer| Layer { tone: self.tone(&layer.lit), ..layer.clone() }).collect()
     }
 
-    /// The sum of squared residuals that is an RMS of `enough` in a channel.
+    /// The sum of squared residuals that corresponds to an RMS of `enough` in a channel.
     pub(super) fn error_of(&self, enough: f64) -> f64 {
         3.0 * enough * enough * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()
     }
@@ -118,7 +118,7 @@ impl Search {
         (0..count).map(|part| channels.map(|channel| channel[part])).collect()
     }
 
-    /// How far off each channel of each pixel is with the best colors.
+    /// Weighted differences of each channel of each pixel, with the best colors.
     pub(super) fn misses(&self, layers: &[Layer]) -> Vec<f64> {
         let colors = self.colors(layers);
         let mut misses = Vec::with_capacity(3 * self.wishes.len());
@@ -136,13 +136,14 @@ impl Search {
         misses
     }
 
-    /// The sum of their squares, with what hard profiles count.
+    /// The sum of the squared differences, with the error that hard profiles count as.
     pub(super) fn error(&self, layers: &[Layer]) -> f64 {
         let misses: f64 = self.misses(layers).iter().map(|miss| miss * miss).sum();
         misses + self.hardness(layers).iter().map(|hard| hard * hard).sum::<f64>()
     }
 
-    /// What each profile counts for as an error of its own; nothing where none is to be soft.
+    /// Error that each profile's hardness counts as; empty if the search has no preference for soft
+    /// ones.
     fn hardness(&self, layers: &[Layer]) -> Vec<f64> {
         if self.soft <= 0.0 {
             return Vec::new();
@@ -152,7 +153,7 @@ impl Search {
     }
 }
 
-/// What the colors of base and layers are multiplied with at a pixel.
+/// Factors of the colors of base and layers at a pixel.
 fn factors(layers: &[Layer], pixel: usize) -> [f64; MOST] {
     let mut factors = [0.0; MOST];
     factors[0] = 1.0;
@@ -184,7 +185,8 @@ impl Sums {
         }
     }
 
-    /// The best numbers within 0 and 1: what would leave is held at its bound, one after the other.
+    /// The best colors within 0 and 1: those that would leave this range are held at its bounds,
+    /// one after the other.
     fn solve(&self, count: usize) -> [f64; MOST] {
         let product = |i: usize, j: usize| self.products[i.max(j)][i.min(j)];
         let mut held: [Option<f64>; MOST] = [None; MOST];

@@ -1,34 +1,34 @@
-//! What is turned to come closer: settings with coordinates that have room in both directions.
+//! State of a fit: settings of the knobs, with coordinates that have room in both directions.
 
 use std::f64::consts::PI;
 
 use glam::DVec3;
 
-/// The least distance of a fall-off from its offset, as a share of the way to the cut-off.
+/// Least distance of a fall-off from its offset, as a share of the way to the cut-off.
 const LEAST_SHARE: f64 = 0.02;
-/// The greatest offset: at pi a profile is ambient, and neither its light nor its ends mean
-/// anything.
+/// Greatest offset: at pi a profile is ambient, and neither its light nor its ends have any effect.
 const MAX_OFFSET: f64 = PI - 0.01;
 
-/// A profile that goes from 1 to 0 over so many radians is as soft as any.
+/// Width from 1 to 0 from which a profile counts as soft, in radians.
 const BROAD: f64 = 1.0;
-/// Fall-offs between these shares of the way to the cut-off make neither end of a profile hard.
+/// Range of the fall-off, as a share of the way to the cut-off, in which neither end of a profile
+/// is hard.
 const EASY: [f64; 2] = [0.3, 0.8];
 
 /// A profile by coordinates that cannot come out of order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shape {
-    /// In radians.
+    /// Angle up to which the profile is 1, in radians.
     pub(super) offset: f64,
-    /// From the offset to the cut-off, in radians.
+    /// Distance from the offset to the cut-off, in radians.
     pub(super) width: f64,
-    /// Where between the two the fall-off lies: 0 at the offset, 1 at the cut-off.
+    /// Place of the fall-off between the two: 0 at the offset, 1 at the cut-off.
     pub(super) share: f64,
 }
 
 impl Shape {
-    /// From an artist's offset, fall-off and cut-off in radians, brought into order as the Profile
-    /// node does.
+    /// A profile from an artist's offset, fall-off and cut-off in radians, brought into order as
+    /// the Profile node does.
     pub(super) fn new([offset, falloff, cutoff]: [f64; 3]) -> Self {
         let offset = offset.clamp(0.0, PI);
         let width = cutoff.clamp(offset, PI) - offset;
@@ -36,7 +36,7 @@ impl Shape {
         Self { offset, width, share: share.clamp(LEAST_SHARE, 1.0) }
     }
 
-    /// Offset, fall-off and cut-off in radians.
+    /// Offset, fall-off and cut-off, in radians.
     pub(super) fn ends(&self) -> [f64; 3] {
         [self.offset, self.offset + self.share * self.width, self.offset + self.width]
     }
@@ -55,18 +55,18 @@ impl Shape {
         ]
     }
 
-    /// How far it is from being broad and soft: 0 where it is, 1 or more at a spot and with a hard
-    /// edge.
+    /// Distance of the profile from broad and soft ones: 0 for these, 1 or more for a spot and for
+    /// a hard edge.
     pub(super) fn hardness(&self) -> f64 {
         let narrow = (1.0 - self.width / BROAD).max(0.0);
-        // It falls steeply at its offset, or at its cut-off.
+        // The profile is hard at its offset, or at its cut-off.
         let early = (1.0 - self.share / EASY[0]).max(0.0);
         let late = ((self.share - EASY[1]) / (1.0 - EASY[1])).max(0.0);
         narrow + early + late
     }
 
-    /// The same with a soft edge, which tells from afar where it should be: a hard one is felt in
-    /// its own pixels alone.
+    /// The profile with a soft edge, which influences pixels from afar and so shows where the edge
+    /// should be: a hard edge influences its own pixels alone.
     pub(super) fn softened(&self, width: f64) -> Self {
         let grown = (width - self.width).max(0.0);
         let offset = (self.offset - 0.5 * grown).max(0.0);
@@ -74,19 +74,19 @@ impl Shape {
     }
 }
 
-/// One thing that is turned.
+/// Setting of one knob.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Setting {
-    /// Toward a light, unit, in the light's own frame.
+    /// Unit direction toward a light, in the light's own frame.
     Direction(DVec3),
     /// A profile.
     Profile(Shape),
-    /// Straight RGB in the look's color space.
+    /// Straight RGB, in the look's color space.
     Color([f64; 3]),
 }
 
 impl Setting {
-    /// How many coordinates it has.
+    /// Number of coordinates of the setting.
     pub(super) fn count(&self) -> usize {
         match self {
             Self::Direction(_) => 2,
@@ -94,7 +94,8 @@ impl Setting {
         }
     }
 
-    /// A step of so much along each coordinate, in radians for angles, kept within its range.
+    /// The setting moved by `by` along each coordinate, in radians for angles, kept within its
+    /// range.
     pub(super) fn moved(&self, by: &[f64]) -> Self {
         match self {
             Self::Direction(direction) => Self::Direction(turned(*direction, [by[0], by[1]])),
@@ -105,11 +106,11 @@ impl Setting {
         }
     }
 
-    /// How far it may go along each coordinate, down and up.
+    /// Room of the setting along each coordinate, down and up.
     pub(super) fn room(&self) -> Vec<[f64; 2]> {
         match self {
             Self::Direction(_) => vec![[-0.5, 0.5]; 2],
-            // Far steps trust a straight line too long.
+            // Longer steps would trust the linear approximation too far.
             Self::Profile(shape) => {
                 shape.room().map(|[low, high]| [low.max(-0.5), high.min(0.5)]).to_vec()
             }
@@ -118,7 +119,7 @@ impl Setting {
     }
 }
 
-/// A direction turned by so many radians along two directions across it.
+/// A direction turned by two angles, in radians, along two directions across it.
 pub(super) fn turned(direction: DVec3, by: [f64; 2]) -> DVec3 {
     let across = direction.any_orthonormal_pair();
     let step = across.0 * by[0] + across.1 * by[1];

@@ -1,4 +1,4 @@
-//! What is wished: colors of some pixels of a picture.
+//! Target of a fit: colors that some pixels of a picture should show.
 
 use std::io::Cursor;
 
@@ -6,34 +6,34 @@ use image::{DynamicImage, ImageDecoder as _, Limits};
 
 use crate::diag::Diagnostic;
 
-/// The largest side of a painted picture, in pixels.
+/// Largest side of a painted picture, in pixels.
 pub const MAX_SIDE: u32 = 8192;
 
-/// What one pixel should show.
+/// Color that one pixel should show.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelGoal {
-    /// Column and row.
+    /// Column and row of the pixel.
     pub pixel: [u32; 2],
     /// Straight RGB as shown (sRGB-encoded), 0 to 1.
     pub color: [f64; 3],
-    /// How much it counts, above 0.
+    /// Weight of the pixel, above 0.
     pub weight: f64,
-    /// Nobody painted it: it is what the look shows there, and is to stay.
+    /// True for an unpainted pixel, which is to keep the color that the look shows.
     pub is_rest: bool,
 }
 
-/// A painted picture: wishes for some of its pixels.
+/// A painted picture: goals for some of its pixels.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Target {
-    /// Width and height in pixels.
+    /// Width and height, in pixels.
     pub size: [u32; 2],
-    /// Each pixel at most once.
+    /// Goals of pixels, each pixel at most once.
     pub wishes: Vec<PixelGoal>,
 }
 
 impl Target {
-    /// Straight RGBA, rows from the top: alpha is how much a pixel counts, and where it is 0
-    /// nothing is wished.
+    /// The target of a picture in straight RGBA, rows from the top: alpha is the weight of a pixel,
+    /// and a pixel with alpha 0 has no goal.
     pub fn from_rgba8(size: [u32; 2], rgba: &[u8]) -> Self {
         let channel = |byte: u8| f64::from(byte) / 255.0;
         let wishes = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(
@@ -47,10 +47,11 @@ impl Target {
         Self { size, wishes: wishes.collect() }
     }
 
-    /// Reads a PNG: see [`from_rgba8`](Self::from_rgba8).
+    /// Reads a target from a PNG: see [`from_rgba8`](Self::from_rgba8).
     ///
     /// # Errors
-    /// `fit-target`: it is no PNG, is broken, is larger than [`MAX_SIDE`], or wishes nothing.
+    /// `fit-target`: the bytes are no PNG, are broken, or hold a picture that is larger than
+    /// [`MAX_SIDE`] or has no painted pixel.
     pub fn from_png(bytes: &[u8]) -> Result<Self, Diagnostic> {
         let problem = |message: String| Diagnostic::error("fit-target", message);
         let broken = |error: image::ImageError| {

@@ -1,4 +1,4 @@
-//! A look that is there: its lights, profiles and colors are turned until it shows what was
+//! Fit of an existing look: its lights, profiles and colors are turned until it shows what was
 //! painted.
 
 use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
@@ -16,28 +16,28 @@ use crate::frame::Setup;
 use crate::library::Library;
 use crate::progress::Progress;
 
-/// Quads of pixels that are looked at.
+/// Number of pixel quads that a descent looks at.
 const QUADS: usize = 96;
-/// Quads that stand for all, where not all that is wished can be had.
+/// Number of evenly spread quads that stand for all, for goals that cannot all be met.
 const EVEN_QUADS: usize = 128;
-/// Steps at those.
+/// Number of steps at the evenly spread quads.
 const EVEN_STEPS: usize = 12;
-/// Steps of a beginning.
+/// Number of steps from each starting point.
 const FIRST_STEPS: usize = 10;
-/// Beginnings that go on.
+/// Number of starting points whose descent goes on.
 const GOING_ON: usize = 2;
-/// How often a look that is near is turned at other pixels.
+/// Number of times a look that is near is turned at other pixels.
 const ROUNDS: usize = 5;
-/// Radians that a soft edge is wide.
+/// Width of a soft edge, in radians.
 const SOFT: f64 = 0.6;
 
-/// Turns look number `look` of `setup` until it shows what `target` wishes. Its nodes and wires
+/// Turns look number `look` of `setup` until it shows the goals of `target`. Its nodes and wires
 /// stay as they are.
 ///
 /// # Errors
-/// `fit-nothing` where the look has nothing that could be turned; `fit-target` where no painted
-/// pixel can be compared; `stopped` where it was stopped before it came nearer, else the nearest
-/// that it had come to is what was fitted; what is wrong with the setup.
+/// `fit-nothing` if the look has no knobs; `fit-target` if no painted pixel can be compared;
+/// `stopped` if the fit was stopped before it came nearer, while a fit stopped later returns the
+/// nearest look so far; problems of the setup.
 pub fn fit_look(
     setup: &Setup,
     look: usize,
@@ -79,7 +79,7 @@ pub fn fit_look(
         best.offer(&model, &wishes, far.point).map_err(one)?;
     }
     if best.error > error_of(&wishes, options.enough) {
-        // Not all of it can be had, and what is farthest off must not have its way alone.
+        // Not all goals can be met, and the pixels that are farthest off must not decide alone.
         let even = Painted::new(&model, &wishes, &model.even(EVEN_QUADS));
         let until =
             StopRule { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
@@ -97,7 +97,7 @@ pub fn fit_look(
         if is_stopped {
             return Err(vec![stopped()]);
         }
-        // What is written in numbers that people read is no nearer: it stays.
+        // The fit, written in numbers that people read, is no nearer: the look stays as it was.
         let report =
             Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
         let misses = painted_of(&before);
@@ -107,7 +107,7 @@ pub fn fit_look(
     let report =
         Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
     if is_stopped && report.changed.is_empty() {
-        // No nearer than rounding makes it.
+        // Rounding alone accounts for the gain.
         return Err(vec![stopped()]);
     }
     let edit = Edit::Group { edits: first.into_iter().chain(edits).collect() };
@@ -115,17 +115,17 @@ pub fn fit_look(
     Ok(FittedLook { edit, look: fitted, report, misses })
 }
 
-/// A look that was turned to where it is nearest.
+/// A look at the nearest minimum, after turning it at all painted pixels.
 pub(super) struct Polished {
     pub(super) look: Look,
-    /// What makes it of the look before.
+    /// Edits that make the look of the former one.
     pub(super) edits: Vec<Edit>,
-    /// How far off it is.
+    /// Comparison of the look with the goals.
     pub(super) after: ComparedPixels,
 }
 
-/// Turns a look that is near downhill at all painted pixels; its profiles are to be broad where
-/// that costs less than `soft`, an RMS of a channel.
+/// Turns a look that is near further down at all painted pixels, with a preference for broad
+/// profiles where that costs less than `soft`, an RMS of a channel.
 ///
 /// # Errors
 /// As [`fit_look`].
@@ -142,7 +142,7 @@ pub(super) fn polished(
     let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
     let mut is_even = false;
     for _ in 0..ROUNDS {
-        // What is painted in eight bits is off by a third of a step.
+        // Colors painted in eight bits are off by a third of a step.
         if best.error <= error_of(&wishes, 0.4 / 255.0) || progress.is_stopped() {
             break;
         }
@@ -155,8 +155,8 @@ pub(super) fn polished(
         let next = descend(&painted, best.state.clone(), until, progress).map_err(one)?.point;
         best.offer(&model, &wishes, next).map_err(one)?;
         if best.error > 0.95 * before {
-            // What is farthest off cannot be mended: then all of it counts alike, and after that no
-            // more is to be had.
+            // The error of the pixels that are farthest off cannot be reduced: now evenly spread
+            // pixels count alike, and if that does not help either, the fit ends.
             if is_even {
                 break;
             }
@@ -165,19 +165,19 @@ pub(super) fn polished(
     }
     let state = best.state;
     let (look, edits) = applied(&model, &state, &shot.setup.looks[shot.look].look).map_err(one)?;
-    // As it is written, in numbers that people can read.
+    // The comparison uses the settings as they are written, in numbers that people can read.
     let written = knobs_of(&wearing(shot, look.clone()), shot.look, shot.library, &options.keep)?;
     let written: Vec<Setting> = written.into_iter().map(|(_, setting)| setting).collect();
     let after = compared(&model, &wishes, &written).map_err(one)?;
     Ok(Polished { look, edits, after })
 }
 
-/// What is nearest so far at all painted pixels, however few a descent looks at.
+/// The nearest settings so far at all painted pixels, however few a descent looks at.
 struct Nearest {
     state: Vec<Setting>,
-    /// The sum of squared residuals.
+    /// Sum of squared residuals.
     error: f64,
-    /// How far off each pixel is, as much as it counts.
+    /// Weighted distance of each pixel from its goal.
     missing: Vec<f64>,
 }
 
@@ -187,7 +187,7 @@ impl Nearest {
         Ok(Self { state, error: squares(&missing), missing })
     }
 
-    /// Takes another one if it is nearer.
+    /// Replaces these settings by others if those are nearer.
     fn offer(
         &mut self,
         model: &Model,
@@ -206,7 +206,7 @@ fn squares(missing: &[f64]) -> f64 {
     missing.iter().map(|miss| miss * miss).sum()
 }
 
-/// The look at the painted pixels, with where everything stands.
+/// The model of the look at the painted pixels, with the settings of its knobs.
 fn model(
     shot: &Shot<'_>,
     given: &[PixelGoal],
@@ -227,7 +227,7 @@ fn model(
     Ok((Model::new(shot, knobs, &pixels_of(given))?, begin))
 }
 
-/// A look with what is turned written into it, and the edits that do that.
+/// A look with settings written into it, and the edits that do that.
 fn applied(model: &Model, state: &[Setting], look: &Look) -> Result<(Look, Vec<Edit>), Diagnostic> {
     let mut turned = look.clone();
     let edits = edits(&model.knobs, state, look);
@@ -235,18 +235,18 @@ fn applied(model: &Model, state: &[Setting], look: &Look) -> Result<(Look, Vec<E
     Ok((turned, edits))
 }
 
-/// The sum of squared residuals that is an RMS of `enough` in a channel.
+/// The sum of squared residuals that corresponds to an RMS of `enough` in a channel.
 fn error_of(wishes: &[PixelGoal], enough: f64) -> f64 {
     3.0 * enough * enough * wishes.iter().map(|wish| wish.weight).sum::<f64>()
 }
 
-/// How far off each pixel is, as much as it counts.
+/// Weighted distance of each pixel from its goal.
 fn missing_of(compared: &ComparedPixels) -> Vec<f64> {
     compared.iter().map(ComparedPixel::miss).collect()
 }
 
-/// Where to begin: as it is, then with soft profiles, then also with the lights where most is
-/// missing.
+/// Starting points: the look as it is, then with soft profiles, then also with the lights where
+/// most is missing.
 fn starts(
     shot: &Shot<'_>,
     given: &[PixelGoal],
@@ -267,13 +267,14 @@ fn starts(
         let surface = Surface::new(shot, &pixels_of(given))?.directions;
         let mut order: Vec<usize> = (0..missing.len()).collect();
         order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
-        // Of the quarter of the pixels that are farthest off, by turns the normal and what a mirror
-        // would show there.
+        // Lights come, in turns, from the normal and from the mirrored view of one of the quarter
+        // of the pixels that are farthest off.
         let far = order.len() / 4 + 1;
         for start in 2..count {
             let mut next = start;
             let turned = |setting: &Setting| match setting {
                 Setting::Direction(_) => {
+                    // A large prime as the step spreads the lights over these pixels.
                     let pixel = order[next * 7919 % far];
                     next += count;
                     Setting::Direction(surface[pixel][start % 2])

@@ -1,4 +1,4 @@
-//! One document of a gallery: drawn, measured, taken apart.
+//! Entries of a gallery: one document each, drawn, measured and taken apart.
 
 use std::collections::BTreeMap;
 use std::collections::HashSet;
@@ -14,30 +14,30 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Renderer;
 
-/// Everything that a page tells.
+/// Content of one document's page.
 pub(super) struct Entry {
-    /// What the artist calls it.
+    /// The artist's name of the document.
     pub(super) name: String,
-    /// What it shows and how it is built.
+    /// Description of the picture and of how the document is built.
     pub(super) about: String,
-    /// Its file's name.
+    /// The document's file name.
     pub(super) file: String,
-    /// The picture.
+    /// The picture, as PNG.
     pub(super) png: Vec<u8>,
     pub(super) size: [u32; 2],
-    /// Every look that is worn, once.
+    /// Looks that objects wear, each once.
     pub(super) looks: Vec<Look>,
-    /// A module a look, by the look's name.
+    /// WGSL of each look, by the look's name.
     pub(super) shaders: Vec<(String, String)>,
     pub(super) passes: Vec<Pass>,
-    /// How often the looks use each kind of node.
+    /// Number of uses of each kind of node in the looks.
     pub(super) kinds: BTreeMap<String, usize>,
-    /// Costs and errors, where they were asked for.
+    /// Costs and errors, if they were asked for.
     pub(super) report: Option<Report>,
     pub(super) triangles: usize,
 }
 
-/// A document as it is shown, with the plan of its picture.
+/// A document as it is drawn, with the plan of its picture.
 struct DocumentPlan {
     setup: Setup,
     options: PlanOptions,
@@ -46,7 +46,7 @@ struct DocumentPlan {
 }
 
 impl DocumentPlan {
-    /// Reads with `assets`, and keeps in them what was read.
+    /// Reads the document with `assets`, which keep what was read.
     fn new(
         shown: &GalleryDocument,
         library: &Library,
@@ -68,7 +68,7 @@ impl DocumentPlan {
     }
 }
 
-/// Hands over what a page is made of: what is drawn, and what the page says of it.
+/// Passes everything that a page is made of to `sink`: what is drawn, and the page's texts.
 pub(super) fn content(
     shown: &GalleryDocument,
     library: &Library,
@@ -143,7 +143,7 @@ async fn measure(
     Ok(bench(setup, library, renderer, &options, &Progress::new()).await?)
 }
 
-/// Looks that differ, in the order in which they are worn.
+/// Distinct looks, in the order in which objects wear them.
 fn looks(setup: &Setup) -> Vec<Look> {
     let mut looks: Vec<Look> = Vec::new();
     for worn in &setup.looks {
@@ -168,7 +168,7 @@ fn kinds(looks: &[Look]) -> BTreeMap<String, usize> {
     kinds
 }
 
-/// The document's name and paragraph: a scene's own, or those of the one look that was opened.
+/// The document's name and description: a scene's own, or those of the only look that was opened.
 fn told(shown: &GalleryDocument, setup: &Setup) -> (String, String) {
     let (mut name, mut about) = (setup.scene.name.clone(), setup.scene.about.clone());
     if let [only] = setup.looks.as_slice() {

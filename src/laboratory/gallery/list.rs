@@ -1,4 +1,4 @@
-//! What a gallery shows, in which order: a `gallery.json`, or what lies in folders.
+//! List of a gallery's documents and their order: a `gallery.json`, or the contents of folders.
 
 use std::path::{Path, PathBuf};
 
@@ -12,57 +12,58 @@ use crate::examples;
 use crate::files::read_text;
 use crate::frame::{Misplaced, SHAPE_PREFIX, place_camera, turn_lights};
 
-/// The file of a folder that says what its gallery shows.
+/// Name of the file in a folder that lists the documents of its gallery.
 pub const LIST_FILE: &str = "gallery.json";
-/// More entries than this are not read.
+/// Largest number of entries that are read.
 const MOST: usize = 2000;
 
-/// What a gallery shows.
+/// Documents of a gallery, in sections.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct List {
-    /// Above everything.
+    /// Title above all sections.
     pub title: String,
-    /// A paragraph below it.
+    /// Paragraph below the title.
     pub about: String,
-    /// In order.
+    /// Sections, in order.
     pub sections: Vec<Section>,
 }
 
 /// A row of pictures under a title.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
-    /// Its title.
+    /// Title of the section.
     pub title: String,
-    /// A paragraph below it.
+    /// Paragraph below the title.
     pub about: String,
-    /// In order.
+    /// Documents, in order.
     pub shown: Vec<GalleryDocument>,
 }
 
-/// A document, and on what it is shown.
+/// A document, and how it is shown: mesh, backdrop, name, camera, lights and time.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GalleryDocument {
-    /// A look or a scene.
+    /// Path of a look or a scene.
     pub file: PathBuf,
-    /// A mesh, named from the working folder, or an own shape for a look; the default one without.
+    /// A mesh, named from the working folder, or an own shape for a look; by default the look's
+    /// usual one.
     pub mesh: Option<String>,
-    /// What is behind it, straight RGBA in display colors; the document's own without.
+    /// Backdrop, straight RGBA in display colors; by default the document's own.
     pub backdrop: Option<[f64; 4]>,
-    /// What it is called here; as the document calls itself without.
+    /// Name in the gallery; by default the document's own.
     pub name: Option<String>,
-    /// From where, as [`place_camera`] reads it; from where the document's camera stands without.
+    /// Placement of the camera, as [`place_camera`] reads it; by default the document's own.
     pub camera: Option<String>,
-    /// How all lights are turned, as [`turn_lights`] reads it.
+    /// Turn of all lights, as [`turn_lights`] reads it; by default none.
     pub lights: Option<String>,
-    /// When, in seconds; at the document's first moment without.
+    /// Time of the picture, in seconds; by default the document's first moment.
     pub time: Option<f64>,
 }
 
 impl GalleryDocument {
-    /// Places a scene's camera and turns its lights as the list has them.
+    /// Places a scene's camera and turns its lights as the list says.
     ///
     /// # Errors
-    /// What cannot be read so.
+    /// A camera or lights that cannot be read so.
     pub(super) fn place(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
         let bad = |what: &str, wrong: Misplaced| {
             let message = format!("{what} of {} cannot be `{}`", self.file.display(), wrong.found);
@@ -78,7 +79,7 @@ impl GalleryDocument {
     }
 }
 
-/// `gallery.json`.
+/// JSON of a `gallery.json`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ListText {
@@ -112,8 +113,8 @@ struct EntryText {
     time: Option<f64>,
 }
 
-/// Entries are paths or say more; told apart here, so that what is wrong with one is told of its
-/// field.
+/// Entries, each a path or an object; told apart here and not by serde's untagged enums, so that an
+/// error names the field that is wrong.
 fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>, D::Error> {
     let entry = |entry: Json| {
         let more = if entry.is_string() { serde_json::json!({ "file": entry }) } else { entry };
@@ -122,21 +123,21 @@ fn entries_text<'de, D: Deserializer<'de>>(entries: D) -> Result<Vec<EntryText>,
     Vec::<Json>::deserialize(entries)?.into_iter().map(entry).collect()
 }
 
-/// What the program brings along, which needs no folder.
+/// List of the examples that the program brings along, which needs no folder.
 ///
 /// # Errors
-/// None, as a test holds.
+/// No errors, as a test makes sure.
 pub fn examples() -> Result<List, Vec<Diagnostic>> {
     let in_examples =
         |file: &Path| PathBuf::from(format!("{}{}", examples::PREFIX, file.display()));
     parsed(examples::GALLERY, Path::new(LIST_FILE), &in_examples).map_err(|one| vec![one])
 }
 
-/// What is shown of files and folders: a folder's `gallery.json` where it has one, else its looks
-/// and scenes by name, and those of the folders in it, a section a folder.
+/// The list of files and folders: a folder's `gallery.json` if it has one, else its looks and
+/// scenes by name, and those of the folders in it, a section each.
 ///
 /// # Errors
-/// Paths that are not there, a `gallery.json` that cannot be read, and where nothing is found.
+/// Paths that do not exist, a `gallery.json` that cannot be read, and a list without documents.
 pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     let mut all = List { title: "Gallery".to_owned(), ..List::default() };
     let mut own = Section::default();
@@ -217,7 +218,8 @@ fn read(file: &Path) -> Result<List, Diagnostic> {
     Ok(list)
 }
 
-/// The list that the text of `file` says; `place` tells where a file lies that it names.
+/// The list in `text`, the content of `file`; `place` tells the path of each file that the list
+/// names.
 fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<List, Diagnostic> {
     let list_file = file.display().to_string();
     let bad =
@@ -253,7 +255,7 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
             lights,
             time,
         };
-        // Tried here, so that what is wrong is told before anything is drawn.
+        // Placements are tried here, so that errors are told before anything is drawn.
         shown.place(&mut Scene::default()).map_err(|problem| problem.in_file(list_file.clone()))?;
         Ok(shown)
     };
@@ -265,7 +267,7 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     Ok(List { title: list.title, about: list.about, sections })
 }
 
-/// The documents right in a folder, by name.
+/// The documents in a folder itself, by name.
 fn documents(folder: &Path) -> Result<Vec<GalleryDocument>, Diagnostic> {
     let is_document = |path: &PathBuf| {
         let is_json =
@@ -290,7 +292,7 @@ fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
     Ok(found)
 }
 
-/// A folder's name as a title.
+/// A folder's name, as a title.
 fn name_of(folder: &Path) -> String {
     let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
     let name = whole
@@ -359,7 +361,7 @@ mod tests {
         let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
         assert!(problems[0].message.contains("`backdrp`"), "{problems:?}");
 
-        // A mesh of one's own lies beside the list.
+        // A mesh of the user's own lies beside the list.
         std::fs::write(&path, text.replace("shape:knot", "own.obj")).unwrap();
         let found = list(&[folder.path().to_path_buf()]).unwrap();
         let own = folder.path().join("own.obj").display().to_string();

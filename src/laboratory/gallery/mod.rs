@@ -1,9 +1,9 @@
-//! Looks and scenes as a web page: pictures, graphs, shaders, and what they cost.
+//! Galleries: looks and scenes as web pages with pictures, graphs, shaders, and costs.
 //!
-//! [`list`] says what is shown, [`build`] draws and measures one document after the other and
+//! [`list`] finds the documents, [`build`] draws and measures one document after the other and
 //! writes its page at once, so that a gallery of any length takes the memory of one picture. The
-//! pages are plain files: no scripts, nothing from elsewhere, dark or light as the reader's screen
-//! is.
+//! pages are plain files: no scripts, nothing loaded from elsewhere, dark or light as the reader's
+//! screen is.
 
 mod entry;
 pub mod list;
@@ -26,38 +26,38 @@ use crate::render::{Gpu, Renderer};
 use entry::Entry;
 pub use list::{GalleryDocument, List, Section};
 
-/// A page of a gallery is smaller, in bytes.
+/// Size that pages of a gallery stay below, in bytes.
 const MAX_PAGE_BYTES: u64 = 64 << 20;
 
-/// How a gallery is made.
+/// Options of a gallery.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {
-    /// Pixels of a picture.
+    /// Width and height of a picture, in pixels.
     pub size: [u32; 2],
     /// Samples a pixel: 1 or 4.
     pub samples: u32,
-    /// How often each tier is drawn to measure its time; 0 measures neither times nor errors.
+    /// Number of times each tier is drawn to measure its time; 0 measures neither times nor errors.
     pub rounds: usize,
     /// A mesh or an own shape in place of each document's own.
     pub mesh: Option<String>,
-    /// Where the nodes' documentation lies from the pages, such as `../nodes.md`; nothing is linked
-    /// without it.
+    /// Path of the nodes' documentation from the pages, such as `../nodes.md`; nothing is linked if
+    /// `None`.
     pub nodes: Option<String>,
 }
 
-/// What was made of a gallery.
+/// Result of building a gallery.
 #[derive(Debug, Default)]
 pub struct GalleryReport {
-    /// How many documents have a page.
+    /// Number of documents that have a page.
     pub pages: usize,
-    /// What was wrong with the others, and what is odd.
+    /// Problems of the documents without a page, and warnings.
     pub problems: Vec<Diagnostic>,
 }
 
-/// What a page says of its maker, by which it is known again.
+/// Tag that names the program as a page's maker, by which our own pages are recognized.
 const GENERATOR: &str = "<meta name=\"generator\" content=\"Chiaro\">";
 
-/// A page.
+/// Pages, as a kind of output file.
 const PAGE: OutputKind<'static> =
     OutputKind { name: "a page of a gallery", is_own: &is_page, has_seal: false };
 
@@ -65,13 +65,13 @@ fn is_page(bytes: &[u8]) -> bool {
     String::from_utf8_lossy(bytes).contains(GENERATOR)
 }
 
-/// Writes a gallery into `folder`, which is made where there is none. `library_for` finds the nodes
-/// that a document may use. A document that cannot be shown is left out and told of. A page comes
+/// Writes a gallery into `folder`, which is created if there is none. `library_for` finds the nodes
+/// that a document may use. A document that cannot be drawn is left out and reported. A page comes
 /// with its pictures, all at once.
 ///
 /// # Errors
-/// Where nothing can be written there, or a file of somebody else lies in the way, or `progress`
-/// stopped it: the pages that are done stay.
+/// A folder that cannot be written, a file of somebody else in the way, or `stopped` if `progress`
+/// was stopped: the finished pages stay.
 pub async fn build(
     list: &List,
     folder: &Path,
@@ -95,7 +95,8 @@ pub async fn build(
             let slug = order.next().unwrap_or_default();
             let library = library_for(&shown.file);
             made.problems.extend(library.problems.iter().cloned());
-            // A renderer of its own, or the pipelines and textures of all would be kept.
+            // Each document has a renderer of its own; a shared one would keep the pipelines and
+            // textures of all documents.
             let mut renderer = Renderer::new(gpu.with_own_store());
             match Entry::make(shown, &library, &mut renderer, options).await {
                 Ok(entry) => {
@@ -145,13 +146,12 @@ pub async fn build(
     Ok(made)
 }
 
-/// Hands over everything that decides on a document's page, but for times and errors and for the
-/// code that draws and writes: for those who keep what was shown by a hash of it. Reads with
-/// `assets`, which may be [drafts](Assets::draft) where the files of HCBTFs are kept account of
-/// otherwise.
+/// Passes to `sink` everything that decides on a document's page, except times, errors and the code
+/// that draws and writes; a caller can keep pages by a hash of these bytes. Reads with `assets`,
+/// which may be [drafts](Assets::draft) if the caller tracks the files of HCBTFs in another way.
 ///
 /// # Errors
-/// What is wrong with the document.
+/// Problems of the document.
 pub fn content(
     shown: &GalleryDocument,
     library: &Library,
@@ -162,8 +162,8 @@ pub fn content(
     entry::content(shown, library, options, assets, sink)
 }
 
-/// A page's name for each document in order, each used once: `index` and the like are taken by the
-/// gallery itself.
+/// Unique page names, one for each document in order: `index` and `style` are taken by the gallery
+/// itself.
 fn slugs(list: &List) -> Vec<String> {
     let mut taken: HashSet<String> = HashSet::from(["index".to_owned(), "style".to_owned()]);
     let all = list.sections.iter().flat_map(|section| &section.shown);
@@ -188,18 +188,18 @@ fn make_folder(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     })
 }
 
-/// Whether a gallery may be written into a folder, asked before anything is drawn. A page that is
-/// not ours stands for a folder that is not.
+/// Checks that a gallery may be written into a folder, before anything is drawn. A page that is not
+/// ours marks the folder as not ours.
 ///
 /// # Errors
-/// As [`Outputs::check`], and where `index.html` is somebody else's.
+/// As [`Outputs::check`], and an `index.html` of somebody else.
 pub fn check(list: &List, folder: &Path, outputs: &Outputs) -> Result<(), Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     let index = folder.join("index.html");
     let is_others = match files::read(&index, MAX_PAGE_BYTES) {
         Err(ReadError::Io(_)) => false,
         Ok(bytes) => !is_page(&bytes),
-        // What is too large to be a page of ours, or no file at all.
+        // The file is too large to be a page of ours, or is no file at all.
         Err(_) => true,
     };
     if is_others {
@@ -225,13 +225,13 @@ pub fn check(list: &List, folder: &Path, outputs: &Outputs) -> Result<(), Vec<Di
     Ok(())
 }
 
-/// Whether a picture is ours: it says so itself, or a page of ours shows it.
+/// True if a picture is ours: its own metadata tells, or a page of ours shows it.
 fn is_picture(bytes: &[u8], page: &Path) -> bool {
     let is_shown = || files::read(page, MAX_PAGE_BYTES).is_ok_and(|page| is_page(&page));
     (OutputKind::PICTURE.is_own)(bytes) || is_shown()
 }
 
-/// Whether a style is ours: it is as we write it, or lies beside a page of ours.
+/// True if a stylesheet is ours: equal to ours, or beside a page of ours.
 fn is_style(bytes: &[u8], index: &Path) -> bool {
     bytes == page::STYLE.as_bytes()
         || files::read(index, MAX_PAGE_BYTES).is_ok_and(|page| is_page(&page))

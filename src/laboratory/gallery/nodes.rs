@@ -1,5 +1,5 @@
-//! Pictures of nodes, for their documentation: the node as the canvas draws it, and what it gives
-//! on a sphere.
+//! Pictures of nodes, for their documentation: the node as the canvas draws it, and its output on a
+//! sphere.
 
 use std::path::{Path, PathBuf};
 
@@ -13,24 +13,24 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 
-/// Pixels of a side.
+/// Side of a picture, in pixels.
 pub const SIDE: u32 = 144;
 
-/// What is drawn of a kind of node.
+/// Pictures of one kind of node.
 #[derive(Debug)]
 pub struct NodePictures {
     /// The kind.
     pub kind: String,
-    /// The node, unwired.
+    /// Drawing of the unwired node, as SVG.
     pub svg: String,
-    /// What it gives on a sphere; `None` where nothing could be seen of it.
+    /// The node's output on a sphere; `None` if nothing of it can be seen.
     pub picture: Option<Picture>,
 }
 
-/// Draws every kind of a library and hands it to `done`, in the library's order.
+/// Draws every kind of a library and passes its pictures to `done`, in the library's order.
 ///
 /// # Errors
-/// What cannot be drawn, what `done` says, or that `progress` stopped it.
+/// Kinds that cannot be drawn, errors of `done`, or `stopped` if `progress` was stopped.
 pub async fn draw_nodes(
     library: &Library,
     gpu: &Gpu,
@@ -57,7 +57,7 @@ pub async fn draw_nodes(
     Ok(())
 }
 
-/// Whether pictures of every kind may be written into `folder`, asked before they are drawn.
+/// Checks that pictures of every kind may be written into `folder`, before they are drawn.
 ///
 /// # Errors
 /// As [`Outputs::check`].
@@ -73,11 +73,11 @@ pub fn check_nodes(library: &Library, folder: &Path, outputs: &Outputs) -> Resul
     })
 }
 
-/// Writes `KIND.svg` and `KIND.png` of every kind into `folder`, which is made where there is none;
-/// the two of a kind together.
+/// Writes `KIND.svg` and `KIND.png` of every kind into `folder`, which is created if there is none;
+/// the two files of a kind together.
 ///
 /// # Errors
-/// As [`draw_nodes`], and where nothing can be written, or files of others are in the way.
+/// As [`draw_nodes`], files that cannot be written, and files of others in the way.
 pub async fn write_nodes(
     library: &Library,
     folder: &Path,
@@ -103,12 +103,13 @@ pub async fn write_nodes(
     .await
 }
 
-/// The drawing and the picture of a kind.
+/// Paths of a kind's drawing and picture.
 fn files_of(folder: &Path, kind: &str) -> [PathBuf; 2] {
     ["svg", "png"].map(|ending| folder.join(format!("{kind}.{ending}")))
 }
 
-/// Whether a picture is one that lies beside our drawing of the same kind.
+/// True if a picture is ours: its own metadata tells, or our drawing of the same kind lies beside
+/// it.
 fn is_picture(bytes: &[u8], drawing: &Path) -> bool {
     let is_drawing = || std::fs::read(drawing).is_ok_and(|svg| (OutputKind::DRAWING.is_own)(&svg));
     (OutputKind::PICTURE.is_own)(bytes) || is_drawing()

@@ -1,4 +1,4 @@
-//! The pages' HTML.
+//! HTML of the pages.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use crate::catalog::Catalog;
 use crate::document::Look;
 use crate::drawing::{escaped, graph_svg};
 
-/// How all pages look.
+/// Stylesheet of all pages.
 pub(super) const STYLE: &str = include_str!("style.css");
 
 fn head(title: &str) -> String {
@@ -22,13 +22,13 @@ fn head(title: &str) -> String {
     )
 }
 
-/// A paragraph a blank line.
+/// The text as HTML; blank lines separate paragraphs.
 fn paragraphs(text: &str) -> String {
     let filled = text.split("\n\n").map(str::trim).filter(|paragraph| !paragraph.is_empty());
     filled.map(|paragraph| format!("<p>{}</p>\n", escaped(paragraph))).collect()
 }
 
-/// The page with all pictures.
+/// The index page, with all pictures.
 pub(super) struct Index {
     html: String,
     is_open: bool,
@@ -79,17 +79,17 @@ impl Index {
     }
 }
 
-/// The file of a page's graph, by the look's place.
+/// Name of the file of a graph on a page, by the index of the look.
 pub(super) fn graph_file(slug: &str, place: usize) -> String {
     if place == 0 { format!("{slug}-graph.svg") } else { format!("{slug}-graph-{}.svg", place + 1) }
 }
 
-/// A look's graph as a picture.
+/// A look's graph, as SVG.
 pub(super) fn graph(look: &Look, catalog: &Catalog) -> String {
     graph_svg(look, &look.graph, catalog, None)
 }
 
-/// The page of one document.
+/// HTML of one document's page.
 pub(super) fn entry(entry: &Entry, slug: &str, list: &List, options: &Options) -> String {
     let mut html = head(&format!("{} – {}", entry.name, list.title));
     let [width, height] = entry.size;

@@ -1,4 +1,4 @@
-//! A small look around one node, and its picture: what the node gives on a sphere or another shape.
+//! Samples of nodes: a small look around one node, and its picture on a sphere or another shape.
 
 use std::path::Path;
 
@@ -13,32 +13,31 @@ use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLoo
 use crate::library::{Fallback, Library, Type};
 use crate::render::Renderer;
 
-/// What shows more of a node than its defaults, by kind: values as in a look's JSON, which source
-/// `feed`s which input, what the output is multiplied by (`times`), on which own shape it is seen
-/// (`mesh`), or `null` where there is nothing to see.
+/// Table of samples that show more of a node than its defaults, by kind: values as in a look's
+/// JSON, the source that `feed`s each input, the factor of the output (`times`), the own shape to
+/// show the node on (`mesh`); or `null` if nothing of the node can be seen.
 const VALUES: &str = crate::NODE_SAMPLES;
-/// What a node is shown on where the table names no other of the own shapes.
+/// Own shape of the samples for which the table names no other.
 const MESH: &str = "sphere";
-/// The node itself, in its look.
+/// Id of the node itself in the sample's look.
 const NODE: &str = "node";
-/// An image for nodes that ask for one, beside the look.
+/// File name of an image for nodes that ask for one, beside the look.
 const IMAGE: &str = "sample.png";
-/// The same for HCBTFs.
+/// File name of an HCBTF for nodes that ask for one, beside the look.
 const HCBTF: &str = "sample.hcbtf";
 const STRIPES: &str = "example:hcbtf/stripes.hcbtf";
 
-/// How a kind is shown.
+/// Sample of a kind of node.
 #[derive(Default)]
 struct NodeSample {
     values: Values,
-    /// Inputs, each with its source.
+    /// Inputs, each with the name of its source.
     feed: Vec<(String, String)>,
     times: Option<f64>,
     mesh: String,
 }
 
-/// A look that shows the first output of a node of `kind`; `None` where there is nothing to see of
-/// it.
+/// A look that shows the first output of a node of `kind`; `None` if nothing of it can be seen.
 fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> {
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
@@ -64,9 +63,9 @@ fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> 
     }
     let mut shown = match &kind.outputs.first()?.ty {
         Type::Light => build.lit(),
-        // Half a turn is white.
+        // Angles are shown as grays: half a turn is white.
         Type::Angle => build.then("share", "divide", "a", &[("b", std::f64::consts::PI)], NODE),
-        // Directions as colors, with the middle grey for 0.
+        // Directions are shown as colors, with middle gray for 0.
         Type::Vec3 => {
             let half = build.then("half", "multiply", "a", &[("b", 0.5)], NODE);
             build.then("raised", "add", "a", &[("b", 0.5)], half)
@@ -82,7 +81,7 @@ fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> 
 }
 
 impl NodeSample {
-    /// What the table says of a kind, with files and lights for inputs that name some.
+    /// The table's sample of a kind, with files and lights for inputs that name some.
     fn of(kind: &Kind) -> Option<Self> {
         let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap_or_default();
         let mut showing = Self { mesh: MESH.to_owned(), ..Self::default() };
@@ -97,7 +96,8 @@ impl NodeSample {
                 showing.mesh = mesh;
             }
             showing.times = own.remove("times").and_then(|times| times.as_f64());
-            // Read as a document's: numbers, colors, curves and ramps are told apart there.
+            // Values are read as a document's: its reader tells numbers, colors, curves and ramps
+            // apart.
             let text = serde_json::json!({"nodes": [{"id": NODE, "kind": kind.id, "values": own}]})
                 .to_string();
             let node = Look::read(&text, "samples.json")
@@ -118,7 +118,7 @@ impl NodeSample {
     }
 }
 
-/// What feeds an input of a type where nothing else is said.
+/// Name of the default source for an input of a type.
 fn source_of(kind: &Kind, ty: &Type) -> Option<&'static str> {
     let is_plain = matches!(kind.category.as_str(), "math" | "vector");
     Some(match ty {
@@ -168,8 +168,8 @@ impl Build<'_> {
             .unwrap_or_default()
     }
 
-    /// Whether an input gets a wire: all that need one, and of a node that would be the same
-    /// everywhere the first, unless that was chosen by hand.
+    /// True if an input gets a wire: each input that needs one, and the first input of a node that
+    /// would look the same everywhere, unless the sample chose a source.
     fn is_fed(&self, kind: &Kind, port: &Port, is_chosen: bool) -> bool {
         let has_value = self
             .look
@@ -196,7 +196,7 @@ impl Build<'_> {
         !is_chosen && !is_varying && !is_value && first.is_some_and(|first| first.name == port.name)
     }
 
-    /// Adds a node with some numbers, fed by `from`.
+    /// Adds a node with some numbers as values, whose input `port` is wired to `from`.
     fn then(
         &mut self,
         id: &'static str,
@@ -211,7 +211,8 @@ impl Build<'_> {
         id
     }
 
-    /// What a light lights.
+    /// Adds nodes that show the light of the sample's node: a diffuse profile in the light's color.
+    /// Returns the last of these nodes.
     fn lit(&mut self) -> &'static str {
         let turn = self.then("lit_turn", "parametrization", "light", &[], NODE);
         let soft = [("offset", 0.0), ("falloff", 1.6), ("cutoff", 1.6)];
@@ -222,7 +223,7 @@ impl Build<'_> {
         lit
     }
 
-    /// Adds a source with what it needs, once.
+    /// Adds a source and the nodes that it needs, once.
     fn make(&mut self, source: &str) {
         if self.look.graph.nodes.contains_key(source) {
             return;
@@ -273,8 +274,8 @@ impl Build<'_> {
     }
 }
 
-/// Draws what a node of a kind gives, on a transparent ground; `None` where nothing could be seen
-/// of it. `folder` is where the image and the HCBTF lie that some nodes read ([`write_assets`]).
+/// Draws the output of a node of a kind, on a transparent ground; `None` if nothing of it can be
+/// seen. `folder` holds the image and the HCBTF that some nodes read ([`write_assets`]).
 pub(super) async fn picture(
     kind: &Kind,
     catalog: &Catalog,
@@ -286,13 +287,13 @@ pub(super) async fn picture(
     let mesh = format!("{SHAPE_PREFIX}{}", showing.mesh);
     let Some(look) = look_of(kind, catalog, showing) else { return Ok(None) };
     let mut assets = Assets::default();
-    // No text of it is anywhere.
+    // The look was made in code, so it has no source text.
     let source = Look::read("{}", &kind.id).source.into();
     let look = SetupLook { look, source, folder: folder.to_path_buf() };
     let mut setup = default_setup(look, &mesh, &mut assets)?.value;
     setup.scene.backdrop = None;
     if mesh.ends_with(MESH) {
-        // It fills its picture.
+        // The sphere fills its picture.
         setup.scene.camera.eye = [0.0, 0.0, 4.2];
         setup.scene.camera.target = [0.0; 3];
     }
@@ -301,13 +302,14 @@ pub(super) async fn picture(
     Ok(Some(renderer.picture(&plan).await.map_err(|error| vec![error.into()])?))
 }
 
-/// Writes the files that samples read.
+/// Writes the image and the HCBTF that samples read.
 pub(super) fn write_assets(folder: &Path) -> Result<(), Diagnostic> {
     let write = |name: &str, bytes: &[u8]| {
         crate::files::write_atomic(&folder.join(name), bytes).map_err(|problem| *problem)
     };
     write(HCBTF, examples::file(Path::new(STRIPES)).unwrap_or_default())?;
-    // Warm above and cool below, lighter to the right, so that it is seen which way round it lies.
+    // The image is warm above and cool below, and lighter to the right, so that its orientation can
+    // be seen.
     const SIDE: u32 = 64;
     let pixel = |index: u32| {
         let (x, y) = ((index % SIDE) as f32 / SIDE as f32, (index / SIDE) as f32 / SIDE as f32);

@@ -1,4 +1,4 @@
-//! The looks themselves, each object with its own, from back to front.
+//! Passes of the looks themselves, each object with its own, from back to front.
 
 use wgpu::util::DeviceExt as _;
 
@@ -7,13 +7,13 @@ use crate::frame::{Draw, FramePlan, PassImage};
 use crate::pipeline::{LookPipeline, Sides};
 use crate::{RenderError, Renderer};
 
-/// A draw with its pipeline and everything bound.
+/// A draw with its pipeline and bind group.
 pub(super) struct Bound {
     pipeline: LookPipeline,
     group: wgpu::BindGroup,
 }
 
-/// An attachment that begins with one color.
+/// A color attachment that is cleared to one color.
 pub(crate) fn cleared(
     view: &wgpu::TextureView,
     color: wgpu::Color,
@@ -26,7 +26,7 @@ pub(crate) fn cleared(
     }
 }
 
-/// A depth buffer that begins far away and is not kept.
+/// A depth attachment that is cleared to the far plane and is not stored.
 pub(super) fn depth_attachment(
     view: &wgpu::TextureView,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
@@ -55,11 +55,13 @@ impl Renderer {
             return Ok(());
         };
         let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
+        // The backdrop is straight, and the target premultiplied.
         let background = wgpu::Color { r: r * a, g: g * a, b: b * a, a };
         let color = match &self.targets.multisampled {
             Some(multisampled) => {
                 let mut attachment = cleared(multisampled, background);
                 attachment.resolve_target = Some(&picture);
+                // The samples are not needed once they are resolved into the picture.
                 attachment.ops.store = wgpu::StoreOp::Discard;
                 attachment
             }
@@ -87,7 +89,7 @@ impl Renderer {
         })
     }
 
-    /// Makes everything ready that a draw reads.
+    /// Prepares all resources that a draw reads.
     pub(super) fn bind(
         &mut self,
         shader: &CompiledShader,

@@ -1,5 +1,5 @@
-//! Passes before the looks that draw every object, one sample a pixel: normals, object numbers and
-//! depth.
+//! Mesh passes: they come before the looks and draw every object with one sample a pixel: normals,
+//! object numbers and depth.
 
 use super::look::{Bound, depth_attachment};
 use crate::compile::Stage;

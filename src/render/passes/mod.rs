@@ -1,5 +1,5 @@
-//! How each kind of work of a pass is put to the GPU: meshes with the looks' modules, one triangle
-//! over the picture, and the picture itself.
+//! Encoding of passes for the GPU: meshes with the looks' modules, one triangle over the picture,
+//! and the picture itself.
 
 mod look;
 mod meshes;

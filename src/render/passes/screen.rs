@@ -1,4 +1,4 @@
-//! Passes over the whole picture: the files of `shaders/passes`, each with what earlier passes drew.
+//! Screen passes: the files of `shaders/passes`, each with the images that earlier passes drew.
 
 use std::collections::hash_map::Entry;
 
@@ -9,7 +9,7 @@ use crate::gpu::Gpu;
 use crate::target::format_of;
 use crate::{RenderError, Renderer};
 
-/// The fixed pipeline of one of them.
+/// The fixed pipeline of a screen pass.
 #[derive(Debug)]
 pub(crate) struct ScreenPipeline {
     pipeline: wgpu::RenderPipeline,
@@ -21,7 +21,7 @@ impl ScreenPipeline {
     /// The pipeline of a pass.
     ///
     /// # Errors
-    /// That its file is not what its row says.
+    /// A file that does not match the pass's row.
     fn new(gpu: &Gpu, pass: PassId) -> Result<Self, RenderError> {
         let refused = |message: String| RenderError::Refused { message };
         let module = ScreenModule::of(pass)

@@ -1,4 +1,4 @@
-//! Looks that nobody told of, and how far another is from them on a view that was not painted.
+//! Hidden looks, and the distance of fitted looks from them on a view that was not painted.
 
 use std::path::PathBuf;
 use std::sync::Mutex;
@@ -15,25 +15,26 @@ use serde_json::{Value, json};
 
 use crate::support::random::Random;
 
-/// The meshes that looks are hidden on, by turns: round all over, folded, and a figure.
+/// Meshes that looks are hidden on, in turns: round all over, folded, and a figure.
 pub(crate) const MESHES: [&str; 3] = ["shape:sphere", "shape:knot", "shape:creature"];
-/// The side of the pictures.
+/// Side of the pictures, in pixels.
 pub(crate) const SIDE: u32 = 64;
-/// The new view: radians to the right, and up.
+/// Turn of the camera to the new view: to the right, then up, in radians.
 const TURN: [f64; 2] = [0.6, 0.25];
-/// A layer counts as seen where it changes so many of the figure's pixels by so much.
+/// A layer counts as seen if it changes at least this share of the figure's pixels by at least this
+/// much.
 const SEEN: (f64, f64) = (0.02, 8.0 / 255.0);
 
-/// A hidden look with how it was made.
+/// A hidden look, with the layers that it was made of.
 pub(crate) struct Hidden {
     pub(crate) look: Look,
     pub(crate) layers: usize,
     pub(crate) mesh: &'static str,
-    /// The look as a layer list, for messages.
+    /// Description of the look as a list of layers, for messages.
     pub(crate) told: Vec<Value>,
 }
 
-/// Look number `number`: one to three layers of light, each of which is seen.
+/// Hidden look number `number`: one to three layers of light, each of which is seen.
 pub(crate) fn hidden(number: u64) -> Hidden {
     let mesh = MESHES[number as usize % MESHES.len()];
     let mut random = Random::new(0x0f17 + 7919 * number);
@@ -56,7 +57,7 @@ pub(crate) fn hidden(number: u64) -> Hidden {
 }
 
 fn layer(random: &mut Random) -> Value {
-    // Somewhere that lights what is seen: the eye is at +z.
+    // The direction lights a visible part of the object: the eye is at +z.
     let direction = loop {
         let v = [random.between(-1.0, 1.0), random.between(-1.0, 1.0), random.between(-0.4, 1.0)];
         let length = v.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -98,11 +99,11 @@ fn look_of(base: &[f64], layers: &[Value]) -> Look {
     loaded.value.unwrap_or_else(|| panic!("{:?}", loaded.diagnostics))
 }
 
-/// A look on a mesh.
+/// The setup of a look on a mesh.
 pub(crate) fn setup_of(look: Look, mesh: &str) -> Setup {
     let source = Look::read("{}", "hidden.json").source.into();
     let look = SetupLook { look, source, folder: PathBuf::new() };
-    // Meshes are made once.
+    // Meshes are made once, and shared by all tests.
     static ASSETS: Mutex<Option<Assets>> = Mutex::new(None);
     let mut assets = ASSETS.lock().unwrap();
     default_setup(look, mesh, assets.get_or_insert_default()).unwrap().value
@@ -118,7 +119,7 @@ pub(crate) fn picture(setup: &Setup) -> ReferencePicture {
     reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new()).unwrap()
 }
 
-/// How many pixels of the figure differ beyond what is seen, and how many there are.
+/// Number of the figure's pixels that differ visibly, and number of all its pixels.
 fn changed(a: &ReferencePicture, b: &ReferencePicture) -> (usize, usize) {
     let (mut changed, mut all) = (0, 0);
     for index in 0..a.coverage.len() {
@@ -133,7 +134,7 @@ fn changed(a: &ReferencePicture, b: &ReferencePicture) -> (usize, usize) {
     (changed, all)
 }
 
-/// What a painter who copies the whole picture paints: the figure's pixels in eight bits a channel.
+/// Target of a painter who copies the whole picture: the figure's pixels in eight bits a channel.
 pub(crate) fn painted(look: &Look, mesh: &str) -> Target {
     let picture = picture(&setup_of(look.clone(), mesh));
     let mut rgba = picture.to_picture().to_rgba8();
@@ -143,7 +144,7 @@ pub(crate) fn painted(look: &Look, mesh: &str) -> Target {
     Target::from_rgba8(picture.size, &rgba)
 }
 
-/// The RMS difference of a channel on the figure, seen from elsewhere.
+/// RMS difference of a channel on the figure, seen from the new view.
 pub(crate) fn difference(a: &Look, b: &Look, mesh: &str) -> f64 {
     let [a, b] = [a, b].map(|look| {
         let mut setup = setup_of(look.clone(), mesh);

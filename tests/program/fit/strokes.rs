@@ -1,24 +1,24 @@
-//! A few strokes of light and dark on the picture of a look, as a hand paints them.
+//! A few strokes of light and dark on the picture of a look, as painted by hand.
 
 use chiaro::document::Look;
 use chiaro::fit::{PixelGoal, Target};
 
 use super::hidden::{SIDE, picture, setup_of};
 
-/// What a few strokes wish, and what the look shows of the rest.
+/// Goals of a few strokes, and colors that the look shows at the rest.
 pub(crate) struct Strokes {
     pub(crate) painted: Target,
-    /// Pixels within the object that nobody painted, as they are.
+    /// Unpainted pixels within the object, with their colors.
     pub(crate) rest: Vec<PixelGoal>,
 }
 
-/// Two broad strokes: light on the right, dark on the left, in parts of the picture's side from its
-/// middle.
+/// Middle and brightness of two broad strokes: light on the right, dark on the left; positions from
+/// the picture's middle, in parts of its side.
 const SPOTS: [([f64; 2], f64); 2] = [([0.14, -0.08], 0.25), ([-0.14, 0.02], -0.2)];
-/// Half the brush's width, in the same parts.
+/// Half the brush's width, in parts of the picture's side.
 const RADIUS: f64 = 0.075;
 
-/// Strokes on a look that is worn by a mesh.
+/// Strokes on a look on a mesh.
 pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
     let picture = picture(&setup_of(look.clone(), mesh));
     let (mut painted, mut rest) = (Target { size: [SIDE; 2], wishes: Vec::new() }, Vec::new());
@@ -29,7 +29,7 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
         let at = [x, y].map(|at| (f64::from(at) + 0.5) / f64::from(SIDE) - 0.5);
         let [r, g, b, _] = picture.straight(x, y);
         let shown = [r, g, b];
-        // A stroke goes up and down from its middle.
+        // A stroke extends up and down from its middle.
         let near = |(middle, _): &&([f64; 2], f64)| {
             let beyond = (at[1] - middle[1]).abs() - 0.08;
             (at[0] - middle[0]).hypot(beyond.max(0.0)) < RADIUS
@@ -53,8 +53,8 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
     Strokes { painted, rest }
 }
 
-/// How far another look is from what strokes wish: the RMS of a channel at the strokes and at the
-/// rest, and the largest there, 0 to 1.
+/// Distance of another look from the goals of the strokes: the RMS of a channel at the strokes and
+/// at the rest, and the largest difference at the rest, 0 to 1.
 pub(crate) fn off(strokes: &Strokes, look: &Look, mesh: &str) -> [f64; 3] {
     let picture = picture(&setup_of(look.clone(), mesh));
     let off = |wishes: &[PixelGoal]| {

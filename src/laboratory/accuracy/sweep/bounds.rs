@@ -1,5 +1,5 @@
-//! What each node is held to, and how. Exact tiers err by rounding alone; cheaper ones by what
-//! their files state.
+//! Error bounds of each node's results, and the way results are judged. Exact tiers err by rounding
+//! alone; cheaper ones by the error that their files state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -10,49 +10,51 @@ use super::slot::{Kind, Numbers, Slot, is_stretch};
 use crate::document::Tier;
 use crate::library::Library;
 
-/// Relative to the output's range, which is 1 or, where that is more, the largest number of the
-/// true result.
+/// Default bound of an exact tier, relative to the output's range: 1, or the largest number of the
+/// true result if that is more.
 pub const DEFAULT: f64 = 2e-6;
 
-/// How a result is held against the truth.
+/// Way of comparing a result with the truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judging {
-    /// By its distance from the truth.
+    /// Distance from the truth.
     Plain,
-    /// By its distance from all that the truth gives within four units in the last place of each
-    /// input: steep or cancelling, where rounding of the inputs themselves decides. Such a result
-    /// is right for inputs that no f32 can tell from the given ones; anything worse still shows.
+    /// Distance from the span of all true results for inputs within four units in the last place of
+    /// the given ones: for steep or canceling functions, where rounding of the inputs themselves
+    /// decides. Such a result is right for inputs that no f32 can tell from the given ones;
+    /// anything worse still shows.
     Steep,
-    /// The same, but by the distance from the nearest of these results, and not from what lies
-    /// between them: steps.
+    /// As `Steep`, but the distance from the nearest of these true results, and not from the span
+    /// between them: for functions with steps.
     Steps,
 }
 
-/// A node that is held to something else than [`DEFAULT`], and why.
+/// A node with another bound or judging than the default, and the reason.
 #[derive(Clone, Copy, Debug)]
 pub struct Exception {
     /// The kind of node.
     pub node: &'static str,
-    /// A word of one of its choices; empty for all.
+    /// A word of one of the node's choices; empty for all choices.
     pub word: &'static str,
-    /// The bound of its exact tier.
+    /// Bound of the exact tier.
     pub bound: f64,
-    /// How it is judged.
+    /// Way of judging the node's results.
     pub judging: Judging,
-    /// Whether the inputs' own size counts into the output's range.
+    /// True if the size of the inputs counts into the output's range.
     pub of_inputs: bool,
-    /// Whether inputs are told apart by units in the last place of the largest of them (at least
-    /// 1), and not each by its own.
+    /// True if inputs are varied by units in the last place of the largest input (at least 1), and
+    /// not each by its own.
     pub together: bool,
-    /// From what size of its inputs on (0 aside); below, the result is finite, and no more is said.
+    /// Smallest size of inputs, 0 aside, that the bound applies to; below, the result only has to
+    /// be finite.
     pub finest: f64,
-    /// Up to what size of its inputs; beyond, the result is finite, and no more is said.
+    /// Largest size of inputs that the bound applies to; beyond, the result only has to be finite.
     pub reach: f64,
-    /// Why.
+    /// Reason for the exception, as docs/accuracy.md prints it.
     pub reason: &'static str,
 }
 
-/// Nothing is too large.
+/// Reach of exceptions without a largest input.
 const ALL: f64 = f32::MAX as f64;
 
 const fn on(node: &'static str, word: &'static str) -> Exception {
@@ -103,18 +105,18 @@ impl Exception {
     }
 }
 
-/// Of colors that come back from Oklab. Near black a code is 13 times as steep as light, and light
-/// up to 20 (a code of 2 times the matrix' 4) cancels there, rounded by 3e-7.
+/// Bound of colors that are converted back from Oklab. Near black a code is 13 times as steep as
+/// light, and light up to 20 (a code of 2 times the matrix' 4) cancels there, rounded by 3e-7.
 const FROM_OKLAB: f64 = 8e-5;
 
-/// Of a direction of which a thousandth is left, which is the least that is one: rounding of the
-/// three terms that it is the rest of, times a thousand.
+/// Bound of a direction of which a thousandth is left, the smallest remainder that is a direction:
+/// a thousand times the rounding of the three terms that it is the remainder of.
 const REST: f64 = 3e-4;
 
-/// What two distances in Oklab are rounded by, one less the other.
+/// Rounding error of the difference of two distances in Oklab.
 const OF_DISTANCES: f64 = 1e-6;
 
-/// Every exception, with its reason; the first that fits counts.
+/// All exceptions, with their reasons; the first that fits a case counts.
 pub const EXCEPTIONS: &[Exception] = &[
     on("sine", "").within(1e5).because(PHASE),
     on("cosine", "").within(1e5).because(PHASE),
@@ -279,7 +281,7 @@ const POLAR: &str = "in the middle there is no around, and rounding decides";
 const FILTER: &str = "a GPU weighs texels by 8 bits";
 const COLOR: &str = "far beyond any color, what is left of a small difference is rounding's";
 
-/// Nodes whose files state errors on the pixels of edges, which single samples have not.
+/// Nodes whose files state errors for pixels on edges, which single samples do not have.
 const ON_EDGES: [&str; 2] = ["threshold", "bands"];
 
 /// The exception that a case falls under.
@@ -292,27 +294,27 @@ pub fn exception_of(case: &Case) -> Option<&'static Exception> {
     EXCEPTIONS.iter().find(fits)
 }
 
-/// Whether the inputs' own size counts into a case's range.
+/// True if the size of the inputs counts into a case's range.
 pub fn counts_inputs(case: &Case) -> bool {
     exception_of(case).is_some_and(|exception| exception.of_inputs)
 }
 
-/// Whether a case's inputs are told apart by units of the largest of them.
+/// True if a case's inputs are varied by units in the last place of the largest of them.
 pub fn moves_together(case: &Case) -> bool {
     exception_of(case).is_some_and(|exception| exception.together)
 }
 
-/// How a case is judged.
+/// Way of judging a case.
 pub fn judging(case: &Case) -> Judging {
     exception_of(case).map_or(Judging::Plain, |exception| exception.judging)
 }
 
-/// What the exact tier of a case is held to.
+/// Bound of a case's exact tier, relative to the output's range.
 fn bound_of_exact(case: &Case) -> f64 {
     exception_of(case).map_or(DEFAULT, |exception| exception.bound)
 }
 
-/// What a case is held to, relative to the output's range.
+/// Bound of a case, relative to the output's range.
 pub fn bound(case: &Case, library: &Library) -> f64 {
     let exact = bound_of_exact(case);
     if case.tier == Tier::Exact {
@@ -322,13 +324,13 @@ pub fn bound(case: &Case, library: &Library) -> f64 {
     exact + def.and_then(|def| def.error_of(case.tier)).map_or(0.0, |error| error.bound)
 }
 
-/// Whether a sample lies where a bound is stated; elsewhere the result must be finite, and no more.
+/// True if a bound applies to a sample; otherwise the result only has to be finite.
 pub fn is_stated(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     let (finest, reach) =
         exception_of(case).map_or((0.0, ALL), |exception| (exception.finest, exception.reach));
     let is_in_reach = |(slot, numbers): (&Slot, &Vec<f64>)| {
         if slot.kind == Kind::Direction {
-            // Which vectors are too short to have a direction is a matter of the last digit there.
+            // At 1e-30 the last digit decides whether a vector is too short to have a direction.
             let largest = numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
             return !(0.999e-30..1.001e-30).contains(&largest);
         }
@@ -341,7 +343,7 @@ pub fn is_stated(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     slots.iter().zip(numbers).all(is_in_reach) && is_of_tier(case, slots, numbers)
 }
 
-/// Whether a sample lies where the file of a cheaper tier states its bound.
+/// True if the file of a cheaper tier states a bound for a sample.
 fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     if case.node == "litsphere" {
         return has_rim(case, slots, numbers);
@@ -358,10 +360,10 @@ fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     is_usual && (case.tier == Tier::Exact || (1e-15..1e18).contains(&length))
 }
 
-/// How much more than its bound a sample is granted. A profile that falls off a quarter turn or
-/// more from its offset ends infinitely steep, as the square root does at 0; and near an offset of
-/// pi the cosine of half of it is as small as its error is large beside it. A palette's softness
-/// divides distances in Oklab, and what they are rounded by.
+/// Factor that a sample's bound is multiplied by. A profile that falls off a quarter turn or more
+/// from its offset ends infinitely steep, as the square root does at 0; and near an offset of pi
+/// the cosine of half the offset is so small that its error is large beside it. A palette's
+/// softness divides distances in Oklab, and their rounding error.
 pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
     if case.choice("by") == "blended" {
         let softness = slots
@@ -382,11 +384,11 @@ pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
     near_pi.max(steep)
 }
 
-/// What a profile's exact tier is held to where it ends infinitely steep; cheaper ones to ten times
-/// that.
+/// Bound of a profile's exact tier where the profile ends infinitely steep; cheaper tiers have ten
+/// times that.
 pub const STEEP_FOOT: f64 = 5e-4;
 
-/// A profile's offset, and its fall-off and cut-off from there, in order.
+/// A profile's offset, and its fall-off and cut-off measured from there, in order.
 fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]> {
     let at = |name: &str| {
         slots.iter().position(|slot| slot.name == name).map_or(0.0, |index| numbers[index][0])
@@ -398,8 +400,8 @@ fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]
     })
 }
 
-/// Whether a normal, as a LitSphere sees it, does not point straight away, where no side of the rim
-/// is nearer.
+/// True unless a normal, as a LitSphere sees it, points straight away from the viewer, where no
+/// side of the rim is nearer.
 fn has_rim(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
     let of =
         |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);

@@ -1,5 +1,4 @@
-//! One way of using a node: its choices, its width, its tier, and whether what is prepared comes
-//! from the host.
+//! Cases of a node: its choices, its width, its tier, and the place where `prepare` runs.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -20,35 +19,35 @@ use crate::library::{
 
 /// The largest number that f32 holds.
 const MOST: f64 = f32::MAX as f64;
-/// The place on the surface: far enough, and its depth stays a number.
+/// Largest coordinate of a place on the surface: far enough, and its depth stays a number.
 const MOST_PLACE: f64 = 1e30;
-/// Layers and their colors are no maths nodes: what leaves f32 there, as a product of many, is
-/// cleared by the Output.
+/// Largest number of colors and composites. Layers and their colors are no math nodes: a result
+/// beyond f32's range, as a product of many, is cleared by the Output.
 const MOST_COLOR: f64 = 1e6;
-/// Documents place lights no farther away.
+/// Largest coordinate of a light's position: documents place lights no farther away.
 const MOST_LIGHT: f64 = 1e6;
 
-/// One way of using a node. It is written down in `tests/worst`.
+/// One way of using a node, as `tests/worst` stores it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Case {
     /// The kind of node.
     pub node: String,
-    /// The words of its choices; also the kind of light and the interpolation of a curve, which are
-    /// no choices.
+    /// Words of the node's choices, by input; also the kind of light and the interpolation of a
+    /// curve, which are no choices.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub choices: BTreeMap<String, String>,
-    /// The wider type that it is fed: `vec3`; empty for its own.
+    /// Wider type that the node is fed with, such as `vec3`; empty for its own type.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub width: String,
-    /// The tier.
+    /// Tier of the node.
     pub tier: Tier,
-    /// Whether its `prepare` runs in the fragment, as it does where what it takes is wired.
+    /// True if `prepare` runs in the fragment stage, as for a node whose prepared inputs are wired.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub prepared_in_fragment: bool,
 }
 
 impl Case {
-    /// As people say it: `rounding floor, vec3, exact`.
+    /// Name of the case for people: `rounding floor, vec3, exact`.
     pub fn name(&self) -> String {
         let mut name = self.node.clone();
         for word in self.choices.values() {
@@ -63,7 +62,7 @@ impl Case {
         name
     }
 
-    /// The word of a choice, empty where there is none of that name.
+    /// Word of the choice `port`; empty if the case has no such choice.
     pub fn choice(&self, port: &str) -> &str {
         self.choices.get(port).map_or("", String::as_str)
     }
@@ -115,7 +114,7 @@ fn choices(def: &NodeDef) -> Vec<BTreeMap<String, String>> {
     all
 }
 
-/// The wider types that a node has functions for, and its own first.
+/// The node's own width, as an empty word, then the wider types that it has functions for.
 fn widths(def: &NodeDef) -> Vec<String> {
     let mut widths = vec![String::new()];
     for width in def.variants.iter().filter_map(|variant| variant.width.as_ref()) {
@@ -127,29 +126,30 @@ fn widths(def: &NodeDef) -> Vec<String> {
     widths
 }
 
-/// What of a node is looked at.
+/// An output of a bench that is compared.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Root {
-    /// The node and the output, `node.output`; `None` for the look's own.
+    /// Node and output, as `node.output`; `None` for the output of the look.
     pub output: Option<(String, String)>,
 }
 
-/// A look with the node alone, every number of it fed by hand.
+/// A look with the node alone, every number of it fed from a slot.
 #[derive(Clone, Debug)]
 pub struct Bench {
-    /// What is measured.
+    /// Case that is measured.
     pub case: Case,
-    /// What it is fed.
+    /// Inputs of the node.
     pub slots: Vec<Slot>,
-    /// The look in the case's tier.
+    /// The look, in the case's tier.
     pub look: SetupLook,
-    /// The same, exact.
+    /// The look, in the exact tier.
     pub exact: SetupLook,
-    /// What is looked at.
+    /// Outputs that are compared.
     pub roots: Vec<Root>,
 }
 
-/// Nodes that hand a value on at each fragment, so that nothing of it is known before.
+/// The library with feeder nodes added: they pass a value on at each fragment, so that the compiler
+/// knows nothing of it before.
 pub(super) fn feeders(library: &Library) -> Library {
     let mut library = library.clone();
     let plain = [
@@ -238,14 +238,14 @@ fn feeder_of(ty: &Type) -> Option<&'static str> {
     })
 }
 
-/// Whether only the direction of an input of this name counts, not its length.
+/// True for the name of an input of which only the direction counts, not the length.
 fn is_direction(name: &str) -> bool {
     let words =
         ["normal", "axis", "onto", "direction", "middle", "up", "x_axis", "y_axis", "tangent"];
     words.contains(&name) || name.starts_with("smooth_")
 }
 
-/// Builds a bench's look from its parts.
+/// Builder of a bench's look from its parts.
 struct Builder<'a> {
     def: &'a NodeDef,
     case: &'a Case,
@@ -260,7 +260,7 @@ impl Bench {
     /// The bench of a case; images come from `folder`.
     ///
     /// # Errors
-    /// A case that the library does not have (any more).
+    /// A case that the library does not have, or no longer has.
     pub fn new(case: &Case, library: &Library, folder: &Path) -> Result<Self, Vec<Diagnostic>> {
         let unknown = |what: &str| {
             vec![Diagnostic::error("unknown-kind", format!("there is no {what} to measure"))]
@@ -320,7 +320,7 @@ impl Builder<'_> {
         for (index, ty) in self.types().into_iter().enumerate() {
             let input = &self.def.inputs[index];
             let name = input.name.to_string();
-            // What the Output asks beside the color belongs to other passes.
+            // Inputs of the Output other than the color belong to other passes.
             let is_other = self.def.special == Special::Output && name != "color";
             if input.hidden || is_other || input.fallback == Fallback::Context(Context::KAPPA) {
                 continue;
@@ -425,7 +425,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Slots for what the node asks of its surroundings.
+    /// Adds slots for the contexts that the node reads.
     fn surroundings(&mut self) {
         let is_fed =
             |input: &Input| !input.hidden && input.fallback != Fallback::Context(Context::KAPPA);
@@ -444,7 +444,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A slot for a part of the surface.
+    /// Adds a slot for a part of the surface.
     fn part(&mut self, part: SurfacePart) {
         let number = Kind::Number { min: None, max: None, is_angle: false };
         let clock = Kind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
@@ -539,23 +539,24 @@ fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
     Slot { name: name.to_owned(), place: Place::Value, kind, width, most }
 }
 
-/// The picture that image nodes are given.
+/// File name of the picture that image nodes are given.
 const PICTURE: &str = "sweep.png";
 
-/// The painting that HCBTF nodes are given.
+/// File name of the painting that HCBTF nodes are given.
 const PAINTING: &str = "sweep.hcbtf";
 
-/// Writes what image and HCBTF nodes are given.
+/// Writes the picture of image nodes and the painting of HCBTF nodes.
 ///
 /// # Errors
-/// What the disk refuses.
+/// Errors of the file system.
 pub(super) fn write_textures(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     write_picture(folder)?;
     write_painting(folder)
 }
 
-/// A painting of few directions and texels, whose colors change evenly with all six coordinates.
-/// It is opaque, as what the cheaper tiers state is of opaque paint.
+/// Writes a painting of few directions and texels, whose colors change evenly with all six
+/// coordinates. The painting is opaque, because the errors that cheaper tiers state are for opaque
+/// paint.
 fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
     let directions = Directions { theta: 3, phi: 4 };
     let grid = Grid { size: [5, 3], light: directions, view: directions };

@@ -1,5 +1,5 @@
-//! Whole looks against their truth: over the sphere of lights and views, from one pixel up, near
-//! and far.
+//! Comparison of whole looks with their truth: over the sphere of lights and views, at picture
+//! sizes from one pixel up, near and far.
 
 use std::path::{Path, PathBuf};
 
@@ -17,34 +17,35 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Renderer;
 
-/// What looks are worn by.
+/// Own shapes that looks are compared on.
 pub const MESHES: [&str; 3] = ["shape:sphere", "shape:creature", "shape:plane"];
-/// How far the camera is from where it was: near, as it was, and far.
+/// Distances of the camera from its target, as factors of the document's: near, unchanged, and far.
 pub const DISTANCES: [f64; 3] = [0.45, 1.0, 20.0];
 
-/// What whole looks are held to in a tier.
+/// Error bound of whole looks in a tier.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LookBound {
-    /// The largest difference of a channel away from edges; none where a tier is held by its mean
-    /// alone.
+    /// The largest difference of a channel away from edges; `None` for a tier that is bound by its
+    /// mean error alone.
     pub max: Option<f64>,
-    /// The root of the mean square there.
+    /// The root of the mean square away from edges.
     pub rms: f64,
-    /// Which share of the pixels at edges may be off by more than 1/255; any where a tier is held
-    /// by its mean alone.
+    /// Share of the pixels at edges that may be off by more than 1/255; `None`, for any share, in a
+    /// tier that is bound by its mean error alone.
     pub edge_share: Option<f64>,
 }
 
 impl LookBound {
-    /// That of a tier.
+    /// The bound of a tier.
     ///
-    /// - *exact* errs by f32's rounding. A normal is off by a few 1e-7, which curvature multiplies:
-    ///   it divides differences of normals by some pixels and gives them per height of the picture,
-    ///   which makes up to 270 of it (from 800 pixels on), and warps and cartoon edges are steep
-    ///   beside. That comes to 1e-3 of single pixels, and 1e-6 as a mean.
-    /// - *balanced* is what nobody sees, by its definition.
+    /// - *exact* errs by f32's rounding. A normal is off by a few 1e-7, and curvature multiplies
+    ///   that error: curvature is a difference of normals, divided by some pixels and given per
+    ///   height of the picture, which makes a factor of up to 270 (from 800 pixels on), and warps
+    ///   and cartoon edges are steep besides. The error comes to 1e-3 in single pixels, and to 1e-6
+    ///   as a mean.
+    /// - *balanced* errs by less than anyone sees, by definition.
     /// - *fast* may leave out the curvature pass, and take curvature from each triangle's own
-    ///   normals: constant over it, 0 on one that is flat, and a warp by another curvature is
+    ///   normals: constant over the triangle, 0 on a flat one, and a warp by another curvature is
     ///   another picture there.
     pub const fn of(tier: Tier) -> Self {
         match tier {
@@ -54,15 +55,15 @@ impl LookBound {
         }
     }
 
-    /// The same in pictures of so many pixels a side: the cover of a pattern's edge is off by as
+    /// The bound in pictures of `side` pixels a side: the coverage of a pattern's edge is off by as
     /// much as its [place](place_rounding), and one pixel in a hundred lies on such an edge.
     pub fn at(self, side: u32) -> Self {
         Self { rms: self.rms.max(0.1 * place_rounding(side)), ..self }
     }
 
-    /// That of a look in a tier. Where one of its nodes states that more than eight bits show is
-    /// off (a threshold's edges, a curvature that is wired on), what comes after may turn all of a
-    /// pixel by that, and the look is held by its mean.
+    /// The bound of a look in a tier. If one of its nodes states an error that eight bits can show
+    /// (a threshold's edges, a curvature that is wired on), later nodes may change a pixel entirely
+    /// because of the error, and the look is bound by its mean error.
     pub fn of_look(look: &Look, library: &Library, tier: Tier) -> Self {
         let inner = look.definitions.values().map(|definition| &definition.graph);
         let nodes =
@@ -78,63 +79,64 @@ impl LookBound {
     }
 }
 
-/// By how much f32 rounds a place in a picture of so many pixels a side, in pixels: 2^-24 of the
-/// picture.
+/// Rounding error of a place in f32, 2^-24 of the picture, for a picture of `side` pixels a side,
+/// in pixels.
 pub fn place_rounding(side: u32) -> f64 {
     f64::from(side) * 2f64.powi(-24)
 }
 
-/// Of the pixels at edges, this share of a look may be off by more than 1/255. f32 leaves a vertex
-/// about 1e-7 of the picture's side beside where it is, and one that lies that near to the middle
-/// between two steps of the grid is rounded to the other: at 4096 pixels every tenth. A step then
-/// gives or takes one in 256 of the pixels along the outline, and the curvature's stencil hands
-/// that on to the seven around it: 1e-3 together. In small pictures of meshes that are mirrored,
-/// vertices lie just on such a middle, and fewer pixels count.
+/// Share of the pixels at edges of a look that may be off by more than 1/255. f32 leaves a vertex
+/// about 1e-7 of the picture's side beside its true place, and a vertex that lies that near to the
+/// middle between two steps of the grid is rounded to the other step: at 4096 pixels every tenth
+/// vertex. A step then gives or takes one in 256 of the pixels along the outline, and the
+/// curvature's stencil passes that on to the seven pixels around: 1e-3 together. In small pictures
+/// of mirrored meshes, vertices lie just on such a middle, and fewer pixels count.
 pub const EDGE_SHARE: f64 = 2e-3;
 
-/// Of the largest pictures so many rows are compared, a million pixels: a truth of all of them
+/// Number of rows of the largest pictures that are compared, a million pixels: a truth of all rows
 /// takes a minute.
 pub const LARGE_ROWS: u32 = 256;
 
-/// This share of the pixels inside may be off by up to four times as much.
+/// Share of the pixels inside that may be off by up to four times the bound.
 pub const RARE_INSIDE: f64 = 1e-5;
 
-/// Which pictures of a look are compared.
+/// Selection of the pictures of a look that are compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LookEffort {
-    /// What wears it.
+    /// Meshes that wear the look.
     pub meshes: Vec<&'static str>,
-    /// In which tiers.
+    /// Tiers that are compared.
     pub tiers: Vec<Tier>,
-    /// Views with their lights.
+    /// Number of viewpoints: views, each with its lights and time.
     pub stations: usize,
-    /// From where, times as far as the camera stands; stations take turns with them.
+    /// Distances of the camera, as factors of the document's; viewpoints take turns with the
+    /// distances.
     pub distances: Vec<f64>,
-    /// Sides of the pictures, in pixels; stations take turns with them, but the first station has
-    /// all.
+    /// Sides of the pictures, in pixels; viewpoints take turns with the sides, but the first
+    /// viewpoint has all of them.
     pub sides: Vec<u32>,
-    /// Of each picture only so many rows in the middle are compared; all without it.
+    /// Number of rows in the middle of each picture that are compared; all rows if `None`.
     pub rows: Option<u32>,
 }
 
 impl LookEffort {
-    /// Seconds a look.
+    /// Selection that takes seconds a look.
     pub fn quick() -> Self {
         Self::of(4, &[1, 2, 7, 48])
     }
 
-    /// Ten seconds a look.
+    /// Selection that takes ten seconds a look.
     pub fn full() -> Self {
         Self::of(12, &[1, 2, 3, 16, 61, 160])
     }
 
-    /// Minutes a look.
+    /// Selection that takes minutes a look.
     pub fn soak() -> Self {
         Self::of(64, &[1, 2, 3, 5, 16, 61, 128, 333, 1024])
     }
 
-    /// The largest pictures, near and far, in the exact tier, and of those some rows in the middle;
-    /// half a minute a look.
+    /// Selection of the largest pictures, near and far, in the exact tier, with some rows in the
+    /// middle of each; takes half a minute a look.
     pub fn large() -> Self {
         let [near, _, far] = DISTANCES;
         let meshes = vec!["shape:creature"];
@@ -155,38 +157,39 @@ impl LookEffort {
         }
     }
 
-    /// The largest side, in pixels.
+    /// The largest side of the pictures, in pixels.
     pub fn side(&self) -> u32 {
         self.sides.iter().copied().max().unwrap_or(1)
     }
 
-    /// How many truths a look takes.
+    /// Number of truths that are rendered for a look.
     pub fn truths(&self) -> usize {
         self.meshes.len() * (self.stations + self.sides.len()).saturating_sub(1)
     }
 }
 
-/// What a look came to in a tier.
+/// Errors of a look in a tier.
 #[derive(Clone, Debug, Serialize)]
 pub struct LookFigures {
-    /// The file's stem.
+    /// Stem of the look's file name.
     pub look: String,
-    /// The tier of all of its nodes.
+    /// Tier of all nodes of the look.
     pub tier: Tier,
-    /// How many pictures were compared.
+    /// Number of pictures that were compared.
     pub pictures: usize,
-    /// How many pixels count as on edges only because a camera a step aside sees what was drawn.
+    /// Number of pixels that count as on edges only because a camera one step aside sees what was
+    /// drawn.
     pub settled: usize,
-    /// All pictures together.
+    /// Figures over all pictures.
     pub error: ErrorFigures,
-    /// The worst picture in words.
+    /// Description of the worst picture.
     pub worst_words: String,
-    /// What it is held to.
+    /// Bound of the look in this tier.
     pub bound: LookBound,
 }
 
 impl LookFigures {
-    /// Whether it keeps what it is held to.
+    /// True if the errors are within the bound.
     pub fn holds(&self) -> bool {
         let (error, bound) = (&self.error, &self.bound);
         let is_seldom = |share: f64| error.edge_visible as f64 <= share * error.edges as f64;
@@ -197,9 +200,9 @@ impl LookFigures {
     }
 }
 
-/// Whether so few pixels are off by more than 1/255, and none by more than four times the bound,
-/// that only cartoon edges which are a few pixels wide can be: their width is a difference of
-/// normals over a pixel, and of that f32 leaves three digits at 4096 pixels.
+/// True if so few pixels are off by more than 1/255, and none by more than four times the bound,
+/// that only cartoon edges a few pixels wide can be the cause: their width is a difference of
+/// normals over a pixel, and f32 leaves three digits of that difference at 4096 pixels.
 fn is_rare(error: &ErrorFigures, max: f64) -> bool {
     error.max <= 4.0 * max && error.visible as f64 <= RARE_INSIDE * error.pixels as f64
 }
@@ -219,12 +222,12 @@ pub fn looks_in(folder: &Path) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
     Ok(files)
 }
 
-/// Hands over what decides on a look's pictures, but for the engines that judge them, always in the
-/// same order: for each mesh the plans of the truth and of each tier, as the camera stands in the
-/// file. The other stations follow from these.
+/// Passes to `sink` everything that decides on a look's pictures, except the engines that judge
+/// them, always in the same order: for each mesh the plans of the truth and of each tier, with the
+/// camera as in the file. The other viewpoints follow from these.
 ///
 /// # Errors
-/// What is wrong with the look.
+/// Problems of the look.
 pub fn content(
     path: &Path,
     meshes: &[&str],
@@ -255,7 +258,7 @@ pub fn content(
 /// [precisely](crate::render::Gpu::precise).
 ///
 /// # Errors
-/// What is wrong with the look, what the GPU refuses, or that `progress` stopped it.
+/// Problems of the look, errors of the GPU, or `Stopped` if `progress` was stopped.
 pub async fn measure_look(
     path: &Path,
     library: &Library,
@@ -304,6 +307,8 @@ pub async fn measure_look(
                     let drawn = Variant::Looks(tier).of(&seen);
                     let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;
                     let got = Colors::from(&precise.picture(&plan).await?);
+                    // Settling renders further truths, which only a bound on single pixels calls
+                    // for.
                     if bounds[number].max.is_some() {
                         settled[number] += truth.settle(
                             &got,
@@ -344,7 +349,7 @@ pub async fn measure_look(
     Ok(measured.collect())
 }
 
-/// The same from so many times as far.
+/// The setup with its camera's distance from the target multiplied by `times`.
 fn at_distance(mut setup: Setup, times: f64) -> Setup {
     let camera = &mut setup.scene.camera;
     let target = DVec3::from(camera.target);

@@ -1,4 +1,5 @@
-//! Runs a bench on the GPU and in f64, with the same inputs, and says how far apart both are.
+//! Measurement of a bench: its results on the GPU and in f64, with the same inputs, and their
+//! distance.
 
 use serde::Serialize;
 
@@ -17,95 +18,97 @@ use crate::library::{Library, SurfacePart, Type};
 use crate::reference;
 use crate::render::Renderer;
 
-/// What all measurements share.
+/// Laboratory: the library, the GPU and the assets that all measurements share.
 pub struct Lab<'a> {
-    /// The library, with the nodes that feed others.
+    /// The library, with the feeder nodes.
     pub library: Library,
-    /// The GPU.
+    /// Renderer on the GPU.
     pub renderer: &'a mut Renderer,
     assets: Assets,
     folder: tempfile::TempDir,
 }
 
-/// How much is measured.
+/// Extent of the measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Samples a case that lie within what is documented.
+    /// Number of samples of a case within the documented ranges.
     pub ordinary: usize,
-    /// Samples a case at the edges of arithmetic.
+    /// Number of samples of a case at the edges of arithmetic.
     pub extreme: usize,
     /// Rounds of the search for worse inputs; 0 for none.
     pub rounds: usize,
 }
 
 impl Effort {
-    /// Seconds for the whole library.
+    /// Extent that takes seconds for the whole library.
     pub const QUICK: Self = Self { ordinary: 256, extreme: 512, rounds: 0 };
-    /// Minutes for the whole library.
+    /// Extent that takes minutes for the whole library.
     pub const FULL: Self = Self { ordinary: 4000, extreme: 6000, rounds: 8 };
 }
 
-/// One sample's result.
+/// Result of one sample.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// What the node was fed.
+    /// Numbers that the node was fed with.
     pub numbers: Numbers,
-    /// What the GPU gave.
+    /// Result of the GPU.
     pub got: Vec<f64>,
-    /// What is true.
+    /// True result.
     pub truth: Vec<f64>,
-    /// The largest difference of a number.
+    /// The largest difference of any number of the result.
     pub absolute: f64,
-    /// The same over the output's range, as [`judging`] has it.
+    /// The difference over the output's range, judged as [`judging`] says.
     pub error: f64,
 }
 
-/// What a case came to.
+/// Errors of a case.
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseFigures {
-    /// The case.
+    /// Case that was measured.
     pub case: Case,
-    /// How many samples were compared.
+    /// Number of samples that were compared.
     pub samples: usize,
-    /// Samples that are within the bound only as f32 cannot tell their inputs from others.
+    /// Number of samples that are within the bound only because f32 cannot tell their inputs from
+    /// others.
     pub rounded: usize,
-    /// Results that were NaN or infinite.
+    /// Number of results that were NaN or infinite.
     pub broken: usize,
-    /// The largest difference over samples within what is documented.
+    /// The largest difference over the samples within the documented ranges.
     pub absolute: f64,
-    /// Over those, all but one in a thousand are below, relative to the output's range.
+    /// Error that all but one in a thousand of those samples stay below, relative to the output's
+    /// range.
     pub p999: f64,
     /// The largest error of all, relative to the output's range.
     pub max: f64,
-    /// What it is held to.
+    /// Bound of the case, relative to the output's range.
     pub bound: f64,
     /// The worst samples, the worst first.
     #[serde(skip)]
     pub worst: Vec<Finding>,
-    /// The worst sample in words.
+    /// Description of the worst sample.
     pub worst_words: String,
 }
 
 impl CaseFigures {
-    /// Whether it keeps what it is held to.
+    /// True if the errors are within the bound.
     pub fn holds(&self) -> bool {
         self.broken == 0 && self.max <= self.bound
     }
 }
 
-/// How many places around a sample are looked at beside those in line with it, for samples above
-/// which share of their bound. Several inputs together decide on most steps, and few places show
-/// few of their combinations.
+/// Numbers of random neighbors that are judged beside the regular ones, each for samples whose
+/// error is above a share of the bound. Several inputs together decide on most steps, and few
+/// neighbors show few of their combinations.
 const AROUND: [(usize, f64); 3] = [(0, 0.25), (120, 1.0), (1500, 1.0)];
 
-/// How many of the worst samples are kept.
+/// Number of the worst samples that are kept.
 const KEPT: usize = 6;
 
 impl<'a> Lab<'a> {
-    /// A laboratory on this GPU.
+    /// A laboratory on the GPU of `renderer`.
     ///
     /// # Errors
-    /// Where no picture can be written for image nodes.
+    /// Textures for image and HCBTF nodes that cannot be written.
     pub fn new(library: &Library, renderer: &'a mut Renderer) -> Result<Self, Vec<Diagnostic>> {
         let told = |error: std::io::Error| {
             vec![Diagnostic::error("write-failed", format!("no temporary folder: {error}"))]
@@ -138,10 +141,10 @@ impl<'a> Lab<'a> {
         eval_batches(look, &self.library, samples, &options, &mut self.assets)
     }
 
-    /// What the GPU gives, one row of all outputs' numbers for each sample.
+    /// Results of the GPU, one row of all outputs' numbers for each sample.
     ///
     /// # Errors
-    /// What the compiler or the GPU refuses.
+    /// Errors of the compiler or the GPU.
     pub async fn run(
         &mut self,
         bench: &Bench,
@@ -163,10 +166,10 @@ impl<'a> Lab<'a> {
         Ok(rows)
     }
 
-    /// What is true: the exact tier in f64, fed with the numbers that the GPU holds.
+    /// True results: the exact tier in f64, fed with the numbers that the GPU holds.
     ///
     /// # Errors
-    /// What the compiler or the interpreter refuses.
+    /// Errors of the compiler or the interpreter.
     pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, MeasureError> {
         let samples: Vec<EvalSample> =
             all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
@@ -176,7 +179,8 @@ impl<'a> Lab<'a> {
         }
         for root in &bench.roots {
             for mut batch in self.batches(&bench.exact, root, &samples, true)? {
-                // Unit vectors and whatever else the host makes of a sample reach the GPU rounded.
+                // The GPU gets unit vectors, and all else that the host computes from a sample,
+                // rounded to f32.
                 batch.samples.numbers.iter_mut().for_each(|x| *x = held(*x));
                 let values =
                     reference::evaluate(&batch, Precision::F64).map_err(|problem| vec![problem])?;
@@ -186,12 +190,12 @@ impl<'a> Lab<'a> {
         Ok(rows)
     }
 
-    /// Hands over everything that decides on what a case measures, but for the engines that judge
-    /// it: the modules that the GPU and the interpreter run, their numbers and their images, always
-    /// in the same order.
+    /// Passes to `sink` everything that decides on a case's results, except the engines that judge
+    /// them: the modules that the GPU and the interpreter run, their numbers and their images,
+    /// always in the same order.
     ///
     /// # Errors
-    /// What the compiler refuses.
+    /// Errors of the compiler.
     pub fn content(
         &mut self,
         case: &Case,
@@ -202,10 +206,10 @@ impl<'a> Lab<'a> {
         self.content_of(&bench, &samples(&bench, effort), sink)
     }
 
-    /// The same for chosen samples of a bench.
+    /// As [`content`](Self::content), for chosen samples of a bench.
     ///
     /// # Errors
-    /// What the compiler refuses.
+    /// Errors of the compiler.
     pub fn content_of(
         &mut self,
         bench: &Bench,
@@ -228,8 +232,8 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    /// Whether the GPU runs a case as it is written: what is prepared is then prepared in the
-    /// fragment.
+    /// True if the GPU runs a case without specialization: `prepare`, if the node has one, then
+    /// runs in the fragment stage.
     fn is_unspecialized(&self, bench: &Bench) -> bool {
         let has_prepare =
             self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
@@ -239,7 +243,7 @@ impl<'a> Lab<'a> {
     /// Measures a case.
     ///
     /// # Errors
-    /// What the compiler, the GPU or the interpreter refuses.
+    /// Errors of the compiler, the GPU or the interpreter.
     pub async fn measure(
         &mut self,
         case: &Case,
@@ -255,11 +259,11 @@ impl<'a> Lab<'a> {
         Ok(worst)
     }
 
-    /// The results of samples, in their order, judged as the case is; where no bound is stated and
-    /// they are finite, their error is 0.
+    /// Results of samples, in their order, judged as the case is. The error of a finite result that
+    /// no bound applies to is 0.
     ///
     /// # Errors
-    /// What the compiler, the GPU or the interpreter refuses.
+    /// Errors of the compiler, the GPU or the interpreter.
     pub async fn compare(
         &mut self,
         bench: &Bench,
@@ -277,7 +281,7 @@ impl<'a> Lab<'a> {
         let mut findings: Vec<Finding> = samples.iter().zip(got).zip(truth).map(finding).collect();
         let judging = judging(&bench.case);
         let most = bound(&bench.case, &self.library);
-        // Where no bound is stated, a finite result is all that is asked for.
+        // A result that no bound applies to only has to be finite.
         let is_above = |finding: &Finding, enough: f64| {
             finding.error > enough
                 && finding.got.iter().all(|x| x.is_finite())
@@ -306,8 +310,8 @@ impl<'a> Lab<'a> {
         Ok(findings)
     }
 
-    /// WGSL lets a denormal count as 0, and halving makes one of a few more: results are right if
-    /// they are so with either.
+    /// Judges doubtful samples again with denormals as 0. WGSL allows that, and halving makes
+    /// denormals of a few more numbers: a result is right if it is right with either.
     fn flush(
         &mut self,
         bench: &Bench,
@@ -341,7 +345,8 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    /// Judges samples by what is true around them, at `more` places beside the few that come first.
+    /// Judges samples by the true results of their neighbors: the regular ones, and `more` random
+    /// ones.
     fn judge(
         &mut self,
         bench: &Bench,
@@ -440,14 +445,15 @@ fn collect(batch: &EvalBatch, values: impl Iterator<Item = [f64; 4]>, rows: &mut
     let ty = &batch.shader.root_type;
     for (&index, value) in batch.indices.iter().zip(values) {
         match ty {
-            // Radians say more than two halves; what is not finite stays so.
+            // An angle is compared in radians, which tell more than sine and cosine of its half; a
+            // result that is not finite stays so.
             Type::Angle => rows[index].push(2.0 * value[0].atan2(value[1])),
             _ => rows[index].extend(&value[..ty.width().unwrap_or(4)]),
         }
     }
 }
 
-/// What a node is fed: evenly within what is documented, then the edges.
+/// Samples of a bench: spread evenly within the documented ranges, then at the edges of arithmetic.
 fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
     let mut random = Random::of(&bench.case.name());
     let widths: Vec<usize> = bench.slots.iter().map(|slot| slot.width).collect();
@@ -481,10 +487,11 @@ fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
     all
 }
 
-/// Inputs that f32 can hardly tell from these: each number moved by one and by four units in the
-/// last place, all of them at once, and `more` where each is moved by chance by up to four. Numbers
-/// of a direction move by units of its largest one; `together`, all move by units of the largest
-/// number of all, which is at least 1.
+/// Appends to `to` the neighbors of a sample, which f32 can hardly tell from it: each number moved
+/// by one and by four units in the last place, all numbers moved at once, and `more` neighbors
+/// whose numbers are moved at random by up to four units. Numbers of a direction move by units of
+/// its largest number; if `together`, all move by units of the largest number of the sample, which
+/// is at least 1.
 fn neighbours(
     slots: &[Slot],
     numbers: &Numbers,
@@ -494,7 +501,7 @@ fn neighbours(
 ) {
     let largest = |numbers: &[f64]| numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
     let all = numbers.iter().map(|numbers| largest(numbers)).fold(1.0, f64::max);
-    // A turned angle is known to so many digits of pi, and not of itself.
+    // A turned angle has as many digits as pi, not as many as itself.
     let is_turned =
         slots.iter().zip(numbers).any(|(slot, numbers)| slot.name == "shift" && numbers[0] != 0.0);
     let moved = |slot: &Slot, numbers: &[f64], place: usize, steps: i32| {
@@ -519,7 +526,8 @@ fn neighbours(
                 other[index][place] = moved(slot, &numbers[index], place, steps);
                 to.push(other);
             }
-            // What is lost beside the largest number.
+            // A number this small may be lost beside the largest one, so a neighbor has 0 in its
+            // place.
             if together && numbers[index][place].abs() < 1e-6 * all {
                 let mut other = numbers.clone();
                 other[index][place] = 0.0;
@@ -527,7 +535,7 @@ fn neighbours(
             }
         }
     }
-    // All up, all down, and every other one, every other two, every other four.
+    // Moves all up, all down, and every other one, every other two, every other four.
     for (period, flip) in [0, 1, 2, 4].into_iter().flat_map(|period| [(period, 1), (period, -1)]) {
         let mut other = numbers.clone();
         let mut count = 0;
@@ -560,8 +568,8 @@ fn difference(got: &[f64], truth: &[f64]) -> f64 {
     got.iter().zip(truth).map(one).fold(0.0, f64::max)
 }
 
-/// The largest difference of a number over the result's range: 1, or its largest number, or
-/// `least`.
+/// The largest difference of any number, over the result's range: the largest number of the truth,
+/// at least `least`.
 fn distance(got: &[f64], truth: &[f64], least: f64) -> f64 {
     difference(got, truth) / range(truth, least)
 }
@@ -570,7 +578,7 @@ fn range(truth: &[f64], least: f64) -> f64 {
     truth.iter().map(|x| x.abs()).fold(least, f64::max)
 }
 
-/// The least range of a sample: 1, or its largest input where these count.
+/// The least range of a sample: 1, or its largest input if the size of inputs counts.
 fn least_range(case: &Case, numbers: &Numbers) -> f64 {
     if counts_inputs(case) {
         numbers.iter().flatten().map(|x| x.abs()).fold(1.0, f64::max)
@@ -579,9 +587,9 @@ fn least_range(case: &Case, numbers: &Numbers) -> f64 {
     }
 }
 
-/// How far a result lies outside of what spans a set of true ones, over their range. What is true
-/// half a unit in the last place beyond the set's inputs, which are whole ones and up to four,
-/// counts as spanned.
+/// Distance of a result from the span of a set of true results, over their range. The set's inputs
+/// are whole units in the last place apart, up to four; true results of inputs half a unit beyond
+/// count as within the span.
 fn beyond(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     let range = set.iter().map(|truth| range(truth, least)).fold(1.0, f64::max);
     let outside = |(index, x): (usize, &f64)| {
@@ -593,7 +601,7 @@ fn beyond(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     got.iter().enumerate().map(outside).fold(0.0, f64::max) / range
 }
 
-/// How far each number of a result is from the nearest of a set of true ones, at most, over their
+/// Largest distance of any number of a result from the nearest in a set of true results, over their
 /// range.
 fn nearest(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     let one = |(index, x): (usize, &f64)| {
@@ -605,7 +613,7 @@ fn nearest(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
     got.iter().enumerate().map(one).fold(0.0, f64::max)
 }
 
-/// A sample of these numbers.
+/// A sample with these numbers in its slots.
 pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
     let mut sample = EvalSample::default();
     let mut light = LightOverride::default();
@@ -634,7 +642,7 @@ pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
     sample
 }
 
-/// Gives a part of a sample's surface its numbers.
+/// Sets a part of a sample's surface.
 fn set_part(sample: &mut EvalSample, part: SurfacePart, numbers: &[f64]) {
     let vec3 = || glam::DVec3::from_slice(numbers);
     match part {
@@ -659,7 +667,7 @@ fn set_part(sample: &mut EvalSample, part: SurfacePart, numbers: &[f64]) {
     }
 }
 
-/// A sample and its result in words.
+/// Description of a sample and its result.
 pub(super) fn words(bench: &Bench, finding: &Finding) -> String {
     let fed: Vec<String> = bench
         .slots

@@ -1,11 +1,11 @@
-//! How far every node can be from the truth, whatever it is fed.
+//! Sweeps: the largest distance of every node from the truth, over all its inputs.
 //!
 //! [`Case::of`] lists the ways of using a node: choices, widths, tiers. A [`Bench`] is a look with
-//! the node alone, every number of it fed by hand; a [`Lab`] runs it on the GPU and in f64, with
-//! the same f32-rounded inputs, spread evenly over what is documented and heaped at the edges of
-//! arithmetic. Where rounding of the input itself decides, [`bounds`] says so, and the result is
-//! held against all that is true within four units in the last place. [`search`] climbs from the
-//! worst samples to worse ones and keeps them.
+//! the node alone, every number of it fed from a slot; a [`Lab`] runs the bench on the GPU and in
+//! f64, with the same f32-rounded inputs, spread evenly over the documented ranges and concentrated
+//! at the edges of arithmetic. For nodes where rounding of the input itself decides, [`bounds`]
+//! says so, and the result is compared with all true results within four units in the last place.
+//! [`search`] climbs from the worst samples to worse ones and keeps them.
 
 pub mod bounds;
 pub mod case;

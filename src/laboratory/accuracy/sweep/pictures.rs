@@ -1,4 +1,4 @@
-//! What docs/accuracy.md says of whole looks, still and turning.
+//! The parts of docs/accuracy.md about whole looks, still and turning.
 
 use std::fmt::Write as _;
 

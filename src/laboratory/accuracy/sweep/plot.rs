@@ -1,15 +1,15 @@
-//! Rows of points on an axis of powers of ten, as an SVG: errors and what they are held to.
+//! Plot of rows of points on a logarithmic axis, as an SVG: errors and their bounds.
 
 use std::fmt::Write as _;
 
 /// One row: a label, points with their colors, and a bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What it is about.
+    /// Label of the row.
     pub label: String,
     /// Numbers with their colors; the last is drawn on top.
     pub points: Vec<(f64, &'static str)>,
-    /// What they are held to.
+    /// Bound of the numbers.
     pub bound: Option<f64>,
 }
 
@@ -18,7 +18,7 @@ const LEFT: f64 = 260.0;
 const RIGHT: f64 = 28.0;
 const TOP: f64 = 78.0;
 const ROW: f64 = 17.0;
-/// No error is drawn smaller: what f32 cannot tell from none.
+/// Smallest error that is drawn: f32 cannot tell smaller ones from none.
 const LEAST: f64 = 1e-8;
 
 /// Draws rows under a title, with a legend of colors.
@@ -126,7 +126,7 @@ mod tests {
             let from = line.find("cx=\"").expect("a place") + 4;
             line[from..].split('"').next().and_then(|x| x.parse::<f64>().ok()).expect("a number")
         };
-        // The axis goes from 1e-8, where no error at all stands, to 1.
+        // The axis goes from 1e-8, where the point without an error is, to 1.
         let width = WIDTH - LEFT - RIGHT;
         assert!((x_of("green") - LEFT).abs() < 0.1);
         assert!((x_of("blue") - LEFT - 0.25 * width).abs() < 0.1);

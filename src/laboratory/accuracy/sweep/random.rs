@@ -1,18 +1,18 @@
-//! Numbers that look random and are the same in every run.
+//! Pseudorandom and evenly spread numbers, the same in every run.
 
 use glam::DVec3;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
+/// Pseudorandom numbers by SplitMix64 (Steele, Lea and Flood 2014).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
 impl Random {
-    /// The same numbers for the same seed.
+    /// A generator that yields the same numbers for the same seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }
 
-    /// A seed from words: FNV-1a.
+    /// A generator whose seed is the FNV-1a hash of `words`.
     pub fn of(words: &str) -> Self {
         Self(words.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
@@ -27,43 +27,43 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// A number in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// From `low` to `high`.
+    /// A number from `low` to `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// Below `count`, which is at least 1.
+    /// An index below `count`, which is at least 1.
     pub fn index(&mut self, count: usize) -> usize {
         (self.bits() % count.max(1) as u64) as usize
     }
 
-    /// One of a list that is not empty.
+    /// An item of a list that is not empty.
     pub fn pick<T: Copy>(&mut self, items: &[T]) -> T {
         items[self.index(items.len())]
     }
 
-    /// Whether something of this probability happens.
+    /// True with this probability.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.unit() < probability
     }
 
-    /// 1 or -1.
+    /// 1 or -1, equally likely.
     pub fn sign(&mut self) -> f64 {
         if self.chance(0.5) { 1.0 } else { -1.0 }
     }
 
-    /// Even on the sphere.
+    /// A direction, even on the sphere.
     pub fn direction(&mut self) -> DVec3 {
         direction(self.unit(), self.unit())
     }
 }
 
-/// A direction from two shares of 1, even on the sphere.
+/// A direction from two shares of 1, even on the sphere for even shares.
 pub fn direction(height: f64, turn: f64) -> DVec3 {
     let z = 2.0 * height - 1.0;
     let (sin, cos) = (std::f64::consts::TAU * turn).sin_cos();
@@ -71,7 +71,7 @@ pub fn direction(height: f64, turn: f64) -> DVec3 {
     DVec3::new(r * cos, r * sin, z)
 }
 
-/// Points that fill a cube of any dimension evenly: multiples of powers of the generalised golden
+/// Points that fill a cube of any dimension evenly: multiples of powers of the generalized golden
 /// ratio (Roberts 2018).
 #[derive(Clone, Debug)]
 pub struct Even {
@@ -79,7 +79,7 @@ pub struct Even {
 }
 
 impl Even {
-    /// Of this many dimensions.
+    /// Points in a cube of this many dimensions.
     pub fn new(dimensions: usize) -> Self {
         // The root above 1 of x^(d + 1) = x + 1, by iteration, which converges from anywhere above
         // 1.

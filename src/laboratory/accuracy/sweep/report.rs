@@ -1,4 +1,4 @@
-//! Everything that was swept, as a document: docs/accuracy.md, its plots and its JSON.
+//! Report of a survey as a document: docs/accuracy.md, its plots and its JSON.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -15,28 +15,28 @@ use crate::diag::Diagnostic;
 use crate::document::Tier;
 use crate::files::{OutputKind, Outputs};
 
-/// What a survey came to.
+/// Result of a survey.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct AccuracyReport {
-    /// The GPU.
+    /// The GPU's name.
     pub adapter: String,
-    /// Whether it is a program on the CPU.
+    /// True if the adapter is a software renderer on the CPU.
     pub is_software: bool,
-    /// Each case of each node.
+    /// Errors of each case of each node.
     pub nodes: Vec<CaseFigures>,
-    /// Each look, in each tier.
+    /// Errors of each look, in each tier.
     pub looks: Vec<LookFigures>,
-    /// The same in the largest pictures, where they were wanted.
+    /// Errors of each look in the largest pictures, if they were asked for.
     pub large: Vec<LookFigures>,
-    /// Each look on each mesh, turning.
+    /// Flicker of each look on each mesh, while light and camera turn.
     pub stability: Vec<StabilityFigures>,
-    /// The worst inputs, to be kept.
+    /// The worst inputs of nodes, to be kept in `tests/worst`.
     #[serde(skip)]
     pub worst: Vec<Worst>,
 }
 
 impl AccuracyReport {
-    /// Whatever does not keep its bound, in words.
+    /// Descriptions of all errors beyond their bounds.
     pub fn broken(&self) -> Vec<String> {
         let nodes = self.nodes.iter().filter(|one| !one.holds());
         let nodes =
@@ -65,7 +65,7 @@ impl AccuracyReport {
         nodes.chain(looks).chain(turning).collect()
     }
 
-    /// The document; plots lie in the folder `plots` beside it.
+    /// The document as Markdown; its plots lie in the folder `plots` beside it.
     pub fn markdown(&self, command: &str, plots: &str) -> String {
         let mut text = String::new();
         self.head(&mut text, command);
@@ -173,7 +173,7 @@ impl AccuracyReport {
         format!("{setting}{}", one.worst_words.replace('|', "\\|"))
     }
 
-    /// The cases of each node and tier.
+    /// The cases grouped by node and tier.
     fn groups(&self) -> Vec<Vec<&CaseFigures>> {
         let mut groups: Vec<Vec<&CaseFigures>> = Vec::new();
         for one in &self.nodes {
@@ -188,8 +188,8 @@ impl AccuracyReport {
         groups
     }
 
-    /// Whether the document may be written to `path`, and the plots beside it, asked before the
-    /// hours of measuring.
+    /// Checks that the document may be written to `path`, and the plots beside it, before the hours
+    /// of measuring.
     ///
     /// # Errors
     /// As [`Outputs::check`].
@@ -199,11 +199,11 @@ impl AccuracyReport {
         PLOTS.iter().try_for_each(|name| outputs.check(&folder.join(name), OutputKind::DRAWING))
     }
 
-    /// Writes the document to `path`, and the plots into the folder of its stem beside it; all
+    /// Writes the document to `path`, and the plots into the folder of the same stem beside it; all
     /// together, the document last.
     ///
     /// # Errors
-    /// What the disk refuses, and what is in the way.
+    /// Errors of the file system, and files of others in the way.
     pub fn write(
         &self,
         path: &Path,
@@ -293,17 +293,17 @@ impl AccuracyReport {
     }
 }
 
-/// The names of the plots, of nodes, looks and their stability.
+/// Names of the plots: nodes, looks and their stability.
 const PLOTS: [&str; 3] = ["nodes.svg", "looks.svg", "stability.svg"];
 
-/// The document.
+/// The document, as a kind of output file.
 const REPORT: OutputKind<'static> = OutputKind {
     name: "a report of accuracy",
     is_own: &|text| text.starts_with(b"# Accuracy\n\n<!-- Written by `chiaro accuracy"),
     has_seal: false,
 };
 
-/// What the folder of a document's plots is called.
+/// Name of the folder of a document's plots.
 fn stem_of(path: &Path) -> String {
     path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default()
 }
@@ -361,12 +361,12 @@ fn tier(one: &CaseFigures) -> &'static str {
     word_of(one.case.tier)
 }
 
-/// What a tier is called in a look's file.
+/// Word for a tier in a look's file.
 pub(super) fn word_of(tier: Tier) -> &'static str {
     ["exact", "balanced", "fast"][tier as usize]
 }
 
-/// Two digits, whatever the size.
+/// The number with two digits, whatever its magnitude.
 pub(super) fn small(number: f64) -> String {
     if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") }
 }

@@ -1,5 +1,6 @@
-//! Looks for worse inputs: from the worst that a sweep has found, small and large steps, keeping
-//! what is worse. What was found is written down, so that a test can hold it.
+//! Search for worse inputs: small and large steps from the worst samples that a sweep has found,
+//! keeping the samples with larger errors. They are written to files, so that a test can check
+//! them.
 
 use std::path::Path;
 
@@ -15,15 +16,15 @@ use crate::diag::Diagnostic;
 use crate::files::{OutputKind, Outputs, read_text};
 use crate::library::Library;
 
-/// How many are kept from round to round.
+/// Number of samples that are kept from round to round.
 const PARENTS: usize = 6;
-/// How many steps are tried from each.
+/// Number of steps that are tried from each sample.
 const CHILDREN: usize = 40;
 
 /// Climbs from the worst samples of `measured` to worse ones; the work is the same in every run.
 ///
 /// # Errors
-/// What the compiler, the GPU or the interpreter refuses.
+/// Errors of the compiler, the GPU or the interpreter.
 pub async fn climb(
     lab: &mut Lab<'_>,
     bench: &Bench,
@@ -75,15 +76,15 @@ fn child(bench: &Bench, parent: &Numbers, random: &mut Random) -> Numbers {
     numbers
 }
 
-/// A worst input as it is kept in `tests/worst`.
+/// One of the worst inputs, as `tests/worst` stores it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Worst {
-    /// The case.
+    /// Case of the node.
     #[serde(flatten)]
     pub case: Case,
-    /// What the node was fed, by slot; NaN and infinities as words.
+    /// Numbers that the node was fed with, by slot; NaN and infinities as words.
     pub inputs: indexmap::IndexMap<String, Vec<Word>>,
-    /// The error when it was found, relative to the output's range.
+    /// Error when the input was found, relative to the output's range.
     pub error: f64,
 }
 
@@ -113,7 +114,7 @@ impl Word {
 }
 
 impl Worst {
-    /// A finding of a bench.
+    /// The input of a bench's finding.
     pub fn new(bench: &Bench, finding: &Finding) -> Self {
         let input = |(slot, numbers): (&super::slot::Slot, &Vec<f64>)| {
             (slot.name.clone(), numbers.iter().copied().map(Word::from).collect())
@@ -153,15 +154,14 @@ impl Worst {
     }
 }
 
-/// A file of worst inputs.
+/// Lists of worst inputs, as a kind of output file.
 const WORST: OutputKind<'static> = OutputKind {
     name: "a list of worst inputs",
     is_own: &|text| serde_json::from_slice::<Vec<Worst>>(text).is_ok(),
     has_seal: false,
 };
 
-/// Whether worst inputs of every node may be written into a folder, asked before they are searched
-/// for.
+/// Checks that worst inputs of every node may be written into a folder, before the search for them.
 ///
 /// # Errors
 /// As [`Outputs::check`].
@@ -173,7 +173,7 @@ pub fn check(folder: &Path, library: &Library, outputs: &Outputs) -> Result<(), 
 /// Writes worst inputs, a file a node, one input a line; all together.
 ///
 /// # Errors
-/// What the disk refuses, and what is in the way.
+/// Errors of the file system, and files of others in the way.
 pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
     let mut by_node: std::collections::BTreeMap<&str, Vec<&Worst>> =
         std::collections::BTreeMap::new();
@@ -198,7 +198,7 @@ pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), 
 /// Reads a file of worst inputs.
 ///
 /// # Errors
-/// What cannot be read, or is none.
+/// A file that cannot be read, or is no list of worst inputs.
 pub fn read(path: &Path) -> Result<Vec<Worst>, Diagnostic> {
     let told =
         |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());

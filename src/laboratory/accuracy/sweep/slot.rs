@@ -1,5 +1,5 @@
-//! What a node is fed: slots of numbers, each with its range and with the places at which
-//! arithmetic goes wrong.
+//! Slots, the inputs of a node: numbers with their ranges, and the values at which arithmetic goes
+//! wrong.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -11,42 +11,42 @@ use crate::library::{Context, SurfacePart};
 /// The numbers of all slots of one sample.
 pub type Numbers = Vec<Vec<f64>>;
 
-/// Where a slot's numbers go.
+/// Destination of a slot's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// To the exposed parameter of the slot's name.
+    /// The exposed parameter of the slot's name.
     Value,
-    /// To a part of the surface; the camera's rotation as a quaternion of any length.
+    /// A part of the surface; the camera's rotation as a quaternion of any length.
     Part(SurfacePart),
-    /// To a context that has numbers of its own.
+    /// A context that has numbers of its own.
     Context(Context),
-    /// To the light's direction.
+    /// The light's direction.
     LightDirection,
-    /// To the light's position.
+    /// The light's position.
     LightPosition,
-    /// To the light's color.
+    /// The light's color.
     LightColor,
-    /// To the light's intensity.
+    /// The light's intensity.
     LightIntensity,
 }
 
-/// What a slot's numbers are.
+/// Kind of a slot's numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// Any numbers, within a documented range where there is one.
+    /// Any numbers, within a documented range if the input has one.
     Number {
-        /// The least that is documented.
+        /// Documented minimum.
         min: Option<f64>,
-        /// The greatest that is documented.
+        /// Documented maximum.
         max: Option<f64>,
-        /// Whether they are radians.
+        /// True if the numbers are angles, in radians.
         is_angle: bool,
     },
     /// A whole number.
     Whole {
-        /// The least that is documented.
+        /// Documented minimum.
         min: f64,
-        /// The greatest that is documented.
+        /// Documented maximum.
         max: f64,
     },
     /// 0 or 1.
@@ -55,7 +55,7 @@ pub enum Kind {
     Color,
     /// Premultiplied RGBA.
     Composite,
-    /// A unit vector, but for rounding.
+    /// A unit vector, except for rounding.
     Unit,
     /// A vector whose direction counts, of any length.
     Direction,
@@ -63,39 +63,39 @@ pub enum Kind {
     Rotation,
     /// The sine and cosine of half an angle in [0, pi].
     HalfAngle,
-    /// Curvature, NaN and infinite too.
+    /// Curvature, NaN and infinities included.
     Kappa,
-    /// Products xx, xy and yy of how fast two coordinates change along the picture; 0 where they
-    /// are pixels.
+    /// Products xx, xy and yy of the derivatives of two coordinates along the picture; 0 if the
+    /// coordinates are pixels.
     Stretch,
 }
 
 /// One input of a node.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slot {
-    /// The input's name, or the surroundings' word.
+    /// Name of the input, or word for the context.
     pub name: String,
-    /// Where its numbers go.
+    /// Destination of the numbers.
     pub place: Place,
-    /// What they are.
+    /// Kind of the numbers.
     pub kind: Kind,
-    /// How many.
+    /// Number of numbers.
     pub width: usize,
-    /// No number is larger.
+    /// Largest absolute value of any number.
     pub most: f64,
 }
 
-/// What a number is once a GPU holds it.
+/// The number rounded to f32, as a GPU holds it.
 pub fn held(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
-/// pi as f32 has it; its neighbours are beyond and below the real one.
+/// pi rounded to f32; of its neighbors one is above and one below the real pi.
 const PI_32: f64 = std::f32::consts::PI as f64;
 const ULP_OF_PI: f64 = 1.0 / 4_194_304.0;
 
-/// Numbers at which arithmetic goes wrong: zeros, denormals, the largest and smallest, where f32
-/// loses its fractions.
+/// Numbers at which arithmetic goes wrong: zeros, denormals, the largest and smallest, and numbers
+/// so large that f32 loses their fractions.
 const EDGES: [f64; 34] = [
     0.0,
     -0.0,
@@ -134,8 +134,8 @@ const EDGES: [f64; 34] = [
 ];
 
 #[expect(clippy::approx_constant, reason = "what people write for pi is not pi")]
-/// Angles at which arithmetic goes wrong: pi in f32 and its neighbours, and what people write for
-/// it.
+/// Angles at which arithmetic goes wrong: pi in f32 and its neighbors, and decimals that people
+/// write for pi.
 const ANGLES: [f64; 20] = [
     0.0,
     -0.0,
@@ -160,7 +160,7 @@ const ANGLES: [f64; 20] = [
 ];
 
 impl Slot {
-    /// A number within what is documented, from shares of 1 (one for each number).
+    /// Numbers within the documented range, from shares of 1 (one share for each number).
     pub fn ordinary(&self, shares: &[f64]) -> Vec<f64> {
         let numbers: Vec<f64> = match self.kind {
             Kind::Number { min, max, is_angle } => {
@@ -190,7 +190,7 @@ impl Slot {
             Kind::Rotation => rotation([shares[0], shares[1], shares[2]]),
             Kind::HalfAngle => half_angle(PI * shares[0]),
             Kind::Kappa => vec![120.0 * shares[0] - 60.0],
-            // Rims draw places out up to eight times.
+            // Rims stretch places by up to eight times.
             Kind::Stretch => {
                 stretch((4.0 * shares[0] - 2.0).exp2(), (3.0 * shares[1]).exp2(), PI * shares[2])
             }
@@ -198,7 +198,7 @@ impl Slot {
         numbers.into_iter().map(held).collect()
     }
 
-    /// Numbers at which something may go wrong.
+    /// Numbers at which a node may go wrong.
     pub fn extreme(&self, random: &mut Random) -> Vec<f64> {
         let most = self.most;
         let mut edge = |random: &mut Random| random.pick(&EDGES).clamp(-most, most);
@@ -290,7 +290,7 @@ impl Slot {
         numbers.into_iter().map(held).collect()
     }
 
-    /// A step from these numbers: small or large, one of them or all.
+    /// A step from these numbers: small or large, of one number or of all.
     pub fn step(&self, from: &[f64], random: &mut Random) -> Vec<f64> {
         let size = 10_f64.powf(random.between(-7.5, 0.0));
         let one = random.index(from.len());
@@ -331,12 +331,12 @@ impl Slot {
             .collect()
     }
 
-    /// Whether numbers of this kind may move by a unit in the last place and stay what they are.
+    /// True if numbers of this kind may move by a unit in the last place and still be of the kind.
     pub fn is_continuous(&self) -> bool {
         !matches!(self.kind, Kind::Switch | Kind::Whole { .. })
     }
 
-    /// Whether the numbers lie in what is documented.
+    /// True if the numbers lie within the documented range.
     pub fn is_ordinary(&self, numbers: &[f64]) -> bool {
         match self.kind {
             Kind::Number { min, max, .. } => {
@@ -368,8 +368,8 @@ fn extreme_number(
     if is_angle && random.chance(0.7) { random.pick(&ANGLES) } else { edge(random) }
 }
 
-/// The products of a place that changes by `size` along the picture, and so many times as much in
-/// one direction.
+/// Products of a place that changes by `size` along the picture, and by `ratio` times as much in
+/// the direction `angle`.
 fn stretch(size: f64, ratio: f64, angle: f64) -> Vec<f64> {
     let (sin, cos) = angle.sin_cos();
     let [most, least] = [(size * ratio).powi(2), size * size];
@@ -380,16 +380,16 @@ fn stretch(size: f64, ratio: f64, angle: f64) -> Vec<f64> {
     ]
 }
 
-/// Whether these products are those of a place that marks can lie on: drawn out at most thirty
-/// times, as more leaves nothing of an area's digits; and not seen so large that marks are as fine
-/// as the place's last digits. Where their sum is 0 or less they count as none.
+/// True if these products belong to a place that marks can lie on: stretched at most thirty times,
+/// as more leaves no digits of an area; and not seen so large that marks are as fine as the place's
+/// last digits. Products whose sum is 0 or less count as none.
 pub fn is_stretch(numbers: &[f64]) -> bool {
     let [xx, xy, yy] = [numbers[0], numbers[1], numbers[2]];
     let sum = xx + yy;
     sum <= 0.0 || (sum >= 1e-3 && xx > 0.0 && yy > 0.0 && xx * yy - xy * xy >= 1e-3 * sum * sum)
 }
 
-/// Axes, diagonals, and what is just beside them.
+/// An axis or a diagonal, or a direction just beside one.
 fn special_direction(random: &mut Random) -> DVec3 {
     let axes = [
         DVec3::X,
@@ -404,7 +404,7 @@ fn special_direction(random: &mut Random) -> DVec3 {
     (axis.normalize() + aside * random.direction()).normalize()
 }
 
-/// A rotation from three shares of 1, even among the rotations (Shoemake 1992).
+/// A rotation from three shares of 1, even among the rotations for even shares (Shoemake 1992).
 fn rotation([a, b, c]: [f64; 3]) -> Vec<f64> {
     let (p, q) = ((1.0 - a).sqrt(), a.sqrt());
     vec![p * (TAU * b).sin(), p * (TAU * b).cos(), q * (TAU * c).sin(), q * (TAU * c).cos()]
@@ -418,8 +418,8 @@ fn unit(v: &[f64]) -> Vec<f64> {
     DVec3::from_slice(v).try_normalize().unwrap_or(DVec3::Z).to_array().to_vec()
 }
 
-/// The f32 that is so many units in the last place away; steps from 0 go to the smallest normal
-/// number, because what is smaller may count as 0.
+/// The f32 that is `steps` units in the last place away from `x`; steps from 0 go to the smallest
+/// normal number, because smaller numbers may count as 0.
 pub fn next(x: f64, steps: i32) -> f64 {
     let x = x as f32;
     if !x.is_finite() {
@@ -433,7 +433,7 @@ pub fn next(x: f64, steps: i32) -> f64 {
     f64::from(if moved.is_finite() { moved } else { x })
 }
 
-/// Puts slots into relation, as equal and opposite vectors, equal numbers, and what is nearly so.
+/// Makes the numbers of slots equal, opposite, or nearly so.
 pub fn relate(slots: &[Slot], numbers: &mut Numbers, random: &mut Random) {
     let is_vector =
         |slot: &Slot| matches!(slot.kind, Kind::Unit | Kind::Direction) || slot.width == 3;

@@ -1,4 +1,4 @@
-//! Flicker: how much more a pixel changes from frame to frame than its truth does, while light and
+//! Flicker: change of a pixel from frame to frame beyond the change of its truth, while light and
 //! camera turn slowly.
 
 use std::path::Path;
@@ -14,45 +14,46 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Renderer;
 
-/// What turns.
+/// Own shapes that turn.
 pub const MESHES: [&str; 2] = ["shape:sphere", "shape:creature"];
-/// Radians that the camera turns from frame to frame; the light turns by twice as much the other
-/// way.
+/// Angle that the camera turns by from frame to frame; the light turns by twice as much the other
+/// way, in radians.
 pub const STEP: f64 = 0.004;
-/// A channel changes by no more than this beside what its truth does, where the truth is smooth:
-/// rounding alone, a tenth of what eight bits can show.
+/// Largest change of a channel beyond the truth's where the truth is smooth: rounding alone, a
+/// tenth of the difference that eight bits can show.
 pub const ON_SMOOTH: f64 = 0.1 * VISIBLE;
-/// The same on terminators and cartoon edges, where a normal's last digit is multiplied by how
-/// steep they are: what eight bits can show. On silhouettes a share of the changes may be more.
+/// Largest change of a channel beyond the truth's on terminators and cartoon edges, whose steepness
+/// multiplies a normal's last digit: the difference that eight bits can show. On silhouettes a
+/// share of the changes may be larger.
 pub const ON_EDGES: f64 = VISIBLE;
-/// This share of the changes on edges may be up to four times as much.
+/// Share of the changes on edges that may be up to four times as large.
 pub const RARE_ON_EDGES: f64 = 1e-4;
 
-/// A pixel whose truth changes by more than this across it lies on a terminator or on a cartoon
-/// edge.
+/// Smallest change of the truth across a pixel that makes the pixel count as on a terminator or a
+/// cartoon edge.
 const STEEP: f64 = 0.04;
 
-/// How long and how large.
+/// Extent of the measurement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StabilityEffort {
-    /// Frames.
+    /// Number of frames.
     pub frames: usize,
-    /// The pictures' side, in pixels.
+    /// Side of the pictures, in pixels.
     pub side: u32,
 }
 
-/// What one kind of pixel came to.
+/// Flicker of one class of pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Flicker {
-    /// Changes that were compared.
+    /// Number of changes that were compared.
     pub count: u64,
-    /// The largest change beside the truth's.
+    /// The largest change beyond the truth's.
     pub max: f64,
-    /// The mean one.
+    /// The mean change beyond the truth's.
     pub mean: f64,
     /// The largest change of the truth itself.
     pub truth: f64,
-    /// How many were more than 1/255.
+    /// Number of changes beyond the truth's that were more than 1/255.
     pub visible: u64,
 }
 
@@ -66,39 +67,39 @@ impl Flicker {
     }
 }
 
-/// What a look on a mesh came to.
+/// Flicker of a look on a mesh.
 #[derive(Clone, Debug, Serialize)]
 pub struct StabilityFigures {
-    /// The file's stem.
+    /// Stem of the look's file name.
     pub look: String,
-    /// The mesh.
+    /// Name of the mesh.
     pub mesh: String,
-    /// Whether direction keys turn with the light or the view.
+    /// True if direction keys turn with the light or the view.
     pub has_direction_keys: bool,
-    /// Where the truth is smooth.
+    /// Flicker of pixels where the truth is smooth.
     pub smooth: Flicker,
-    /// On terminators and cartoon edges.
+    /// Flicker of pixels on terminators and cartoon edges.
     pub edges: Flicker,
-    /// On silhouettes, where one part hides another, and as far from there as the curvature pass
-    /// looks: there a pixel that is covered or not decides.
+    /// Flicker of pixels on silhouettes, where one part hides another, and as far from there as the
+    /// curvature pass looks: coverage of a pixel decides their color.
     pub silhouettes: Flicker,
 }
 
 impl StabilityFigures {
-    /// Whether it keeps what it is held to.
+    /// True if the flicker is within the bounds.
     pub fn holds(&self) -> bool {
-        // Either of two frames may have the pixel.
+        // The pixel may be off in either of the two frames.
         let is_seldom =
             self.silhouettes.visible as f64 <= 2.0 * EDGE_SHARE * self.silhouettes.count as f64;
-        // A stroke or a dot is narrower than the change of a frame: now and then its edge lies
-        // where rounding decides.
+        // A stroke or a dot is narrower than the movement from frame to frame: now and then its
+        // edge lies where rounding decides.
         let is_rare = self.edges.max <= 4.0 * ON_EDGES
             && self.edges.visible as f64 <= RARE_ON_EDGES * self.edges.count as f64;
         self.smooth.max <= ON_SMOOTH && (self.edges.max <= ON_EDGES || is_rare) && is_seldom
     }
 }
 
-/// One frame: what the GPU drew and what is true, premultiplied, and which pixels are on outlines.
+/// One frame: the GPU's picture and the truth, premultiplied, and the pixels on outlines.
 struct Frame {
     got: Vec<[f64; 4]>,
     truth: Vec<[f64; 4]>,
@@ -109,7 +110,7 @@ struct Frame {
 /// [precisely](crate::render::Gpu::precise).
 ///
 /// # Errors
-/// What is wrong with the look, what the GPU refuses, or that `progress` stopped it.
+/// Problems of the look, errors of the GPU, or `Stopped` if `progress` was stopped.
 pub async fn measure_stability(
     path: &Path,
     mesh: &str,
@@ -158,7 +159,7 @@ async fn frame(
     let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
     let got = Colors::from(&precise.picture(&plan).await?);
     let colors = truth.colors().rgba.into_owned();
-    // Either of two frames makes half of a change.
+    // Each of the two frames contributes half of a change.
     let above =
         |index| 0.5 * if is_steep(&colors, index, side as usize) { ON_EDGES } else { ON_SMOOTH };
     truth.settle(&got, above, setup, library, truths, &options)?;
@@ -171,7 +172,7 @@ fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut Stability
         let change = |pixels: [&[[f64; 4]]; 2], channel: usize| {
             pixels[1][index][channel] - pixels[0][index][channel]
         };
-        // Where nothing is drawn, nothing can flicker.
+        // A pixel without anything drawn in either frame cannot flicker.
         let is_empty =
             |frame: &Frame| frame.truth[index] == [0.0; 4] && frame.got[index] == [0.0; 4];
         if is_empty(before) && is_empty(after) {
@@ -195,7 +196,7 @@ fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut Stability
     }
 }
 
-/// Whether the truth changes much from this pixel to the next ones.
+/// True if the truth changes much from this pixel to the next ones.
 fn is_steep(pixels: &[[f64; 4]], index: usize, width: usize) -> bool {
     let differs = |other: usize| {
         pixels.get(other).is_some_and(|other| {

@@ -1,7 +1,7 @@
-//! Measures everything that the report tells, on all cores.
+//! Survey: all measurements of an accuracy report, on all cores.
 //!
-//! Cases and looks know nothing of each other, so each is a job; workers take the next one, and
-//! what they find stands in the report in the order of the jobs, whoever was first.
+//! Cases and looks are independent of each other, so each is a job; workers take the next one, and
+//! the results stand in the report in the order of the jobs, whichever worker finished first.
 
 use std::num::NonZero;
 use std::path::{Path, PathBuf};
@@ -21,39 +21,39 @@ use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 
-/// What is surveyed.
+/// Nodes and looks that are surveyed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
-    /// The kinds of nodes; all where it is empty.
+    /// Kinds of nodes; all kinds if empty.
     pub nodes: Vec<String>,
-    /// How much of each node.
+    /// Extent of the measurements of each node.
     pub effort: Effort,
-    /// The folder of looks; none are drawn without it.
+    /// Folder of looks; no looks are drawn if `None`.
     pub looks: Option<PathBuf>,
-    /// How much of each look.
+    /// Pictures of each look that are compared.
     pub look_effort: LookEffort,
-    /// The largest pictures of each look.
+    /// Largest pictures of each look that are compared; none if `None`.
     pub large: Option<LookEffort>,
-    /// How long looks are turned.
+    /// Extent of the flicker measurements.
     pub stability: StabilityEffort,
 }
 
-/// So many workers at most: each holds pictures and shaders of its own, and a picture in f64 is
-/// made on all cores anyway.
+/// Largest number of workers: each holds pictures and shaders of its own, and the reference renders
+/// a picture on all cores anyway.
 const MOST_WORKERS: usize = 4;
-/// Of the worst samples of a case, so many are kept for a test to hold.
+/// Number of the worst samples of a case that are kept for a test to check.
 const KEPT_OF_A_CASE: usize = 2;
 
-/// What is measured in one go.
+/// A job of a worker.
 enum SurveyTask {
     Case(Case),
     Look(PathBuf),
-    /// A look's largest pictures: only one worker makes such at a time, as two would take all
-    /// memory.
+    /// The largest pictures of a look: only one worker makes such pictures at a time, as two would
+    /// take all memory.
     Large(PathBuf),
 }
 
-/// What a job came to.
+/// Result of a job.
 enum TaskResult {
     Case(CaseFigures, Vec<Worst>),
     Look(Vec<LookFigures>, Vec<StabilityFigures>),
@@ -64,18 +64,19 @@ enum TaskResult {
 enum WorkerMessage {
     /// The job of this number is done.
     Finished(usize, TaskResult),
-    /// The worker cannot go on.
+    /// The worker failed, or was stopped.
     Failed(MeasureError),
 }
 
-/// Waits for a future on the thread that calls it. A survey has its own threads, and the library
-/// itself waits nowhere: whoever asks for a survey says how.
+/// Function that blocks its thread until a future is done. A survey has threads of its own, and the
+/// library itself blocks nowhere: the caller of a survey decides how to wait.
 pub type Wait<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
 
-/// Measures everything, each worker on a thread of its own that `wait`s for its device.
+/// Runs all jobs of a survey, each worker on a thread of its own that `wait`s for its device.
 ///
 /// # Errors
-/// What is wrong with a look or a node, no GPU or what it refuses, or that `progress` stopped it.
+/// Problems of a look or a node, a missing GPU or its errors, or `Stopped` if `progress` was
+/// stopped.
 #[expect(
     clippy::disallowed_methods,
     reason = "the one place of the survey that starts threads: each waits for a device of its own"
@@ -100,7 +101,7 @@ pub async fn survey(
     progress.begin(steps);
     let large = looks.iter().filter(|_| survey.large.is_some());
     let large: Vec<SurveyTask> = large.map(|path| SurveyTask::Large(path.clone())).collect();
-    // What takes longest comes first.
+    // The jobs that take longest come first.
     let small =
         looks.into_iter().map(SurveyTask::Look).chain(cases.into_iter().map(SurveyTask::Case));
     let first_small = large.len();
@@ -135,33 +136,34 @@ pub async fn survey(
     Ok(report.with(found))
 }
 
-/// What workers share.
+/// State that workers share.
 struct Team<'a> {
     survey: &'a Survey,
     library: &'a Library,
-    /// The large ones first.
+    /// All jobs, the large ones first.
     jobs: &'a [SurveyTask],
-    /// How many are large.
+    /// Index of the first job that is not large.
     first_small: usize,
-    /// The number of the next large one; who makes one holds it.
+    /// Index of the next large job; the worker of a large job holds the lock.
     next_large: Mutex<usize>,
-    /// The number of the next other one.
+    /// Index of the next other job.
     next_small: AtomicUsize,
-    /// Steps of all workers, stopped too where one of them fails.
+    /// Progress of all workers; stopped, too, when one of them fails.
     progress: Progress,
 }
 
 impl Team<'_> {
-    /// Does one job after the other, and tells what keeps it from going on.
+    /// Does one job after the other, and reports the error that ends the work.
     async fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
         if let Err(why) = self.work_on(tell).await {
-            // First what is wrong: whoever stops because of it tells only that.
+            // The error is sent before the stop, so that it arrives before the `Stopped` of the
+            // other workers.
             drop(tell.send(WorkerMessage::Failed(why)));
             self.progress.stop();
         }
     }
 
-    /// The same, until there are no more jobs; on a device of its own.
+    /// Does jobs until there are no more, on a device of its own.
     async fn work_on(&self, tell: &mpsc::Sender<WorkerMessage>) -> Result<(), MeasureError> {
         let gpu = Gpu::headless().await?;
         let precise = gpu.precise();
@@ -170,7 +172,8 @@ impl Team<'_> {
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
                 SurveyTask::Case(case) => self.measure_case(case, &mut lab).await,
-                // What a look's shaders and textures take is given back after it.
+                // Each look has a renderer of its own, which frees the look's shaders and textures
+                // after it.
                 SurveyTask::Look(path) => {
                     self.measure_look(path, &mut Renderer::new(precise.with_own_store())).await
                 }
@@ -185,8 +188,8 @@ impl Team<'_> {
         Ok(())
     }
 
-    /// A large job where nobody else has one, or else another; what is held is held until it is
-    /// done.
+    /// The next large job if no other worker has one, else the next other job; the guard is held
+    /// until the large job is done.
     fn next_job(&self) -> Option<(usize, Option<MutexGuard<'_, usize>>)> {
         if self.progress.is_stopped() {
             return None;
@@ -243,14 +246,14 @@ impl Team<'_> {
         Ok(TaskResult::Large(drawn))
     }
 
-    /// What all jobs came to, in their order. The first that fails stops them all.
+    /// Results of all jobs, in their order. The first failure stops all workers.
     fn gather(
         &self,
         told: &mpsc::Receiver<WorkerMessage>,
     ) -> Result<Vec<TaskResult>, MeasureError> {
         let mut found: Vec<Option<TaskResult>> = self.jobs.iter().map(|_| None).collect();
         let mut failed = None;
-        // Until the last worker has left.
+        // The loop ends when the last worker has dropped its sender.
         for message in told {
             match message {
                 WorkerMessage::Finished(number, of) => found[number] = Some(of),
