@@ -1,4 +1,4 @@
-//! The doc comment of a node's first function, line by line:
+//! Parser of the doc comment of a node's first function, line by line:
 //!
 //! ```text
 //! /// Profile                                            the label
@@ -19,50 +19,51 @@
 //! /// @source BADF eq. 5
 //! ```
 //!
-//! A `@bypass` says when the node may be left out and what then stands in its place: an input or a
-//! number. Its conditions compare an input with a number, with another input, with words of a
-//! choice (`mode = add|alpha`), or with `black` (first three numbers 0), `unit` (all numbers known
-//! to lie in [0, 1]) or `unit_alpha` (the fourth number, if there is one). Beside `=` there are
-//! `<=` and `>=`, against a number or another input: they hold where constants or ranges show that
-//! they hold at every fragment. `@unit` says when the result is known to lie in [0, 1], but for
-//! what a card's rounding may be off, and `@unit alpha` that the alpha of a color does. A test
-//! holds that a bypassed node equals one that is not. An `@error` says how far a cheaper tier may
-//! be from the exact one; a test holds that too.
+//! A `@bypass` gives the conditions under which the node may be left out, and its replacement: an
+//! input or a number. Its conditions compare an input with a number, with another input, with words
+//! of a choice (`mode = add|alpha`), or with `black` (first three numbers 0), `unit` (all numbers
+//! known to lie in [0, 1]) or `unit_alpha` (the fourth number, if there is one). Beside `=` there
+//! are `<=` and `>=`, against a number or another input: they hold where constants or ranges show
+//! that they hold at every fragment. `@unit` says when the result is known to lie in [0, 1], apart
+//! from a card's rounding error, and `@unit alpha` that the alpha of a color does. A test holds
+//! that a bypassed node equals one that is not. An `@error` bounds the difference of a cheaper tier
+//! from the exact one; a test holds that too.
 //!
 //! A `@bound` names an input that is a share, with the choices for which it is one: the compiler
-//! keeps it within 0 and 1 (of a color its alpha) before the node's functions see it, and does
-//! nothing where ranges show that it lies there.
+//! clamps the input (of a color its alpha) to [0, 1] before the node's functions see it, and adds
+//! no clamp where ranges show that the value lies there.
 //!
 //! Numbers may be written with `pi` (`pi/2`, `-pi`, `2pi`), vectors with commas and no spaces, text
 //! in quotes. A help text may go on in following lines that are indented by two spaces or more.
 
 use std::fmt;
 
-/// One `@word ...` line.
+/// Tag: one `@word ...` line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tag {
-    /// `param`, `choice`, `return`, `preset`, `bypass`, `bound`, `unit`, `error`, `source`.
+    /// Kind of the tag: `param`, `choice`, `return`, `preset`, `bypass`, `bound`, `unit`, `error`,
+    /// `source`.
     pub word: String,
-    /// What stands between the word and the colon, split at spaces; quoted texts are one piece
-    /// without their quotes.
+    /// Pieces between the word and the colon, split at spaces; quoted texts are one piece without
+    /// their quotes.
     pub pieces: Vec<Piece>,
-    /// What stands after ` : `.
+    /// Text after ` : `.
     pub help: String,
 }
 
-/// One piece of a tag.
+/// Piece of a tag.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Piece {
-    /// A word.
+    /// Word without quotes.
     Word(String),
-    /// A quoted text.
+    /// Quoted text, without its quotes.
     Quoted(String),
     /// `key=value`.
     Pair(String, String),
 }
 
 impl fmt::Display for Piece {
-    /// As it is written.
+    /// Writes the piece as in the doc comment.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Word(word) => f.write_str(word),
@@ -72,18 +73,18 @@ impl fmt::Display for Piece {
     }
 }
 
-/// A parsed doc comment.
+/// Parsed doc comment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Docs {
-    /// The first line.
+    /// First line, without a full stop at the end.
     pub label: String,
-    /// The paragraphs after it, with `\n\n` between.
+    /// Paragraphs after the label, with `\n\n` between.
     pub help: String,
-    /// In order.
+    /// Tags, in the order of their lines.
     pub tags: Vec<Tag>,
 }
 
-/// Reads a doc comment's lines.
+/// Parses the lines of a doc comment.
 pub fn parse(lines: &[String]) -> Docs {
     let mut docs = Docs::default();
     let mut lines = lines.iter().map(String::as_str).peekable();
@@ -163,7 +164,7 @@ fn split_pieces(text: &str) -> Vec<Piece> {
     pieces
 }
 
-/// Reads a number: `0.5`, `pi`, `-pi/2`, `2pi`.
+/// Parses a number: `0.5`, `pi`, `-pi/2`, `2pi`.
 pub fn number(text: &str) -> Option<f64> {
     if let Ok(number) = text.parse::<f64>() {
         return number.is_finite().then_some(number);
@@ -180,7 +181,7 @@ pub fn number(text: &str) -> Option<f64> {
     Some(factor * std::f64::consts::PI / denominator)
 }
 
-/// Reads numbers with commas between them.
+/// Parses numbers with commas between them.
 pub fn numbers(text: &str) -> Option<Vec<f64>> {
     text.split(',').map(|part| number(part.trim())).collect()
 }

@@ -1,3 +1,3 @@
-//! The node files that the crate carries, found by `build.rs`.
+//! Node files embedded in the crate, found by `build.rs`.
 
 include!(concat!(env!("OUT_DIR"), "/nodes.rs"));

@@ -1,10 +1,10 @@
-//! The ports of a group, as those of a node: whatever the group's interface leaves out comes from
-//! the inner port that it is wired to first.
+//! Ports of a group, as those of a node: properties that the group's interface leaves out come from
+//! the inner port that the interface port is wired to first.
 //!
-//! Inspectors and docs want a group to look like any other node: with types, ranges, choices and
-//! help. A document says of an interface port often no more than its name, so the rest is looked
-//! for along its first wire, through groups within groups and reroutes, until a node of the library
-//! says it.
+//! Inspectors and docs show a group like any other node: with types, ranges, choices and help. A
+//! document often gives an interface port no more than a name, so the other properties are looked
+//! for along the port's first wire, through groups within groups and reroutes, up to a node of the
+//! library that has them.
 
 use indexmap::IndexMap;
 
@@ -17,32 +17,32 @@ use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, PortName};
 
 /// The kind of a node whose WGSL is a value of its own.
 pub const CUSTOM_KIND: &str = "wgsl";
-/// The value that holds it.
+/// Name of the value that holds the WGSL of a custom node.
 pub const CUSTOM_CODE: &str = "code";
 
-/// As many groups and reroutes as a wire is followed through. Groups may contain one another in a
-/// document that is wrong, and then a wire has no end.
+/// Greatest number of groups and reroutes that a wire is followed through. Groups may contain one
+/// another in a document that is wrong, and then a wire has no end.
 const MAX_STEPS: usize = 256;
 
-/// A group's ports, told as a node's are.
+/// Ports of a group, in the form of a node's ports.
 #[derive(Clone, Debug, Default)]
 pub struct GroupPorts {
-    /// In the order of the interface.
+    /// Inputs in the order of the interface.
     pub inputs: Vec<Input>,
-    /// In the order of the interface.
+    /// Outputs in the order of the interface.
     pub outputs: Vec<Output>,
 }
 
 impl GroupDef {
-    /// Its ports, as those of a node.
+    /// Ports of the group, as those of a node.
     pub fn ports(&self, library: &Library) -> GroupPorts {
         GroupPorts::of(&self.definition, &IndexMap::new(), library)
     }
 }
 
 impl GroupPorts {
-    /// The ports of any definition. `own` are the definitions of its document, which go before
-    /// those of the library.
+    /// Ports of any definition. `own` are the definitions of its document, which go before those of
+    /// the library.
     ///
     /// An input that reaches no node is a number without a value.
     pub fn of(
@@ -62,7 +62,7 @@ impl GroupPorts {
     }
 }
 
-/// What a node's kind leads to.
+/// Node or group that a node's kind names.
 #[expect(clippy::large_enum_variant, reason = "one at a time, on the stack")]
 enum Kind<'a> {
     Node(std::borrow::Cow<'a, NodeDef>),
@@ -92,9 +92,10 @@ impl<'a> Finder<'a> {
         self.library.nodes.get(&node.kind).map(|def| Kind::Node(std::borrow::Cow::Borrowed(&**def)))
     }
 
-    /// An interface input with what its first wire leads to.
+    /// Interface input, completed with the properties found along its first wire.
     fn input(&self, definition: &'a Definition, port: &'a InterfacePort) -> Input {
-        // From the outside in: what an outer interface says goes before what an inner one does.
+        // Order from the outside in: the properties of an outer interface go before those of an
+        // inner one.
         let mut said = vec![port];
         let found = self.inner_input(definition, port, &mut said);
         let (place, found) = found.unzip();
@@ -114,7 +115,7 @@ impl<'a> Finder<'a> {
             input.fallback = Fallback::Value(default);
         }
         if let Fallback::Same(other) = &input.fallback {
-            // The group's own input that feeds the other one, which most groups name alike.
+            // Input of the group that feeds the other inner input; most groups name both alike.
             let feeds = |own: &&InterfacePort| {
                 let inner = self.inner_input(definition, own, &mut vec![*own]);
                 inner.is_some_and(|(at, inner)| inner.name == *other && Some(at) == place)
@@ -128,8 +129,8 @@ impl<'a> Finder<'a> {
         input
     }
 
-    /// The node's input that an interface input feeds first, with the ids of the groups around that
-    /// node and its own.
+    /// Input of a library node that an interface input feeds first, and its place: the ids of the
+    /// groups around that node and its own.
     fn inner_input(
         &self,
         definition: &'a Definition,
@@ -179,7 +180,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The output of a node that an interface output is fed by.
+    /// Output of a library node that feeds an interface output.
     fn inner_output(&self, definition: &'a Definition, port: &PortName) -> Option<Output> {
         let mut definition = definition;
         let (mut to_node, mut to_port) = (NodeId::from(GROUP_OUTPUTS), port.clone());
@@ -218,7 +219,7 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// The first wire from an output of a node; any output where `port` is empty.
+/// First wire from an output of a node; from any output where `port` is empty.
 fn first_wire_from<'a>(definition: &'a Definition, node: &str, port: &str) -> Option<&'a Wire> {
     let is_from = |wire: &&Wire| {
         wire.from.node.as_str() == node && (port.is_empty() || wire.from.port.as_str() == port)
@@ -251,7 +252,8 @@ mod tests {
         let own = &profile.inputs[profile.input("offset").unwrap()];
         assert_eq!((&offset.ty, &offset.fallback, offset.max), (&own.ty, &own.fallback, own.max));
         assert_eq!((&offset.label, &offset.help, &offset.unit), (&own.label, &own.help, &own.unit));
-        // Another name outside than inside; the inner choices, the outer label.
+        // The name differs outside and inside; the choices are the inner ones, the label is the
+        // outer one.
         let blend = input(&ports, "blend");
         assert_eq!((blend.ty.clone(), blend.label.as_str()), (Type::Choice, "Blending"));
         assert!(blend.options.iter().any(|option| option.0 == "shade"));

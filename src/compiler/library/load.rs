@@ -1,4 +1,4 @@
-//! The library: built in, and with a project's own files.
+//! Loading of the library: the built-in nodes, and a project's own files.
 
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
@@ -14,46 +14,46 @@ use crate::files::{self, Files, ReadError};
 use crate::milestones;
 use crate::wgsl::Source;
 
-/// The most folders within folders of a project's nodes; deeper than any category.
+/// Greatest depth of folders of a project's nodes; deeper than any category.
 const MAX_DEPTH: usize = 8;
-/// The most files of a project's nodes.
+/// Greatest number of files of a project's nodes.
 const MAX_FILES: usize = 4096;
-/// The largest file of a project's nodes, in bytes.
+/// Greatest size of a file of a project's nodes, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 20;
-/// The most that all files of a project's nodes take together, in bytes.
+/// Greatest size of all files of a project's nodes together, in bytes.
 const MAX_PROJECT_BYTES: u64 = 16 << 20;
 
-/// The nodes and groups there are.
+/// Library of nodes and groups.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
-    /// By kind, in the order of their files.
+    /// Nodes by kind, in the order of their files.
     pub nodes: IndexMap<String, Arc<NodeDef>>,
     /// Group definitions by id.
     pub groups: IndexMap<String, Arc<GroupDef>>,
-    /// What was wrong with a project's own files; a file named here adds no node.
+    /// Problems of a project's own files; a file named here adds no node.
     pub problems: Vec<Diagnostic>,
 }
 
-/// A group that the library offers.
+/// Group that the library offers.
 #[derive(Clone, Debug)]
 pub struct GroupDef {
-    /// Its id: what documents say in `kind`.
+    /// Id of the group, which documents give as `kind`.
     pub id: String,
-    /// The folder.
+    /// Folder of the file.
     pub category: String,
-    /// What it is made of.
+    /// Definition of the group: its graph and interface.
     pub definition: Definition,
 }
 
 static BUILT_IN: LazyLock<Library> = LazyLock::new(|| match Library::load_built_in() {
     Ok(library) => library,
-    // A test loads every shipped file, so a release cannot come here; a developer is told what is
-    // wrong.
+    // A test loads every shipped file, so a release cannot come here; the problems tell a developer
+    // what is wrong.
     Err(problems) => Library { problems, ..Library::default() },
 });
 
 impl Library {
-    /// The nodes that Chiaro ships.
+    /// Library of the nodes that Chiaro ships.
     pub fn built_in() -> &'static Self {
         &BUILT_IN
     }
@@ -79,8 +79,8 @@ impl Library {
         if has_errors(&library.problems) { Err(library.problems) } else { Ok(library) }
     }
 
-    /// Adds a file of group definitions: a look whose `definitions` join the library. What is wrong
-    /// with it goes to `problems`.
+    /// Adds a file of group definitions: a look whose `definitions` join the library. Its
+    /// diagnostics go to `problems`.
     pub fn add_groups(&mut self, path: &str, text: &str) {
         let (_, category) = stem_and_folder(path);
         let look = Look::read(text, path);
@@ -98,9 +98,9 @@ impl Library {
         }
     }
 
-    /// This library and every node under a project's `nodes/` folder. A broken file adds no node
-    /// and a diagnostic with its line; all else goes on. The folder may be a stranger's: what is
-    /// read of it is bounded.
+    /// This library with every node under a project's `nodes/` folder. A broken file adds no node
+    /// and a diagnostic with its line; the other files are added. The folder may be a stranger's,
+    /// so the number and size of its files are bounded.
     #[must_use]
     pub fn with_project(&self, files: &dyn Files, folder: &Path) -> Self {
         let mut library = self.clone();
@@ -121,7 +121,8 @@ impl Library {
                 break;
             };
             left = rest;
-            // A checkout of Chiaro, or copies to learn from: nothing is said that is not known.
+            // The folder may be a checkout of Chiaro, or hold copies to learn from: a shipped file
+            // is no duplicate to report.
             if is_shipped(&file, &text) {
                 continue;
             }
@@ -137,7 +138,7 @@ impl Library {
         library
     }
 
-    /// Adds one node file; what is wrong with it goes to `problems`.
+    /// Adds one node file; its diagnostics go to `problems`.
     pub fn add_file(&mut self, name: &str, text: &str) {
         match load_node(name, text, None) {
             Ok(node)
@@ -152,13 +153,13 @@ impl Library {
         }
     }
 
-    /// Every kind a node may have.
+    /// All kinds that a node may have.
     pub fn kinds(&self) -> impl Iterator<Item = &str> {
         self.nodes.keys().chain(self.groups.keys()).map(String::as_str)
     }
 }
 
-/// Whether a file is one of those that Chiaro ships, as it ships it.
+/// True if a file is one that Chiaro ships, unchanged.
 fn is_shipped(file: &Path, text: &str) -> bool {
     NODES
         .iter()
@@ -171,14 +172,14 @@ fn kind_taken(kind: &str, file: &str) -> Diagnostic {
         .hint("give it another name")
 }
 
-/// The files of a project's own nodes, and the folders that they lie in.
+/// Files of a project's own nodes, and the folders that they lie in.
 #[derive(Debug, Default)]
 pub struct NodeFiles {
     /// Files whose names end in `.wgsl` or `.json`, sorted.
     pub files: Vec<PathBuf>,
-    /// The folder itself and those in it.
+    /// The walked folder and the folders in it.
     pub folders: Vec<PathBuf>,
-    /// Whether there is more than is looked at.
+    /// True if there are more files than are read.
     is_cut: bool,
 }
 
@@ -231,7 +232,7 @@ mod tests {
 
     const FOLDER: &str = "project/nodes";
 
-    /// The problems of a project's nodes, by code.
+    /// Codes of the problems of a project's nodes.
     fn problems(files: &MemoryFiles) -> Vec<&'static str> {
         let library = Library::built_in().with_project(files, Path::new(FOLDER));
         library.problems.iter().map(|problem| problem.code).collect()

@@ -1,15 +1,15 @@
-//! The library: every node is one WGSL file, and this room reads what the file says of itself.
+//! The library of nodes. Every node is one WGSL file, which this module reads with its description.
 //!
 //! A file `nodes/<category>/<kind>.wgsl` holds one or more functions whose names begin with the
-//! kind. The first one's doc comment tells label, help, ports and presets (see [`docs`]); its
-//! signature and those of its siblings tell ports and types. What a name has after the kind says
-//! what the function is:
+//! kind. The first function's doc comment gives label, help, ports and presets (see [`docs`]); the
+//! signatures of all functions give ports and types. The part of a name after the kind gives the
+//! role of the function:
 //!
 //! - a choice's word (`blend_add`): the implementation for that choice;
 //! - `vec2`, `vec3`, `vec4`, `color`: the implementation for wider inputs;
 //! - `balanced`, `fast`: a cheaper tier;
-//! - `prepare`: turns artist's parameters into what the other functions take as their parameter of
-//!   its result's type.
+//! - `prepare`: computes, from the artist's parameters, the struct that the other functions take as
+//!   their parameter of that type.
 //!
 //! Files under a project's own `nodes/` folder are read the same way and add to the library. A file
 //! `nodes/<category>/<name>.json` is a look whose `definitions` become groups of the library.
@@ -24,8 +24,8 @@ mod passes;
 mod read;
 mod types;
 
-/// The categories that have a color of their own, in the order of palettes and of tables. The
-/// folder that a node's file lies in is its category, and a project's folders may be any others.
+/// Categories that have a color of their own, in the order of palettes and of tables. The category
+/// of a node is the folder of its file, and a project's folders may have any names.
 pub const CATEGORIES: [&str; 14] = [
     "layer",
     "light",

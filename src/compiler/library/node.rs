@@ -1,4 +1,4 @@
-//! What the library knows of a node.
+//! Description of a node in the library.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
@@ -11,250 +11,252 @@ use crate::ids::PortName;
 use crate::interp::{Derivatives, Options, Program};
 use crate::wgsl::{Declaration, Linked, Operations, Scan, Valid};
 
-/// A kind of node.
+/// Kind of node.
 #[derive(Clone, Debug)]
 pub struct NodeDef {
-    /// The file's stem: what documents say in `kind`.
+    /// Stem of the file's name, which documents give as `kind`.
     pub kind: String,
-    /// What people read.
+    /// Label that people read.
     pub label: String,
-    /// The folder.
+    /// Category: the folder of the file.
     pub category: String,
-    /// What it does, in paragraphs.
+    /// Help text: the effect of the node, in paragraphs.
     pub help: String,
-    /// Where it comes from: `BADF eq. 5`.
+    /// Sources of the method: `BADF eq. 5`.
     pub sources: Vec<String>,
-    /// In the order of the docs.
+    /// Inputs, in the order of the docs.
     pub inputs: Vec<Input>,
-    /// One for a plain result, else one for each member of the result.
+    /// Outputs: one for a plain result, else one for each member of the result.
     pub outputs: Vec<Output>,
-    /// Its functions, in file order.
+    /// Functions of the node, in the order of the file.
     pub variants: Vec<Variant>,
-    /// What turns artist's parameters into what the variants take.
+    /// Function that computes the parameter of the variants from the artist's parameters.
     pub prepare: Option<Prepare>,
-    /// When the node may be left out.
+    /// Conditions under which the node may be left out.
     pub bypasses: Vec<Bypass>,
-    /// Inputs that are kept within 0 and 1.
+    /// Inputs that are clamped to [0, 1].
     pub bounds: Vec<Bound>,
-    /// When all numbers of the result lie in [0, 1]; `None` for never.
+    /// Condition under which all numbers of the result lie in [0, 1]; `None` for never.
     pub unit_when: Option<Vec<Condition>>,
-    /// Whether the result is a color whose alpha lies in [0, 1].
+    /// True if the result is a color whose alpha lies in [0, 1].
     pub has_unit_alpha: bool,
-    /// How far its cheaper tiers may be from the exact one.
+    /// Greatest differences of the cheaper tiers from the exact one.
     pub errors: Vec<TierError>,
-    /// Named settings.
+    /// Named sets of values.
     pub presets: Vec<Preset>,
-    /// What there is to say of its code where nothing is wrong: loops that a counter ends.
+    /// Remarks on code without errors: loops that a counter ends.
     pub notes: Vec<Diagnostic>,
-    /// What the compiler must know it by.
+    /// Special treatment by the compiler.
     pub special: Special,
-    /// The WGSL that its functions stand in.
+    /// WGSL module with the node's functions.
     pub module: Arc<NodeModule>,
-    /// The file, as messages name it.
+    /// File name, as messages give it.
     pub file: String,
 }
 
-/// Nodes that the compiler treats on its own.
+/// Special treatment of a node by the compiler.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Special {
-    /// A plain node.
+    /// Plain node.
     #[default]
     None,
-    /// The look's result.
+    /// Output node: the look's result.
     Output,
-    /// Names a light; its variant is the light's type.
+    /// Light node: names a light; its variant is the light's type.
     Light,
-    /// Passes its input on.
+    /// Reroute: passes its input on.
     Reroute,
 }
 
-/// An input port.
+/// Input port.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Its name, in WGSL and in documents.
+    /// Name of the port, in WGSL and in documents.
     pub name: PortName,
-    /// What people read.
+    /// Label that people read.
     pub label: String,
-    /// What is said about it.
+    /// Help text.
     pub help: String,
-    /// Its type in the first function that takes it.
+    /// Type of the input in the first function that takes it.
     pub ty: Type,
-    /// What it has while unwired and without a value.
+    /// Value of the input while unwired and without a value of its own.
     pub fallback: Fallback,
-    /// The least value.
+    /// Least value.
     pub min: Option<f64>,
-    /// The greatest value.
+    /// Greatest value.
     pub max: Option<f64>,
-    /// The unit of its numbers: `rad`, `px`, `s`.
+    /// Unit of the numbers: `rad`, `px`, `s`.
     pub unit: String,
-    /// How it is edited: `slider`, `color`, `direction`, `path`; empty for the type's own way.
+    /// Editor of the value: `slider`, `color`, `direction`, `path`; empty for the type's own
+    /// editor.
     pub widget: String,
-    /// Choices: the words and what people read for them.
+    /// Choices: the words, and the labels that people read for them.
     pub options: Vec<(String, String)>,
-    /// Whether it is the surroundings' and never shown as a port.
+    /// True for an input from the surroundings that is never shown as a port.
     pub hidden: bool,
 }
 
-/// What an input has while unwired and without a value.
+/// Value of an input that is unwired and has no value of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fallback {
-    /// A value.
+    /// Fixed value.
     Value(Value),
-    /// Something of the surroundings.
+    /// Value of a context.
     Context(Context),
-    /// Whatever another input of the node has.
+    /// Value of another input of the node.
     Same(PortName),
-    /// Nothing: it must be wired.
+    /// No value: the input must be wired.
     Wire,
 }
 
-/// An output port.
+/// Output port.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// Its name.
+    /// Name of the port.
     pub name: PortName,
-    /// What people read.
+    /// Label that people read.
     pub label: String,
-    /// What is said about it.
+    /// Help text.
     pub help: String,
-    /// Its type in the first function.
+    /// Type of the output in the first function.
     pub ty: Type,
 }
 
-/// One function of a node.
+/// Function of a node.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    /// The function's name.
+    /// Name of the function.
     pub function: String,
-    /// The choice that it implements: the input's index and the word.
+    /// Choice that the function implements: the input's index and the word.
     pub choice: Option<(usize, String)>,
-    /// The wider type that it is for.
+    /// Wider type that the function is for.
     pub width: Option<Type>,
-    /// Its tier.
+    /// Tier of the function.
     pub tier: Tier,
-    /// What it takes, in order.
+    /// Parameters, in order.
     pub parameters: Vec<Parameter>,
-    /// What it gives.
+    /// Type of the result.
     pub result: Type,
-    /// Whether the result's members are the outputs.
+    /// True if the members of the result are the outputs.
     pub result_is_struct: bool,
 }
 
-/// What a function's parameter is bound to.
+/// Source of the argument for a function's parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Parameter {
-    /// An input, by index, as this type.
+    /// Input, by index, as this type.
     Input(usize, Type),
-    /// The result of `prepare`.
+    /// Result of `prepare`.
     Prepared,
-    /// The sampler of an image input.
+    /// Sampler of an image input, by index.
     Sampler(usize),
 }
 
-/// A node's second function, run in f64 before the fragment wherever its parameters are known
-/// there.
+/// The `prepare` function of a node, run in f64 before the fragment wherever its parameters are
+/// known there.
 #[derive(Clone, Debug)]
 pub struct Prepare {
-    /// The function's name.
+    /// Name of the function.
     pub function: String,
-    /// The inputs it takes, with the types it takes them as.
+    /// Indices of the inputs that the function takes, with the types of the parameters.
     pub parameters: Vec<(usize, Type)>,
-    /// The struct it gives.
+    /// Type of the result, a struct.
     pub result: Type,
 }
 
-/// When a node may be left out, and what stands in its place.
+/// Bypass of a node: the conditions under which the node may be left out, and its replacement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bypass {
-    /// What its result is then.
+    /// Replacement of the node's result.
     pub result: BypassResult,
-    /// All must hold.
+    /// Conditions of the bypass; all must hold.
     pub conditions: Vec<Condition>,
-    /// Why nothing is lost: the end of a sentence that begins with the node.
+    /// Reason why nothing is lost: the end of a sentence that begins with the node.
     pub reason: String,
 }
 
-/// What stands in a bypassed node's place.
+/// Replacement of a bypassed node's result.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BypassResult {
-    /// An input.
+    /// Value of an input, by index.
     Input(usize),
-    /// A number.
+    /// Fixed number.
     Number(f64),
 }
 
-/// An input that is a share, such as an opacity or a mask: it is kept within 0 and 1 before the
-/// node's functions see it, of a color its alpha alone.
+/// Bound of an input that is a share, such as an opacity or a mask: the input is clamped to [0, 1]
+/// before the node's functions see it, of a color its alpha alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// The input.
+    /// Index of the input.
     pub input: usize,
-    /// The choices with which it is a share; all must hold.
+    /// Choices with which the input is a share; all must hold.
     pub conditions: Vec<Condition>,
 }
 
-/// One condition of a bypass.
+/// Condition of a bypass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condition {
-    /// Of which input.
+    /// Index of the input that is tested.
     pub input: usize,
-    /// What must hold.
+    /// Test that must hold.
     pub test: Test,
 }
 
-/// What a bypass asks of an input.
+/// Test of an input in a condition.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Test {
-    /// All its numbers are this one.
+    /// All numbers of the input are this one.
     Is(f64),
-    /// Its first three numbers are 0.
+    /// The first three numbers of the input are 0.
     Black,
-    /// It is the same as another input.
+    /// The input equals another input, by index.
     Same(usize),
     /// The choice has one of these words.
     Word(Vec<String>),
-    /// All its numbers are known to lie in [0, 1].
+    /// All numbers of the input are known to lie in [0, 1].
     Unit,
-    /// Its fourth number, if it has one, is known to lie in [0, 1].
+    /// The fourth number of the input, if there is one, is known to lie in [0, 1].
     UnitAlpha,
-    /// All its numbers are known to be no more than this.
+    /// All numbers of the input are known to be no more than this.
     AtMost(Limit),
-    /// All its numbers are known to be no less than this.
+    /// All numbers of the input are known to be no less than this.
     AtLeast(Limit),
 }
 
-/// What a condition holds an input against.
+/// Limit that a condition compares an input with.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
-    /// A number.
+    /// Fixed number.
     Number(f64),
-    /// All numbers of another input.
+    /// All numbers of another input, by index.
     Input(usize),
 }
 
-/// How far a cheaper tier may be from the exact one, in the numbers of the result: `@error`.
+/// Greatest difference of a cheaper tier from the exact one, in the numbers of the result:
+/// `@error`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TierError {
-    /// The tier.
+    /// Cheaper tier.
     pub tier: Tier,
-    /// The worst absolute difference; a test holds it.
+    /// Greatest absolute difference; a test holds it.
     pub bound: f64,
-    /// Of what, and where.
+    /// Explanation: the quantity that differs, and where.
     pub help: String,
 }
 
-/// Named settings.
+/// Preset: a named set of values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Preset {
-    /// What people read.
+    /// Label that people read.
     pub label: String,
-    /// The values it sets.
+    /// Values that the preset sets.
     pub values: Vec<(PortName, Value)>,
 }
 
 impl NodeDef {
-    /// Its tiers, the exact one first: those that its functions are for, and those that its
-    /// surroundings have.
+    /// Tiers of the node, the exact one first: the tiers of its functions, and those of the
+    /// contexts that its inputs read.
     pub fn tiers(&self) -> Vec<Tier> {
         let mut tiers: Vec<Tier> = self.variants.iter().map(|variant| variant.tier).collect();
         for input in &self.inputs {
@@ -268,17 +270,17 @@ impl NodeDef {
         tiers
     }
 
-    /// How far a tier may be from the exact one, where its file says so.
+    /// Difference of a tier from the exact one, where the node's file gives one.
     pub fn error_of(&self, tier: Tier) -> Option<&TierError> {
         self.errors.iter().find(|error| error.tier == tier)
     }
 
-    /// An input's index by name.
+    /// Index of an input by name.
     pub fn input(&self, name: &str) -> Option<usize> {
         self.inputs.iter().position(|input| input.name.as_str() == name)
     }
 
-    /// An output's index by name; an empty name is the first.
+    /// Index of an output by name; an empty name is the first.
     pub fn output(&self, name: &str) -> Option<usize> {
         if name.is_empty() {
             return (!self.outputs.is_empty()).then_some(0);
@@ -286,7 +288,7 @@ impl NodeDef {
         self.outputs.iter().position(|output| output.name.as_str() == name)
     }
 
-    /// The inputs that are shown as ports or values.
+    /// Inputs that are shown as ports or values.
     pub fn visible_inputs(&self) -> impl Iterator<Item = &Input> {
         self.inputs.iter().filter(|input| !input.hidden)
     }
@@ -295,11 +297,11 @@ impl NodeDef {
 /// Validated WGSL with the functions of one or more nodes.
 #[derive(Debug)]
 pub struct NodeModule {
-    /// The text that was validated, with the way back to files.
+    /// Text that was validated, with a map back to the files.
     pub linked: Linked,
-    /// Its declarations.
+    /// Declarations in the text.
     pub scan: Scan,
-    /// naga's view of it.
+    /// Module as naga parsed and validated it.
     pub valid: Valid,
     operations: Operations,
     by_name: HashMap<String, usize>,
@@ -315,22 +317,22 @@ impl NodeModule {
         Self { linked, scan, valid, operations, by_name, programs: Mutex::default() }
     }
 
-    /// A top-level declaration by name.
+    /// Top-level declaration by name.
     pub fn declaration(&self, name: &str) -> Option<&Declaration> {
         self.by_name.get(name).map(|&index| &self.scan.declarations[index])
     }
 
-    /// The operations of a function, counted in the IR.
+    /// Number of operations of a function, counted in the IR.
     pub fn operations(&self, function: &str) -> u64 {
         self.operations.of_function(&self.valid.module, function)
     }
 
-    /// A function, ready to run on the CPU, with constants at f64; compiled on the first call.
-    /// Derivatives are 0 in it, because whatever runs before the fragment is the same in all of
-    /// them.
+    /// Program of a function that runs on the CPU, with constants at f64; compiled on the first
+    /// call. Derivatives are 0 in the program, because all values before the fragment are the same
+    /// in all fragments.
     ///
     /// # Errors
-    /// Names what of the function the interpreter cannot run.
+    /// A diagnostic that names the part of the function that the interpreter cannot run.
     pub fn program(&self, function: &str) -> Result<Arc<Program>, Diagnostic> {
         let mut programs = self.programs.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(program) = programs.get(function) {

@@ -1,4 +1,4 @@
-//! Reads one node file into a [`NodeDef`].
+//! Reader of a node file into a [`NodeDef`].
 
 use std::sync::Arc;
 
@@ -36,7 +36,7 @@ pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diag
     }
 }
 
-/// An error in linked text, with the file and the line.
+/// Diagnostic of an error in linked text, with the file and the line.
 fn place(linked: &Linked, code: &'static str, error: &wgsl::WgslError) -> Diagnostic {
     let mut problem = Diagnostic::error(code, error.message.clone());
     let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
@@ -52,7 +52,7 @@ fn place(linked: &Linked, code: &'static str, error: &wgsl::WgslError) -> Diagno
 /// otherwise the kind is the file's stem.
 ///
 /// # Errors
-/// Everything wrong with it, with line and column. Those of a custom node's code are told in the
+/// All errors in the file, with line and column. Those of a custom node's code are given in the
 /// message, since the code is no file: the place is the node's, in the look.
 pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
     let source = Source { name: file, text };
@@ -76,9 +76,8 @@ pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, 
     }
 }
 
-/// The module of code that a person wrote: within bounds before naga sees it, with nothing in it
-/// that a look cannot run, and with an end to every loop. With it what there is to say of its
-/// loops.
+/// Module of code that a person wrote: within bounds before naga sees it, without anything that a
+/// look cannot run, and with an end to every loop; and remarks on its loops.
 fn load_own_module(source: &Source<'_>) -> Result<(NodeModule, Vec<Diagnostic>), Vec<Diagnostic>> {
     let in_source = |code: &'static str, error: &wgsl::WgslError| {
         let problem = Diagnostic::error(code, error.message.clone()).in_file(source.name);
@@ -225,7 +224,8 @@ impl Reader<'_> {
         Some(node)
     }
 
-    /// Inputs: documented ones in the order of the docs, then whatever else the functions take.
+    /// Reads the inputs: documented ones in the order of the docs, then all others that the
+    /// functions take.
     fn inputs(
         &mut self,
         node: &mut NodeDef,
@@ -279,7 +279,7 @@ impl Reader<'_> {
         for index in 0..node.inputs.len() {
             if let Fallback::Same(other) = &node.inputs[index].fallback {
                 let (other, own) = (other.clone(), node.inputs[index].name.clone());
-                // One step, so that no ring of inputs can form.
+                // The other input must have a value of its own, so that no ring of inputs can form.
                 let has_own = |input: &Input| !matches!(input.fallback, Fallback::Same(_));
                 if node.input(other.as_str()).is_none_or(|other| !has_own(&node.inputs[other])) {
                     let message = format!(
@@ -411,7 +411,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What the words after the kind say.
+    /// Meaning of a function name's words after the kind: choice, width and tier.
     #[expect(
         clippy::type_complexity,
         reason = "three answers to one question, taken apart at once"
@@ -428,7 +428,7 @@ impl Reader<'_> {
         let mut tier = Tier::Exact;
         if node.special == Special::Light || (node.special == Special::Output && !suffix.is_empty())
         {
-            // A light's type and the Output's second root are no choices that a document makes.
+            // A light's type and the Output's second function are no choices that a document makes.
             return Some((Some((usize::MAX, suffix.to_owned())), None, tier));
         }
         while !rest.is_empty() {
@@ -608,7 +608,7 @@ impl Reader<'_> {
     }
 }
 
-/// `fast 1e-3 : of what`.
+/// Reads `@error`: `fast 1e-3 : of what`.
 fn tier_error(tag: &Tag) -> Option<TierError> {
     let [Piece::Word(tier), Piece::Word(bound)] = tag.pieces.as_slice() else { return None };
     let tier = match tier.as_str() {
@@ -620,7 +620,7 @@ fn tier_error(tag: &Tag) -> Option<TierError> {
     Some(TierError { tier, bound, help: tag.help.clone() })
 }
 
-/// What `name` has after `stem`; empty for the stem itself.
+/// Part of `name` after `stem`; empty for the stem itself.
 fn suffix_of<'n>(name: &'n str, stem: &str) -> Option<&'n str> {
     let rest = name.strip_prefix(stem)?;
     if rest.is_empty() { Some("") } else { rest.strip_prefix('_') }
@@ -649,7 +649,7 @@ fn source_text(tag: &Tag) -> String {
     tag.pieces.iter().map(piece_text).collect::<Vec<_>>().join(" ")
 }
 
-/// `half_distance` becomes `Half distance`.
+/// Label made from a name: `half_distance` becomes `Half distance`.
 fn sentence(name: &str) -> String {
     let spaced = name.replace('_', " ");
     let mut characters = spaced.chars();
@@ -658,7 +658,7 @@ fn sentence(name: &str) -> String {
         .map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
-/// An input that is told nothing of but its name and type.
+/// Input of which only name, type and fallback are known.
 pub(super) fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
     Input {
         name: PortName::new(name),
@@ -675,7 +675,7 @@ pub(super) fn plain_input(name: &str, ty: Type, fallback: Fallback) -> Input {
     }
 }
 
-/// The value an input has when its file says nothing.
+/// Value of an input for which the file gives none.
 fn neutral(ty: &Type) -> Option<Value> {
     Some(match ty {
         Type::Float | Type::Int => Value::Number(0.0),
@@ -755,7 +755,7 @@ fn words(tag: &Tag) -> Vec<&str> {
         .collect()
 }
 
-/// `tone when mode = alpha|shade`
+/// Reads `@bound`: `tone when mode = alpha|shade`.
 fn bound(node: &NodeDef, tag: &Tag) -> Option<Bound> {
     let words = words(tag);
     let (name, conditions) = words.split_first()?;
@@ -770,7 +770,7 @@ fn unit_conditions(node: &NodeDef, tag: &Tag) -> Option<Vec<Condition>> {
     conditions_after_when(node, &words(tag))
 }
 
-/// `when` and conditions; always, where there is nothing.
+/// Reads `when` and conditions; without words, no condition, which always holds.
 fn conditions_after_when(node: &NodeDef, words: &[&str]) -> Option<Vec<Condition>> {
     match words {
         [] => Some(Vec::new()),
@@ -781,7 +781,7 @@ fn conditions_after_when(node: &NodeDef, words: &[&str]) -> Option<Vec<Condition
     }
 }
 
-/// `below when opacity = 0 and mode = add|alpha`
+/// Reads `@bypass`: `below when opacity = 0 and mode = add|alpha`.
 fn bypass(node: &NodeDef, tag: &Tag) -> Option<Bypass> {
     let words = words(tag);
     let [result, "when", conditions @ ..] = words.as_slice() else { return None };

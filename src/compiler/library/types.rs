@@ -1,10 +1,10 @@
-//! The types of ports, and which of them convert into which.
+//! Types of ports, and the conversions between them.
 
 use std::fmt;
 
 use crate::document::{LightField, LightQuantity};
 
-/// The type of a port.
+/// Type of a port.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Type {
     /// `f32`
@@ -25,7 +25,7 @@ pub enum Type {
     Composite,
     /// `mat3x3f`
     Mat3,
-    /// `Angle`: u in [0, pi] by its half's sine and cosine.
+    /// `Angle`: u in [0, pi], given by the sine and cosine of its half.
     Angle,
     /// `Light`: a light as it arrives at a point.
     Light,
@@ -37,18 +37,18 @@ pub enum Type {
     Image,
     /// `texture_2d_array<f32>` with a sampler: a hand-painted 6D texture.
     Hcbtf,
-    /// One of a few words, known when the look is compiled.
+    /// Choice: one of a few words, known when the look is compiled.
     Choice,
-    /// The id of a light of the look.
+    /// Id of a light of the look.
     LightName,
-    /// A text: the source of a custom node.
+    /// Text: the source of a custom node.
     Text,
-    /// A struct of a node file's own, made by its `prepare`.
+    /// Struct of a node file's own, made by its `prepare`.
     Prepared(String),
 }
 
 impl Type {
-    /// The type of a light's field.
+    /// Type of a light's field.
     pub fn of_light_field(field: LightField) -> Self {
         match field.quantity() {
             LightQuantity::Direction | LightQuantity::Position => Self::Vec3,
@@ -57,7 +57,7 @@ impl Type {
         }
     }
 
-    /// The type that a signature's text names; any other name is a struct of the file.
+    /// Type that a signature's text names; any other name is a struct of the file.
     pub fn from_wgsl(text: &str) -> Self {
         match text {
             "f32" => Self::Float,
@@ -79,7 +79,7 @@ impl Type {
         }
     }
 
-    /// How WGSL writes it; empty for what never reaches WGSL.
+    /// Name of the type in WGSL; empty for a type that never reaches WGSL.
     pub fn wgsl(&self) -> &str {
         match self {
             Self::Float => "f32",
@@ -100,7 +100,7 @@ impl Type {
         }
     }
 
-    /// How many numbers it has, for the types that are numbers.
+    /// Number of components, for types of numbers; `None` for others.
     pub fn width(&self) -> Option<usize> {
         Some(match self {
             Self::Float | Self::Int | Self::Bool => 1,
@@ -111,17 +111,17 @@ impl Type {
         })
     }
 
-    /// Whether it can only be a value known when the look is compiled, and never a wire.
+    /// True for a type whose value is always known when the look is compiled, and is never wired.
     pub fn is_setting(&self) -> bool {
         matches!(self, Self::Choice | Self::LightName | Self::Text) || self.is_texture()
     }
 
-    /// Whether it is a file that is bound as a texture.
+    /// True for a file that is bound as a texture.
     pub fn is_texture(&self) -> bool {
         matches!(self, Self::Image | Self::Hcbtf)
     }
 
-    /// How a value of this type becomes one of type `to`; `None` where it cannot.
+    /// Conversion of a value of this type to type `to`; `None` where there is none.
     pub fn convert_to(&self, to: &Self) -> Option<Conversion> {
         use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
         if self == to {
@@ -158,7 +158,7 @@ impl Type {
         Some(Conversion::Template(template))
     }
 
-    /// Whether converting keeps everything.
+    /// True if the conversion keeps all information.
     pub fn converts_without_loss(&self, to: &Self) -> bool {
         use Type::{Angle, Bool, Color, Composite, Float, Int, Vec2, Vec3, Vec4};
         self == to
@@ -202,18 +202,18 @@ impl fmt::Display for Type {
     }
 }
 
-/// How a value is written as another type.
+/// Conversion of a value to another type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Conversion {
-    /// As it stands.
+    /// Value as it stands.
     None,
-    /// The WGSL expression, with `$` for the value. Functions in it come from
+    /// WGSL expression with `$` for the value. Functions in it come from
     /// `shaders/lib/convert.wgsl`.
     Template(&'static str),
 }
 
 impl Conversion {
-    /// The WGSL expression for `value` converted.
+    /// WGSL expression for `value` converted.
     pub fn apply(self, value: &str) -> String {
         match self {
             Self::None => value.to_owned(),

@@ -1,9 +1,10 @@
-//! What a node may ask of its surroundings: the surface, the camera, the clock and the lights.
+//! Contexts: values that a node may read from its surroundings, which are the surface, the camera,
+//! the clock and the lights.
 //!
-//! A [`Context`] is a handle to a row of one [table](table), or to what a light gives. The row says everything: the word that
-//! node files use, the type, where the value comes from in a shader and on the host, and which
-//! value a sample without a scene has. Whoever needs more of a context asks its row; nobody else
-//! lists contexts.
+//! A [`Context`] is a handle to a row of one [table](table), or to an input from a light. The row
+//! holds everything: the word that node files use, the type, the source of the value in a shader
+//! and on the host, and the value of a sample without a scene. Code that needs a property of a
+//! context asks its row; contexts are listed nowhere else.
 
 mod row;
 mod sample;
@@ -19,33 +20,33 @@ pub use sample::{ContextSample, SurfacePart, SurfacePoint};
 use super::PassId;
 use table::TABLE;
 
-/// When a value is known.
+/// Rate at which a value changes: the earliest time at which the value is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Rate {
-    /// When the look is compiled.
+    /// Known when the look is compiled.
     #[default]
     Constant,
-    /// Once a frame.
+    /// Known once a frame.
     Frame,
-    /// Once an object.
+    /// Known once an object.
     Object,
-    /// At each vertex.
+    /// Known at each vertex.
     Vertex,
-    /// At each fragment.
+    /// Known at each fragment.
     Fragment,
 }
 
-/// A value from the surroundings; the word after `from=` in a node's `@param`. Contexts are ordered
+/// Value from the surroundings; the word after `from=` in a node's `@param`. Contexts are ordered
 /// as their rows are.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Context(Handle);
 
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 enum Handle {
-    /// A row of the table, by its number.
+    /// Row of the table, by number.
     Row(u8),
-    /// What a light gives, which has rows of its own.
+    /// Input from a light; these have rows of their own.
     Light(LightInput),
 }
 
@@ -55,7 +56,7 @@ impl Context {
     /// Curvature of the surface, which most nodes do not show as an input.
     pub const KAPPA: Self = Self::named("kappa");
 
-    /// The context of a word, looked up when Chiaro is compiled.
+    /// Context with a word, looked up when Chiaro is compiled.
     ///
     /// # Panics
     /// Where no row has the word; use [`from_word`](Self::from_word) for words that are read.
@@ -70,18 +71,18 @@ impl Context {
         panic!("no row of the table of contexts has this word")
     }
 
-    /// All of them, in the order of their rows.
+    /// All contexts, in the order of their rows.
     pub fn all() -> impl Iterator<Item = Self> {
         let rows = (0..TABLE.len()).map(|index| Handle::Row(index as u8));
         rows.chain(LightInput::all().map(Handle::Light)).map(Self)
     }
 
-    /// The context that a node file's `from=` names.
+    /// Context that a node file's `from=` names.
     pub fn from_word(word: &str) -> Option<Self> {
         Self::all().find(|context| context.word() == word)
     }
 
-    /// Everything that is known of it.
+    /// Row of the context, with all its properties.
     pub fn row(self) -> ContextRow {
         match self.0 {
             Handle::Row(index) => TABLE[usize::from(index)],
@@ -89,10 +90,10 @@ impl Context {
         }
     }
 
-    /// What stands for it in a node of this tier.
+    /// Context that replaces this one in a node of this tier.
     ///
-    /// What is off by more than is seen stands for a curvature only where an artist asked for that:
-    /// in the fast tier, and in the balanced one of the node that is the measure itself
+    /// An approximation of a curvature with visible error is used only where an artist asked for
+    /// one: in the fast tier, and in the balanced one of the node that is the measure itself
     /// (`is_measure`) and nothing else.
     pub fn at_tier(self, tier: Tier, is_measure: bool) -> Self {
         let row = self.row();
@@ -104,13 +105,13 @@ impl Context {
         word.and_then(Self::from_word).unwrap_or(self)
     }
 
-    /// Whether it is a curvature in one number, whatever of and however it is measured.
+    /// True for a curvature in one number, whatever it is measured of and however.
     pub fn is_curvature(self) -> bool {
         let row = self.row();
         row.sample.parts() == [SurfacePart::Kappa] && row.ty == "f32"
     }
 
-    /// What a light gives for it.
+    /// Light input of the context; `None` where the context is a row of the table.
     pub fn light_input(self) -> Option<LightInput> {
         match self.0 {
             Handle::Row(_) => None,
@@ -118,7 +119,7 @@ impl Context {
         }
     }
 
-    /// The pass whose result it is.
+    /// Pass whose result the context is.
     pub fn pass(self) -> Option<PassId> {
         match self.row().source {
             ContextSource::Pass { pass, .. } => PassId::from_slug(pass),
@@ -126,18 +127,18 @@ impl Context {
         }
     }
 
-    /// The word that node files use; also the variable's name in generated source.
+    /// Word that node files use; also the variable's name in generated source.
     pub fn word(self) -> &'static str {
         self.row().word
     }
 
-    /// Its WGSL type.
+    /// WGSL type of the context.
     pub fn wgsl_type(self) -> &'static str {
         self.row().ty
     }
 
-    /// When it is known. Lights are of object rate, because a direction key may turn them for each
-    /// object.
+    /// Rate of the context. Lights are of object rate, because a direction key may turn them for
+    /// each object.
     pub fn rate(self) -> Rate {
         match self.row().source {
             ContextSource::Fragment { .. } | ContextSource::Pass { .. } => Rate::Fragment,
@@ -146,7 +147,7 @@ impl Context {
         }
     }
 
-    /// What it is, with its space and unit: a phrase for docs and tooltips.
+    /// Description of the context with its space and unit: a phrase for docs and tooltips.
     pub fn help(self) -> &'static str {
         self.row().help
     }
@@ -158,7 +159,7 @@ impl fmt::Debug for Context {
     }
 }
 
-/// Whether two slugs are the same, known when Chiaro is compiled.
+/// True if two slugs are the same; usable when Chiaro is compiled.
 pub(super) const fn is_same(a: &[u8], b: &[u8]) -> bool {
     if a.len() != b.len() {
         return false;

@@ -1,4 +1,4 @@
-//! What a row of the table of contexts says.
+//! Rows of the table of contexts.
 
 use glam::DMat3;
 
@@ -7,90 +7,90 @@ use super::sample::{ContextSample, SurfacePart, SurfacePoint};
 use crate::document::{LightInput, LightQuantity};
 use crate::interp::Value;
 
-/// A row of the table of contexts.
+/// Row of the table of contexts.
 #[derive(Clone, Copy, Debug)]
 pub struct ContextRow {
-    /// The word that node files use; also the variable's name in generated source.
+    /// Word that node files use; also the variable's name in generated source.
     pub word: &'static str,
-    /// The WGSL type.
+    /// WGSL type.
     pub ty: &'static str,
-    /// What it is, with its space and unit: a phrase for docs and tooltips.
+    /// Description with space and unit: a phrase for docs and tooltips.
     pub help: &'static str,
-    /// Where its value comes from.
+    /// Source of the value.
     pub source: ContextSource,
-    /// What people call it on a node, where that is not the word.
+    /// Name for people on a node, where it differs from the word.
     pub label: Option<&'static str>,
-    /// The word of the context that stands for it in the balanced tier of the node that is the
+    /// Word of the context that replaces this one in the balanced tier of the node that is the
     /// measure itself.
     pub balanced: Option<&'static str>,
-    /// The word of the context that stands for it in the fast tier.
+    /// Word of the context that replaces this one in the fast tier.
     pub fast: Option<&'static str>,
-    /// What each of its numbers may be.
+    /// Bounds of each of the context's numbers.
     pub bounds: Bounds,
-    /// Its value where a look is evaluated without a scene.
+    /// Value where a look is evaluated without a scene.
     pub sample: ContextSample,
 }
 
-/// Where a context's value comes from. Everything that is needed for it follows: vertex attributes,
+/// Source of a context's value. All requirements follow from the source: vertex attributes,
 /// varyings, bindings, passes, and the functions of the library that an expression calls.
 #[derive(Clone, Copy, Debug)]
 pub enum ContextSource {
-    /// An expression at each fragment of a mesh. It may read the uniforms `view` and `object`, the
-    /// varyings of `in`, the unit `normal` toward the seen side, and call whatever is in
-    /// `shaders/lib`.
+    /// Expression at each fragment of a mesh. The expression may read the uniforms `view` and
+    /// `object`, the varyings of `in`, the unit `normal` toward the seen side, and call the
+    /// functions of `shaders/lib`.
     Fragment {
-        /// The expression.
+        /// WGSL expression.
         wgsl: &'static str,
-        /// Whether it is found from the derivatives of the fragment's own normal. Such a value is 0
-        /// in the modules that draw normals.
+        /// True if the value is found from the derivatives of the fragment's own normal. Such a
+        /// value is 0 in the modules that draw normals.
         is_derived: bool,
     },
-    /// The first result of a pass before the look, and 0 in the modules that draw normals.
+    /// First result of a pass before the look, and 0 in the modules that draw normals.
     Pass {
-        /// The pass, by its slug.
+        /// Slug of the pass.
         pass: &'static str,
-        /// The value as an expression of `texel`, the result at the fragment's pixel, with the
-        /// words of [`Fragment`](Self::Fragment).
+        /// Value as an expression of `texel`, the result at the fragment's pixel, with the words of
+        /// [`Fragment`](Self::Fragment).
         wgsl: &'static str,
     },
-    /// A number that the host knows before any fragment runs.
+    /// Number that the host knows before any fragment runs.
     Host {
-        /// How often it changes.
+        /// Rate at which the number changes.
         rate: Rate,
-        /// The value.
+        /// Function that computes the value.
         value: fn(&HostSurroundings) -> Value,
-        /// What a host that runs an exported look has to give.
+        /// Description of the value for a host that runs an exported look.
         meaning: &'static str,
     },
-    /// What the light that the node names gives, which the host computes.
+    /// Property of the light that the node names, which the host computes.
     Light(LightInput),
 }
 
-/// What a host knows of the frame and the object before any fragment runs.
+/// The host's knowledge of the frame and the object before any fragment runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HostSurroundings {
-    /// The rotation from world to camera axes.
+    /// Rotation from world to camera axes.
     pub camera_from_world: DMat3,
-    /// Width and height in pixels.
+    /// Width and height of the viewport, in pixels.
     pub viewport: [f64; 2],
-    /// Seconds.
+    /// Time of the frame, in seconds.
     pub time: f64,
-    /// Frames since the start of the time range.
+    /// Number of frames since the start of the time range.
     pub frame: f64,
-    /// Counts objects from 0.
+    /// Number of the object, counted from 0.
     pub object_id: f64,
 }
 
-/// What each number of a context may be, whatever a scene says.
+/// Bounds of each number of a context, whatever the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bounds {
-    /// Anything: what a mesh, an interpolation or a scene says.
+    /// No bounds: a value from a mesh, an interpolation or a scene.
     Anything,
-    /// A component of a unit vector or of a rotation, or a cosine.
+    /// From -1 to 1: a component of a unit vector or of a rotation, or a cosine.
     Unit,
-    /// A count from 0, within what f32 counts exactly.
+    /// Count from 0, within the whole numbers that f32 holds exactly.
     Count,
-    /// A light's intensity, which the host clamps.
+    /// Intensity of a light, which the host clamps.
     Intensity,
 }
 
@@ -114,7 +114,7 @@ impl ContextRow {
         }
     }
 
-    /// A context that is an expression at each fragment.
+    /// Row of a context that is an expression at each fragment.
     pub(super) const fn fragment(
         word: &'static str,
         ty: &'static str,
@@ -124,7 +124,7 @@ impl ContextRow {
         Self::new(word, ty, ContextSource::Fragment { wgsl, is_derived: false }, help)
     }
 
-    /// A context that is found from the derivatives of the fragment's own normal.
+    /// Row of a context that is found from the derivatives of the fragment's own normal.
     pub(super) const fn derived(
         word: &'static str,
         ty: &'static str,
@@ -134,7 +134,8 @@ impl ContextRow {
         Self::new(word, ty, ContextSource::Fragment { wgsl, is_derived: true }, help)
     }
 
-    /// A context that a pass serves: the pass's slug, and the value as an expression of `texel`.
+    /// Row of a context that a pass serves: the pass's slug, and the value as an expression of
+    /// `texel`.
     pub(super) const fn of_pass(
         word: &'static str,
         ty: &'static str,
@@ -144,7 +145,7 @@ impl ContextRow {
         Self::new(word, ty, ContextSource::Pass { pass, wgsl }, help)
     }
 
-    /// A context that the host knows.
+    /// Row of a context that the host knows.
     pub(super) const fn host(
         word: &'static str,
         ty: &'static str,
@@ -155,7 +156,7 @@ impl ContextRow {
         Self::new(word, ty, ContextSource::Host { rate, value, meaning }, help)
     }
 
-    /// What a light gives: its own row says it.
+    /// Row of an input from a light, built from the light input's own description.
     pub(super) fn light(input: LightInput) -> Self {
         let is_intensity = matches!(
             input,
@@ -170,12 +171,12 @@ impl ContextRow {
         Self::new(input.word(), input.wgsl_type(), source, input.help()).within(bounds)
     }
 
-    /// The same with a name for people.
+    /// Row with a name for people.
     pub(super) const fn labeled(self, label: &'static str) -> Self {
         Self { label: Some(label), ..self }
     }
 
-    /// The same with what stands for it in the balanced tier of its own node, and in the fast tier.
+    /// Row with replacements in the balanced tier of the measure's own node, and in the fast tier.
     pub(super) const fn cheaper(
         self,
         balanced: Option<&'static str>,
@@ -184,12 +185,12 @@ impl ContextRow {
         Self { balanced, fast, ..self }
     }
 
-    /// The same with numbers that lie within bounds.
+    /// Row with numbers that lie within bounds.
     pub(super) const fn within(self, bounds: Bounds) -> Self {
         Self { bounds, ..self }
     }
 
-    /// The same with a sample that follows from parts of the surface.
+    /// Row with a sample value that follows from parts of the surface.
     pub(super) const fn sampled(
         self,
         parts: &'static [SurfacePart],
@@ -198,8 +199,7 @@ impl ContextRow {
         Self { sample: ContextSample::Of { parts, value }, ..self }
     }
 
-    /// The same with numbers of its own in a sample: what they are unless they are given, and
-    /// between which they usually lie.
+    /// Row with sample numbers of its own: the defaults, and the range in which they usually lie.
     pub(super) const fn given(
         self,
         default: &'static [f64],
@@ -208,7 +208,7 @@ impl ContextRow {
         Self { sample: ContextSample::Own { default, range }, ..self }
     }
 
-    /// The same where the host computes its value from parts of a sample.
+    /// Row of a value that the host computes from parts of a sample.
     pub(super) const fn follows(self, parts: &'static [SurfacePart]) -> Self {
         Self { sample: ContextSample::None(parts), ..self }
     }

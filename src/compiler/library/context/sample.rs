@@ -1,51 +1,51 @@
-//! Contexts where a look is evaluated at samples, without a scene.
+//! Values of contexts where a look is evaluated at samples, without a scene.
 
 use glam::{DMat3, DVec2, DVec3};
 
 use super::Context;
 use crate::interp::Value;
 
-/// A part of a sample that a context follows from.
+/// Part of a sample that a context follows from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum SurfacePart {
-    /// The surface's normal.
+    /// Normal of the surface.
     Normal,
-    /// The surface's tangent.
+    /// Tangent of the surface.
     Tangent,
-    /// The direction to the eye.
+    /// Direction from the surface to the eye.
     View,
-    /// The place on the surface.
+    /// Position on the surface.
     Position,
-    /// The camera's rotation.
+    /// Rotation of the camera.
     Camera,
     /// Texture coordinates.
     Uv,
-    /// The vertices' color.
+    /// Color of the vertices.
     VertexColor,
-    /// The curvature.
+    /// Curvature of the surface.
     Kappa,
-    /// The clock.
+    /// Time of the clock.
     Time,
 }
 
-/// A point of a surface, its vectors unit and in world space.
+/// Point of a surface, its vectors unit and in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
-    /// The surface's normal.
+    /// Normal of the surface.
     pub normal: DVec3,
-    /// Along u, at a right angle to the normal.
+    /// Tangent along u, at a right angle to the normal.
     pub tangent: DVec3,
-    /// Along v, at a right angle to both.
+    /// Tangent along v, at a right angle to both.
     pub bitangent: DVec3,
-    /// From the surface to the eye.
+    /// Direction from the surface to the eye.
     pub view: DVec3,
-    /// The place, which is the same in the object's own space.
+    /// Position, which is the same in the object's own space.
     pub position: DVec3,
-    /// Rows right, up and toward the viewer: camera from world.
+    /// Rotation from world to camera axes, with the rows right, up and toward the viewer.
     pub camera: DMat3,
     /// Texture coordinates.
     pub uv: DVec2,
-    /// Straight RGBA of the vertices.
+    /// Color of the vertices, as RGBA with straight alpha.
     pub vertex_color: [f64; 4],
     /// Curvature in 1/viewport-height, convex positive.
     pub kappa: f64,
@@ -67,29 +67,30 @@ impl Default for SurfacePoint {
     }
 }
 
-/// The value of a context at a sample.
+/// Value of a context at a sample.
 #[derive(Clone, Copy, Debug)]
 pub enum ContextSample {
-    /// What follows from parts of the sample.
+    /// Value that follows from parts of the sample.
     Of {
-        /// The parts that are read.
+        /// Parts that are read.
         parts: &'static [SurfacePart],
-        /// The value.
+        /// Function that computes the value.
         value: fn(&SurfacePoint) -> Value,
     },
-    /// Numbers of its own, which a sample gives under the context's word.
+    /// Numbers of the context's own, which a sample gives under the context's word.
     Own {
-        /// The numbers of a sample that gives none.
+        /// Numbers for a sample that gives none.
         default: &'static [f64],
-        /// The least and the greatest that are documented.
+        /// Least and greatest number that are documented.
         range: (Option<f64>, Option<f64>),
     },
-    /// Nothing at the surface: the host computes it, from these parts of a sample where any.
+    /// No value at the surface: the host computes the value, from these parts of a sample where
+    /// any.
     None(&'static [SurfacePart]),
 }
 
 impl ContextSample {
-    /// The parts of a sample that the value follows from.
+    /// Parts of a sample that the value follows from.
     pub fn parts(&self) -> &'static [SurfacePart] {
         match self {
             Self::Of { parts, .. } | Self::None(parts) => parts,
@@ -97,8 +98,8 @@ impl ContextSample {
         }
     }
 
-    /// The value of `context`, whose row this is of, at a point; `given` are its own numbers where a
-    /// sample gives any.
+    /// Value of `context`, the row's own context, at a point; `given` are the context's own numbers
+    /// where a sample gives any.
     pub fn value(&self, context: Context, point: &SurfacePoint, given: Option<&[f64]>) -> Value {
         match self {
             Self::Of { value, .. } => value(point),
@@ -117,7 +118,7 @@ impl ContextSample {
     }
 }
 
-/// A vector as a value.
+/// Vector as a value.
 pub(super) fn vec3(vector: DVec3) -> Value {
     Value::vec(&vector.to_array())
 }

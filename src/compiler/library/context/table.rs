@@ -1,7 +1,8 @@
-//! Every context, a row each.
+//! Table of all contexts, a row each.
 //!
-//! A new one is a row here, and whatever its expression calls in `shaders/lib`; one that a pass
-//! serves names its row of the [table of passes](crate::library::PassId).
+//! A new context needs a row here, and the functions that its expression calls in `shaders/lib`; a
+//! context that a pass serves names that pass's row of the [table of
+//! passes](crate::library::PassId).
 
 use glam::{DMat3, DVec3};
 
@@ -13,14 +14,15 @@ use super::sample::SurfacePart::{
 use super::sample::vec3;
 use crate::interp::Value;
 
-/// A fragment's place in camera axes.
+/// Position of a fragment in camera axes.
 macro_rules! position_camera {
     () => {
         "(view.camera_from_world * vec4f(in.position, 1.0)).xyz"
     };
 }
 
-/// What clip space multiplies heights by: at depth 1, or at every depth without perspective.
+/// Factor by which clip space multiplies heights: at depth 1, or at every depth without
+/// perspective.
 macro_rules! view_scale {
     () => {
         "length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, \
@@ -28,7 +30,7 @@ macro_rules! view_scale {
     };
 }
 
-/// What measures the fragment's own normal, in camera axes.
+/// Measure of the fragment's own normal, in camera axes.
 macro_rules! on_screen {
     ($measure:literal) => {
         concat!(
@@ -42,10 +44,11 @@ macro_rules! on_screen {
     };
 }
 
-/// A texel in camera axes turned into world space: a vector before a rotation is turned back by it.
+/// Expression that turns a texel from camera axes into world space: a vector before a rotation
+/// matrix is turned back by it.
 const TURNED_BACK: &str = "(vec4f(texel.xyz, 0.0) * view.camera_from_world).xyz";
 
-/// The rows. Structs of generated modules have their members in this order.
+/// Rows of the table. Structs of generated modules have their members in this order.
 pub(super) const TABLE: &[Row] = &[
     Row::fragment(
         "normal",
@@ -154,7 +157,7 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("detail curvature")
     .sampled(&[Kappa], |at| Value::Float(at.kappa)),
-    // A sample has no neighbours: as curved in every direction.
+    // A sample has no neighbors, and counts as curved alike in every direction.
     Row::of_pass(
         "curvature_tensor",
         "vec3f",
@@ -172,7 +175,7 @@ pub(super) const TABLE: &[Row] = &[
          triangles show in it",
     )
     .sampled(&[Kappa], |at| vec3(DVec3::new(at.kappa, 0.0, at.kappa))),
-    // A sample has no neighbours: smooth already.
+    // A sample has no neighbors, and so is smooth already.
     Row::of_pass(
         "smooth_normal_1",
         "vec3f",

@@ -1,9 +1,9 @@
-//! The passes of a frame: what may be drawn for a picture, in order.
+//! Passes of a frame, in the order in which they are drawn.
 //!
-//! A [`PassId`] is a handle to a row of one [table](table). The row says what the pass runs, reads,
-//! writes and is for; plans, renderers, the reference, exports, costs and reports ask it, and none
-//! of them tells passes apart in any other way. A look reads a pass through the
-//! [context](super::Context) whose row names it.
+//! A [`PassId`] is a handle to a row of one [table](table). The row gives the pass's work, inputs,
+//! outputs and purpose; plans, renderers, the reference, exports, costs and reports ask the row,
+//! and none of them tells passes apart in any other way. A look reads a pass through the
+//! [context](super::Context) whose row names the pass.
 
 mod row;
 mod table;
@@ -15,15 +15,15 @@ pub use row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
 use super::context::is_same;
 use table::TABLE;
 
-/// A pass of the table; passes are ordered as their rows are, each after those that it reads.
+/// Pass of the table; passes are ordered as their rows are, each after those that it reads.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PassId(u8);
 
 impl PassId {
-    /// The looks themselves: the picture.
+    /// Pass that draws the looks themselves: the picture.
     pub const LOOK: Self = Self::named("draw");
 
-    /// The pass of a slug, looked up when Chiaro is compiled.
+    /// Pass with a slug, looked up when Chiaro is compiled.
     ///
     /// # Panics
     /// Where no row has the slug; use [`from_slug`](Self::from_slug) for slugs that are read.
@@ -38,33 +38,33 @@ impl PassId {
         panic!("no row of the table of passes has this slug")
     }
 
-    /// All of them, each after those that it reads.
+    /// All passes, each after those that it reads.
     pub fn all() -> impl DoubleEndedIterator<Item = Self> {
         (0..TABLE.len()).map(|index| Self(index as u8))
     }
 
-    /// The pass of a slug.
+    /// Pass with a slug.
     pub fn from_slug(slug: &str) -> Option<Self> {
         Self::all().find(|pass| pass.row().slug == slug)
     }
 
-    /// The pass that draws meshes with the looks' modules of a stage.
+    /// Pass that draws meshes with the looks' modules of a stage.
     pub fn of_stage(stage: Stage) -> Option<Self> {
         Self::all().find(|pass| pass.stage() == Some(stage))
     }
 
-    /// Everything that is known of it.
+    /// Row of the pass, with all its properties.
     pub fn row(self) -> &'static PassRow {
         &TABLE[usize::from(self.0)]
     }
 
-    /// What people read.
+    /// Label that people read.
     pub fn label(self) -> &'static str {
         self.row().label
     }
 
-    /// The stage of the looks' modules that it draws meshes with; `None` where it draws over the
-    /// whole picture.
+    /// Stage of the looks' modules that the pass draws meshes with; `None` where the pass draws
+    /// over the whole picture.
     pub fn stage(self) -> Option<Stage> {
         match self.row().work {
             PassWork::Meshes(stage) => Some(stage),
@@ -72,24 +72,24 @@ impl PassId {
         }
     }
 
-    /// Whether its one module of `shaders/passes` draws over the whole picture.
+    /// True if the pass draws over the whole picture, with its one module of `shaders/passes`.
     pub fn is_screen(self) -> bool {
         self.stage().is_none()
     }
 
-    /// Whether it reads a result of `other`.
+    /// True if the pass reads a result of `other`.
     pub fn reads(self, other: Self) -> bool {
         self.row().reads.iter().any(|input| input.pass == other.row().slug)
     }
 
-    /// How many steps, of 1/800 of the picture's height each, lie between a pixel and the farthest
-    /// pixel of meshes that it depends on.
+    /// Distance between a pixel and the farthest pixel of meshes that it depends on, in steps of
+    /// 1/800 of the picture's height.
     pub fn reach(self) -> u32 {
         let before = self.row().reads.iter().filter_map(|input| Self::from_slug(input.pass));
         self.own_reach() + before.map(Self::reach).max().unwrap_or_default()
     }
 
-    /// How many of these steps it looks around in what it reads.
+    /// Distance around a pixel that the pass itself reads in its inputs, in the same steps.
     pub fn own_reach(self) -> u32 {
         match self.row().work {
             PassWork::Meshes(_) => 0,

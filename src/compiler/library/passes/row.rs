@@ -1,6 +1,6 @@
-//! What a row of the table of passes says.
+//! Rows of the table of passes.
 
-/// What a look's module is for.
+/// Stage: the purpose of a look's module.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
     /// Draws meshes with the look.
@@ -15,90 +15,92 @@ pub enum Stage {
 }
 
 impl Stage {
-    /// Whether it draws normals.
+    /// True for a stage that draws normals.
     pub fn is_normals(self) -> bool {
         matches!(self, Self::Normals | Self::DetailNormals)
     }
 }
 
-/// A row of the table of passes.
+/// Row of the table of passes.
 #[derive(Debug)]
 pub struct PassRow {
-    /// What exports and the rows of other tables call it.
+    /// Name of the pass in exports and in the rows of other tables.
     pub slug: &'static str,
-    /// What people read.
+    /// Label that people read.
     pub label: &'static str,
-    /// What is run.
+    /// Work of the pass.
     pub work: PassWork,
-    /// Results of earlier passes that it reads, by the names of its module's textures.
+    /// Results of earlier passes that the pass reads, by the names of its module's textures.
     pub reads: &'static [PassInput],
-    /// The textures that it draws into, in the order of locations.
+    /// Textures that the pass draws into, in the order of locations.
     pub writes: &'static [PassOutput],
-    /// The name under which a look's module binds the first of them; empty where none does.
+    /// Name under which a look's module binds the first of the written textures; empty where no
+    /// look reads the pass.
     pub map: &'static str,
-    /// What a look reads by it; of a pass that draws meshes, what it is for.
+    /// Quantity that a look reads from the pass; of a pass that draws meshes, its purpose.
     pub purpose: &'static str,
-    /// What it makes of meshes' normals, with its verb: `curvature is` computed from them.
+    /// Quantity that the pass computes from meshes' normals, with its verb: `curvature is` computed
+    /// from them.
     pub result: &'static str,
-    /// What its module does, as a sentence.
+    /// Work of the module, as a sentence.
     pub help: &'static str,
 }
 
-/// What a pass runs.
+/// Work of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PassWork {
-    /// Every mesh is drawn, depth-tested, by its look's module of this stage.
+    /// Depth-tested drawing of every mesh, by its look's module of this stage.
     Meshes(Stage),
-    /// One triangle over the whole picture is drawn.
+    /// Drawing of one triangle over the whole picture.
     Screen {
-        /// The file of `shaders/passes`, without its ending.
+        /// Name of the file in `shaders/passes`, without its ending.
         shader: &'static str,
-        /// What constants of that file are set to.
+        /// Values of constants of that file.
         constants: &'static [(&'static str, i32)],
-        /// How far around a pixel it reads, in steps of 1/800 of the picture's height.
+        /// Distance around a pixel that is read, in steps of 1/800 of the picture's height.
         reach: u32,
     },
 }
 
-/// A texture that a pass reads.
+/// Texture that a pass reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PassInput {
-    /// The module's variable.
+    /// Name of the module's variable.
     pub binding: &'static str,
-    /// The slug of the pass that made it.
+    /// Slug of the pass that drew the texture.
     pub pass: &'static str,
-    /// Which of that pass's outputs it is.
+    /// Name of the texture among that pass's outputs.
     pub output: &'static str,
 }
 
-/// A texture that a pass draws into, as large as the picture.
+/// Texture that a pass draws into, as large as the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PassOutput {
-    /// Its name among the pass's outputs.
+    /// Name of the texture among the pass's outputs.
     pub name: &'static str,
-    /// What a texel holds.
+    /// Format of a texel.
     pub format: TexelFormat,
 }
 
-/// What a texel holds.
+/// Format of a texel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TexelFormat {
-    /// A number, f32.
+    /// One f32.
     Number,
-    /// Four numbers, f32.
+    /// Four f32.
     Numbers,
-    /// A color of the picture, with the picture's samples: half floats here, and in exports the
+    /// Color of the picture, with the picture's samples: half floats here, and in exports the
     /// host's own format.
     Picture,
 }
 
 impl TexelFormat {
-    /// How many numbers it is.
+    /// Number of channels.
     pub fn channels(self) -> usize {
         if self == Self::Number { 1 } else { 4 }
     }
 
-    /// Bytes.
+    /// Size of a texel, in bytes.
     pub fn bytes(self) -> u64 {
         match self {
             Self::Number => 4,
@@ -107,7 +109,7 @@ impl TexelFormat {
         }
     }
 
-    /// The name in WebGPU; `any` for the host's own color target.
+    /// Name of the format in WebGPU; `any` for the host's own color target.
     pub fn name(self) -> &'static str {
         match self {
             Self::Number => "r32float",
@@ -117,16 +119,16 @@ impl TexelFormat {
     }
 }
 
-/// Bytes of a pixel in a depth buffer.
+/// Size of a pixel in a depth buffer, in bytes.
 const DEPTH_BYTES: u64 = 4;
 
 impl PassRow {
-    /// Where an output lies among [`writes`](Self::writes).
+    /// Index of an output among [`writes`](Self::writes).
     pub fn output(&self, name: &str) -> Option<usize> {
         self.writes.iter().position(|output| output.name == name)
     }
 
-    /// The name of its module: that of its file, where the file is not set to anything.
+    /// Name of the pass's module: that of its file, where no constants of the file are set.
     pub fn module(&self) -> &'static str {
         match self.work {
             PassWork::Screen { shader, constants: [], .. } => shader,
@@ -134,8 +136,8 @@ impl PassRow {
         }
     }
 
-    /// Bytes a pixel that it keeps, and that it at least reads and writes once, in a picture of so
-    /// many samples a pixel.
+    /// Memory that the pass keeps, and memory that it at least reads and writes once, in bytes a
+    /// pixel, for a picture of so many `samples` a pixel.
     pub fn bytes_per_pixel(&self, samples: u32) -> (u64, u64) {
         let written: u64 = self.writes.iter().map(|output| output.format.bytes()).sum();
         match self.work {
@@ -151,7 +153,7 @@ impl PassRow {
                     (drawn, drawn)
                 }
             }
-            // What is written is read again by the look.
+            // The look reads the written texture again.
             PassWork::Screen { .. } => (written, self.bytes_read() + 2 * written),
         }
     }

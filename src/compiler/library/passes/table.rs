@@ -1,16 +1,17 @@
-//! Every pass, a row each, each after those that it reads.
+//! Table of all passes, a row each, each after those that it reads.
 //!
-//! A new one over the whole picture is a row here and a file of `shaders/passes`, whose textures
-//! are the row's `reads` by name and whose uniform has the numbers of the view that
-//! `shaders/lib/curvature_map.wgsl` lists. A look reads it through a row of the table of contexts.
+//! A new pass over the whole picture needs a row here and a file of `shaders/passes`, whose
+//! textures are the row's `reads` by name and whose uniform has the numbers of the view that
+//! `shaders/lib/curvature_map.wgsl` lists. A look reads the pass through a row of the table of
+//! contexts.
 
 use super::row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
 
-/// What every pass that draws normals draws into.
+/// Outputs of every pass that draws normals.
 const SURFACE: &[PassOutput] = &[
-    // In camera axes, and the object's number plus 1; 0 where nothing is.
+    // Normal in camera axes, and the object's number plus 1; 0 where no object is.
     PassOutput { name: "normal", format: TexelFormat::Numbers },
-    // In front of the eye.
+    // Depth in front of the eye.
     PassOutput { name: "depth", format: TexelFormat::Number },
 ];
 const CURVATURE: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Number }];
@@ -18,7 +19,7 @@ const TENSOR: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFor
 const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat::Numbers }];
 const COLOR: &[PassOutput] = &[PassOutput { name: "color", format: TexelFormat::Picture }];
 
-/// The normals of one pass, and the depths of the pass that drew the surface.
+/// Inputs of a pass: the normals of one pass, and the depths of the pass that drew the surface.
 macro_rules! reads {
     ($normals:literal, $depths:literal) => {
         &[
@@ -28,12 +29,12 @@ macro_rules! reads {
     };
 }
 
-/// What is measured over normals with a file that is set to nothing.
+/// Work of a pass that measures normals with a file whose constants are not set.
 const fn measured(shader: &'static str, reach: u32) -> PassWork {
     PassWork::Screen { shader, constants: &[], reach }
 }
 
-/// A level of smoothed normals, each made from the one before it, twice as far around.
+/// Row of a level of smoothed normals, each made from the level before it, twice as far around.
 const fn smooth(
     slug: &'static str,
     (label, map): (&'static str, &'static str),
@@ -55,7 +56,7 @@ const fn smooth(
     }
 }
 
-/// The rows.
+/// Rows of the table.
 pub(super) const TABLE: &[PassRow] = &[
     PassRow {
         slug: "normals",
