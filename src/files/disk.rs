@@ -3,8 +3,8 @@
 //! A document, or a folder that came with it, may name anything: a pipe that never ends, a device
 //! that gives zeros for ever, a sparse file of a terabyte, a link to the root of the disk. So a
 //! file is read only where it is a plain one, and only up to a bound that the caller knows; a
-//! folder is walked through a bounded number of entries, and no folder twice. What the user names
-//! on the command line may also be a pipe (`chiaro check <(jq ...)`).
+//! folder is walked through a bounded number of entries, and no folder twice. A path on the command
+//! line may also be a pipe (`chiaro check <(jq ...)`).
 
 use std::collections::{HashSet, VecDeque};
 use std::fs::{self, File, Metadata};
@@ -78,6 +78,7 @@ pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Foun
     let mut links: VecDeque<(PathBuf, usize)> = VecDeque::new();
     let mut left = MAX_ENTRIES;
     loop {
+        // Real folders go before links, so that files are found by their own paths where possible.
         let (folder, at) = if let Some(next) = open.pop_front() {
             next
         } else {

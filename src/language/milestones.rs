@@ -19,6 +19,7 @@ struct Teller {
     told: Mutex<BTreeSet<&'static str>>,
 }
 
+/// Reporter of milestones; `None` where they are not asked for.
 static TELLER: LazyLock<Option<Teller>> = LazyLock::new(|| {
     let is_wanted = std::env::var_os(VARIABLE).is_some_and(|value| !value.is_empty());
     is_wanted.then(|| Teller { since_start: Clock::start(), told: Mutex::default() })

@@ -1,5 +1,5 @@
-//! Checks of a document without the library: whether wires, frames, keys and parameters name what
-//! exists.
+//! Checks of a document without the library: whether wires, frames, keys and parameters name
+//! existing parts.
 //!
 //! The compiler calls [`Look::check`] too, so that looks made by programs pass the same checks.
 

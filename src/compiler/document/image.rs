@@ -1,6 +1,6 @@
 //! Images of documents as they lie in memory, for journals. Looks and scenes have an image by
-//! serde, from their descriptions; the image of HCBTFs is defined here. An image also holds what no
-//! file says, such as the unknown fields of a removed part, which undo may bring back.
+//! serde, from their descriptions; the image of HCBTFs is defined here. An image also holds data
+//! that no file has, such as the unknown fields of a removed part, which undo may bring back.
 
 use std::borrow::Cow;
 use std::collections::HashMap;

@@ -94,7 +94,7 @@ mod tests {
             angle in -7.0..7.0f64,
         ) {
             let q = from_axis_angle(axis, angle);
-            // Columns are the turned axes.
+            // Columns are what the axes become.
             let columns = [turn(q, [1.0, 0.0, 0.0]), turn(q, [0.0, 1.0, 0.0]), turn(q, [0.0, 0.0, 1.0])];
             let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| columns[j][i]));
             let back = from_matrix(rows).unwrap();

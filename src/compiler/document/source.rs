@@ -309,7 +309,7 @@ mod tests {
         for name in ["plain", "two words", "a.b", "", "\"", "\\", "光", "[0]"] {
             assert_eq!(segments(&member_path("lights", name)), [key("lights"), key(name)]);
         }
-        // Nonsense gives something, and no panic.
+        // Malformed paths give some steps, and no panic.
         for text in ["[", "]", "[\"", "a..b", ".", "[\"a", "[x]", "[\"\\"] {
             segments(text);
         }

@@ -162,6 +162,7 @@ impl Reader {
                     return Ok(false);
                 }
             };
+            // A record after `Closed` means that work went on.
             is_closed = false;
             let is_done = match serde_json::from_str::<Record<'static, D::Edit>>(&json) {
                 Ok(Record::Ops(ops)) => ops.into_owned().into_iter().all(|op| apply(history, op)),

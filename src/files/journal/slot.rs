@@ -7,7 +7,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+/// Extension of journals.
 const JOURNAL: &str = "journal";
+/// Extension of lock files.
 const LOCK: &str = "lock";
 /// Suffix of unfinished files, which may be removed once they are old.
 pub(super) const UNFINISHED: &str = ".tmp";

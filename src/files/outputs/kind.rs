@@ -32,6 +32,7 @@ impl OutputKind<'_> {
     }
 }
 
+/// Signature at the beginning of a PNG.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// End of a PNG's header, in bytes: the signature, and one chunk of 13 bytes.
 const AFTER_HEADER: usize = 8 + 12 + 13;

@@ -36,6 +36,7 @@ struct Unfinished {
     is_ending: bool,
 }
 
+/// Unfinished files of this program, which [`remove_unfinished`] removes.
 static UNFINISHED: Mutex<Unfinished> =
     Mutex::new(Unfinished { files: BTreeSet::new(), is_ending: false });
 
@@ -154,6 +155,7 @@ impl FileSet {
 
     fn take_names(&mut self) -> Result<(), Box<Diagnostic>> {
         let mut unfinished = unfinished();
+        // The guard is held until all names are taken, so that a program that ends meanwhile waits.
         if let Some(file) = self.files.first().filter(|_| unfinished.is_ending) {
             return Err(cannot_write(&file.named, &ending()));
         }

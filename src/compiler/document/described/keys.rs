@@ -51,7 +51,7 @@ impl Codec<KeyDirection> for DecidedBy {
     }
 }
 
-/// Codec of a key's place: a direction, or as many numbers as drivers decide.
+/// Codec of a key's place: a direction, or one number for each deciding driver.
 pub(in crate::document) struct KeyPlace;
 
 impl Codec<[f64; 3]> for KeyPlace {

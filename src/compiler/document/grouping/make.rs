@@ -27,7 +27,7 @@ pub struct Grouped {
 /// keys and exposed parameters follow.
 ///
 /// `taken` tells whether a kind exists already; `first_output` names a node's first output, for
-/// wires that do not. `None` where none of `nodes` exists.
+/// wires that name no port. `None` where none of `nodes` exists.
 pub fn group(
     look: &Look,
     graph: &GraphId,

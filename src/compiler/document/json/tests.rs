@@ -35,8 +35,7 @@ proptest! {
         }
     }
 
-    /// Whatever the text, the items make a tree: children lie in their parents, one after the
-    /// other.
+    /// Items make a tree, whatever the text: children lie in their parents, one after the other.
     #[test]
     fn items_make_a_tree(text in r#"(\{|\}|\[|\]|,|:|"a"|'b|"|1|x|/\*|//|\n|é){0,40}"#) {
         let (tree, _) = parsed(&text);
