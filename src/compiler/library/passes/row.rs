@@ -136,8 +136,8 @@ impl PassRow {
         }
     }
 
-    /// Memory that the pass keeps, and memory that it at least reads and writes once, for a picture
-    /// of `samples` samples a pixel; in bytes a pixel.
+    /// Memory that the pass keeps, and memory that it at least reads and writes once, in bytes a
+    /// pixel, for a picture of so many `samples` a pixel.
     pub fn bytes_per_pixel(&self, samples: u32) -> (u64, u64) {
         let written: u64 = self.writes.iter().map(|output| output.format.bytes()).sum();
         match self.work {
