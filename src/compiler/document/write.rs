@@ -17,8 +17,8 @@ macro_rules! written {
                 self.write(Writer::new())
             }
 
-            /// Document as [`to_text`](Self::to_text) writes it, but with NaN and infinities
-            /// written as such, which no reader takes.
+            /// Document as [`to_text`](Self::to_text) writes it, but with numbers that are not
+            /// finite written as NaN, which no reader takes.
             pub(super) fn to_trial_text(&self) -> String {
                 self.write(Writer::trial())
             }
