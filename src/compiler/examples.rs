@@ -1,47 +1,47 @@
-//! The examples that every Chiaro brings along: looks, scenes and HCBTFs, as files that are named
-//! wherever they lie.
+//! Examples embedded in the crate: looks, scenes and HCBTFs, as files with names that hold in any
+//! folder.
 //!
 //! `example:hcbtf/arch.json` is `examples/hcbtf/arch.json` of the source. Such a name may stand
-//! wherever a path may, behind any folder, so that what names one can be saved anywhere; the meshes
-//! of examples are the program's own shapes.
+//! wherever a path may, behind any folder, so that a document with such a reference can be saved
+//! anywhere. The meshes of examples are the program's own shapes.
 
 use std::path::{Component, Path};
 
-/// What the names of examples begin with.
+/// Prefix of the names of examples.
 pub const PREFIX: &str = "example:";
 
-// The examples by their names, in the order in which they are best looked at
-// (`examples/order.txt`), and what is in them.
+// `EXAMPLES`: name and content of each example, in the order in which they are best looked at
+// (`examples/order.txt`).
 include!(concat!(env!("OUT_DIR"), "/examples.rs"));
 
-/// What the gallery shows of them: `examples/gallery.json`.
+/// Contents of the gallery: `examples/gallery.json`.
 pub const GALLERY: &str = include_str!("examples/gallery.json");
 
-/// The names of all looks and scenes among them, without [`PREFIX`].
+/// Names of all example looks, scenes and HCBTFs, without [`PREFIX`].
 pub fn documents() -> impl Iterator<Item = &'static str> {
     EXAMPLES.iter().map(|(name, _)| *name).filter(|name| name.ends_with(".json"))
 }
 
-/// The names of all example files, without [`PREFIX`].
+/// Names of all example files, without [`PREFIX`].
 pub fn names() -> impl Iterator<Item = &'static str> {
     EXAMPLES.iter().map(|(name, _)| *name)
 }
 
-/// What is in the example that a path means, if it means one.
+/// Content of the example that `path` names; `None` where `path` names no example.
 pub fn file(path: &Path) -> Option<&'static [u8]> {
     let name = name(path)?;
     EXAMPLES.iter().find(|(known, _)| *known == name).map(|(_, bytes)| *bytes)
 }
 
-/// The text of the look or scene that a path means, if it means one. What it names has names that
-/// hold in any folder.
+/// Text of the example document that `path` names; `None` where `path` names no example. References
+/// to other examples in the text get names that hold in any folder.
 pub fn text(path: &Path) -> Option<String> {
     let text = std::str::from_utf8(file(path)?).ok()?;
     let mut text = text.to_owned();
     for folder in ["looks", "hcbtf", "images"] {
         text = text.replace(&format!("\"../{folder}/"), &format!("\"{PREFIX}{folder}/"));
     }
-    // What looks name beside themselves.
+    // References to files beside a document, such as images.
     for (beside, _) in EXAMPLES.iter().filter(|(name, _)| !name.ends_with(".json")) {
         let name = beside.rsplit('/').next().unwrap_or(beside);
         text = text.replace(&format!("\"{name}\""), &format!("\"{PREFIX}{beside}\""));
@@ -49,7 +49,7 @@ pub fn text(path: &Path) -> Option<String> {
     Some(text)
 }
 
-/// The name of an example in a path, without [`PREFIX`].
+/// Name of the example in a path, without [`PREFIX`].
 fn name(path: &Path) -> Option<String> {
     let mut parts: Option<Vec<&str>> = None;
     for component in path.components() {

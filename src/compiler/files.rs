@@ -1,7 +1,8 @@
-//! How the compiler reads what documents and projects name: it knows no disk, and asks [`Files`].
+//! Access to the files that documents and projects name: the compiler knows no disk, and asks
+//! [`Files`].
 //!
-//! Whoever runs the compiler says where files come from: `chiaro_files::Disk` reads them from the
-//! disk, and [`MemoryFiles`] are there for tests and for programs that have none.
+//! The caller of the compiler says where files come from: `chiaro_files::Disk` reads them from the
+//! disk, and [`MemoryFiles`] serve tests and programs that have no disk.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
@@ -10,35 +11,35 @@ use std::path::{Path, PathBuf};
 use crate::diag::reason;
 use crate::examples;
 
-/// The most entries of folders that one [`walk`](Files::walk) looks at.
+/// Greatest number of folder entries that one [`walk`](Files::walk) looks at.
 pub const MAX_ENTRIES: usize = 20_000;
 
-/// Where files come from.
+/// Source of files: a disk, or memory.
 pub trait Files {
-    /// The bytes of a plain file of at most `most` bytes, or of an [example](crate::examples).
+    /// Bytes of a plain file of at most `most` bytes, or of an [example](crate::examples).
     ///
     /// # Errors
-    /// Why they are not read.
+    /// The reason why the file is not read.
     fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError>;
 
-    /// All files in a folder and in those below that `enters` lets in, at most `depth` folders
-    /// deep. Nothing is found twice, and no more than [`MAX_ENTRIES`] are looked at.
+    /// All files in a folder and in those below it that `enters` lets in, at most `depth` folders
+    /// deep. No file is found twice, and no more than [`MAX_ENTRIES`] entries are looked at.
     fn walk(&self, folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> FoundFiles;
 }
 
-/// Why a file is not read.
+/// Reason why a file is not read.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
-    /// The system does not give it.
+    /// Error of the operating system.
     #[error("{}", reason(.0))]
     Io(#[from] io::Error),
     /// A pipe, a socket or a device.
     #[error("it is no plain file, but a pipe or a device")]
     Special,
-    /// More bytes than the caller takes.
+    /// File with more bytes than the caller takes.
     #[error("{}", too_large(*.most))]
     TooLarge {
-        /// As many it takes.
+        /// Greatest number of bytes that the caller takes.
         most: u64,
     },
 }
@@ -51,27 +52,27 @@ fn too_large(most: u64) -> String {
     }
 }
 
-/// What [`Files::walk`] found.
+/// Result of [`Files::walk`].
 #[derive(Debug, Default)]
 pub struct FoundFiles {
-    /// Files and what else is no folder, folder by folder, by name.
+    /// Files, and all other entries that are no folders, folder by folder, sorted by name.
     pub files: Vec<PathBuf>,
-    /// The folder itself and those in it.
+    /// The walked folder and the folders in it.
     pub folders: Vec<PathBuf>,
     /// Folders that could not be listed.
     pub unreadable: Vec<(PathBuf, io::Error)>,
-    /// Whether there are more than [`MAX_ENTRIES`].
+    /// True if the walk ended at [`MAX_ENTRIES`] with entries left.
     pub is_cut: bool,
 }
 
-/// Files that lie in memory, by path.
+/// Files in memory, by path.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryFiles {
     files: BTreeMap<PathBuf, Vec<u8>>,
 }
 
 impl MemoryFiles {
-    /// Adds a file, in place of one of the same path.
+    /// Adds a file, in place of any file of the same path.
     pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
         self.files.insert(path.into(), bytes.into());
     }
@@ -101,8 +102,8 @@ impl Files for MemoryFiles {
     }
 }
 
-/// Whether bytes are text in UTF-16, which other programs write where they say "Unicode": by the
-/// mark at the beginning, or by every other of the first bytes being 0.
+/// True for text in UTF-16, which other programs write where they say "Unicode": recognized by the
+/// byte order mark at the beginning, or by every other of the first four bytes being 0.
 pub fn is_utf16(bytes: &[u8]) -> bool {
     let is_ascii = |byte: u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
     match *bytes {

@@ -1,9 +1,10 @@
-//! From a graph of light to one readable WGSL shader.
+//! Compiler from a graph of light to one readable WGSL shader.
 //!
-//! A [`document::Look`] is what an artist wires. [`compile`] checks it against the [`library`] of
-//! nodes (each one a WGSL file), runs whatever is known before the fragment through the interpreter
-//! in f64, removes what cannot reach the output, and emits one WGSL module that naga has validated.
-//! [`catalog`] tells people and programs what there is to wire.
+//! A [`document::Look`] is the graph that an artist wires. [`compile`] checks the graph against the
+//! [`library`] of nodes (each one a WGSL file), evaluates all parts that are known before the
+//! fragment in the interpreter, in f64, removes the parts that cannot reach the output, and emits
+//! one WGSL module that naga has validated. [`catalog`] describes the nodes for people and
+//! programs.
 
 use chiaro_language::{diag, ids, interp, milestones, wgsl};
 

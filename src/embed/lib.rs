@@ -1,4 +1,4 @@
-//! Puts every file of a folder into a crate, found by walking the folder, so that none is
+//! Embeds every file of a folder in a crate. Files are found by walking the folder, so that none is
 //! forgotten and no list of files has to be kept.
 //!
 //! A crate's build script names its folders as rows of one table:
@@ -16,38 +16,38 @@
 //! }]);
 //! ```
 //!
-//! and the crate includes what comes of a row:
-//! `include!(concat!(env!("OUT_DIR"), "/nodes.rs"));`
+//! and the crate includes the file that is generated for a row: `include!(concat!(env!("OUT_DIR"),
+//! "/nodes.rs"));`
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// How a file's content stands in the crate.
+/// Type of a file's content in the crate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// As `&str`.
+    /// Text, as `&str`.
     Text,
-    /// As `&[u8]`.
+    /// Bytes, as `&[u8]`.
     Bytes,
 }
 
 /// Folders whose files are embedded, as one static slice of `(path, content)`.
 #[derive(Clone, Copy, Debug)]
 pub struct Table<'a> {
-    /// The name of the slice; in small letters, that of the file that declares it.
+    /// Name of the slice; in small letters, also the name of the generated file.
     pub name: &'a str,
-    /// Where the paths of the slice begin, from the crate's manifest on.
+    /// Folder that the paths of the slice are relative to, itself relative to the crate's manifest.
     pub base: &'a str,
-    /// The folders below `base` that are walked. Links are followed, so that a folder that lies
-    /// elsewhere in the repository travels along with a package of the crate.
+    /// Folders below `base` that are walked. Links are followed, so that a folder elsewhere in the
+    /// repository is part of a package of the crate.
     pub folders: &'a [&'a str],
-    /// The extensions of the files that are embedded.
+    /// Extensions of the files that are embedded.
     pub extensions: &'a [&'a str],
-    /// How the content stands in the crate.
+    /// Type of the content in the crate.
     pub content: Content,
-    /// A file below `base` of paths, one a line, that come first; others follow by their names.
+    /// File below `base` that lists paths, one a line, that come first; other paths follow by name.
     pub order: Option<&'a str>,
 }
 
@@ -55,8 +55,8 @@ pub struct Table<'a> {
 ///
 /// # Panics
 ///
-/// Where cargo does not run it, and where a file cannot be read or written: a build script has
-/// nobody else to tell.
+/// Outside a build script that cargo runs, and where a file cannot be read or written: a build
+/// script has nobody else to tell.
 pub fn embed(tables: &[Table<'_>]) {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets it"));
@@ -67,7 +67,7 @@ pub fn embed(tables: &[Table<'_>]) {
     }
 }
 
-/// The source of one table's slice.
+/// Source code of one table's slice.
 fn slice(root: &Path, table: &Table<'_>) -> String {
     let base = root.join(table.base);
     let mut files = Vec::new();
@@ -95,13 +95,13 @@ fn slice(root: &Path, table: &Table<'_>) -> String {
     text + "];\n"
 }
 
-/// The path of a file below a folder, with `/` on every system.
+/// Path of a file below a folder, with `/` on every system.
 fn short(folder: &Path, file: &Path) -> String {
     let short = file.strip_prefix(folder).expect("the file was found there");
     short.to_string_lossy().replace('\\', "/")
 }
 
-/// The place of each path of a file that says an order.
+/// Rank of each path that an order file lists, by line.
 fn ranks(file: &Path) -> HashMap<String, usize> {
     watch(file);
     let text =
@@ -109,7 +109,7 @@ fn ranks(file: &Path) -> HashMap<String, usize> {
     text.lines().map(str::to_owned).zip(0..).collect()
 }
 
-/// Has the build script run again when a file or a folder changes.
+/// Tells cargo to run the build script again when a file or folder changes.
 #[expect(clippy::print_stdout, reason = "cargo listens to what a build script prints")]
 fn watch(path: &Path) {
     println!("cargo::rerun-if-changed={}", path.display());

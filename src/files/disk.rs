@@ -1,10 +1,10 @@
-//! The disk: the one way by which files and folders that somebody else names are read.
+//! Disk access: the one way by which files and folders that somebody else names are read.
 //!
 //! A document, or a folder that came with it, may name anything: a pipe that never ends, a device
 //! that gives zeros for ever, a sparse file of a terabyte, a link to the root of the disk. So a
 //! file is read only where it is a plain one, and only up to a bound that the caller knows; a
-//! folder is walked through a bounded number of entries, and no folder twice. What the user names
-//! on the command line may also be a pipe (`chiaro check <(jq ...)`).
+//! folder is walked through a bounded number of entries, and no folder twice. A path on the command
+//! line may also be a pipe (`chiaro check <(jq ...)`).
 
 use std::collections::{HashSet, VecDeque};
 use std::fs::{self, File, Metadata};
@@ -28,26 +28,27 @@ impl Files for Disk {
     }
 }
 
-/// The bytes of a plain file of at most `most` bytes, or of an [example](chiaro_compiler::examples).
+/// Bytes of a plain file of at most `most` bytes, or of an [example](chiaro_compiler::examples).
 ///
 /// # Errors
-/// Why they are not read.
+/// The reason why the file is not read.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
     if let Some(example) = examples::file(path) {
         return Ok(example.to_vec());
     }
-    // Before the file is opened: opening a pipe waits for somebody who writes.
+    // The first check precedes opening: opening a pipe waits for somebody who writes.
     check(&fs::metadata(path)?, path, most)?;
     let file = File::open(path)?;
-    // It may be another one by now.
+    // Another file may have taken the path since the first check.
     check(&file.metadata()?, path, most)?;
     let mut bytes = Vec::new();
-    // One byte beyond the bound tells that there is more, whatever the file's length is said to be.
+    // One byte beyond the bound reveals a longer file, whatever length the file claims.
     file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most { Err(ReadError::TooLarge { most }) } else { Ok(bytes) }
 }
 
-/// A folder passes: reading it fails, and the system says why.
+/// Refuses special files and files of more than `most` bytes. A folder passes: reading it fails,
+/// and the system says why.
 fn check(about: &Metadata, path: &Path, most: u64) -> Result<(), ReadError> {
     let is_special = !about.is_file() && !about.is_dir();
     if is_special && !is_argument(path) {
@@ -59,16 +60,16 @@ fn check(about: &Metadata, path: &Path, most: u64) -> Result<(), ReadError> {
     Ok(())
 }
 
-/// Whether the command line names this very path.
+/// True if the command line names this very path.
 fn is_argument(path: &Path) -> bool {
     std::env::args_os().skip(1).any(|argument| argument == path.as_os_str())
 }
 
-/// All files in a folder and in those below that `enters` lets in, at most `depth` folders deep.
+/// All files in a folder and in those below it that `enters` lets in, at most `depth` folders deep.
 ///
-/// Links to folders are followed where they lead to one that was not seen and that does not hold
-/// the walked folder itself, after all folders that are there in person; so nothing is found twice,
-/// and no link leads round in a ring.
+/// Links are followed to folders that were not seen and do not hold the walked folder itself, after
+/// all folders that are there in person; so nothing is found twice, and no link leads round in a
+/// ring.
 pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> FoundFiles {
     let mut walked = FoundFiles::default();
     let Some(root) = place(folder, &mut walked) else { return walked };
@@ -77,6 +78,7 @@ pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Foun
     let mut links: VecDeque<(PathBuf, usize)> = VecDeque::new();
     let mut left = MAX_ENTRIES;
     loop {
+        // Real folders go before links, so that files are found by their own paths where possible.
         let (folder, at) = if let Some(next) = open.pop_front() {
             next
         } else {
@@ -105,7 +107,7 @@ pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Foun
     walked
 }
 
-/// Where a folder really is.
+/// Canonical path of a folder; a failure is noted in `walked`.
 fn place(folder: &Path, walked: &mut FoundFiles) -> Option<PathBuf> {
     folder
         .canonicalize()
@@ -113,7 +115,8 @@ fn place(folder: &Path, walked: &mut FoundFiles) -> Option<PathBuf> {
         .ok()
 }
 
-/// What is in a folder, by name, as long as entries are `left`; and whether each is a link.
+/// Entries of a folder, sorted by name, as long as entries are `left`, each with whether it is a
+/// link.
 fn entries(folder: &Path, left: &mut usize, walked: &mut FoundFiles) -> Vec<(PathBuf, bool)> {
     let listed = match fs::read_dir(folder) {
         Ok(listed) => listed,
@@ -148,7 +151,7 @@ mod tests {
         assert!(matches!(read(&path, 4), Err(ReadError::TooLarge { most: 4 })));
         assert!(matches!(read(&folder.path().join("b"), 5), Err(ReadError::Io(_))));
         assert!(matches!(read(folder.path(), 5), Err(ReadError::Io(_))));
-        // A hole of a terabyte takes no place on the disk.
+        // A sparse file of a terabyte takes no place on the disk.
         File::create(&path).unwrap().set_len(1 << 40).unwrap();
         assert!(matches!(read(&path, 1 << 20), Err(ReadError::TooLarge { .. })));
     }
@@ -175,8 +178,8 @@ mod tests {
         for file in ["nodes/z", "nodes/b/y", "nodes/b/c/x", "shared/w"] {
             fs::write(folder.path().join(file), "").unwrap();
         }
-        // To a folder that is there, to one elsewhere (twice), to itself, upwards, to the root of
-        // the disk, to nothing.
+        // Links to a folder that is there, to one elsewhere (twice), to the root itself, upwards,
+        // to the root of the disk, to nothing.
         for (link, target) in
             [("a", "b"), ("b/up", ".."), ("b/c/top", "/"), ("self", "."), ("none", "nowhere")]
         {

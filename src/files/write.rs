@@ -1,5 +1,5 @@
-//! Documents and texts on the disk: read with a bound, and written so that nobody ever sees half of
-//! one.
+//! Documents and texts on the disk: read with a bound, and written so that nobody ever sees half a
+//! file.
 
 use std::path::Path;
 
@@ -17,8 +17,8 @@ pub fn read_text(path: &Path) -> Result<String, Box<Diagnostic>> {
     document::read_text(&Disk, path)
 }
 
-/// Writes a file whole or not at all, as [`FileSet`] has it: into a temporary file in the same
-/// folder, which then takes the old one's name. When this returns, the disk has the file and its
+/// Writes a file whole or not at all, with [`FileSet`]: into a temporary file in the same folder,
+/// which then takes the old one's name. When this function returns, the disk has the file and its
 /// name.
 ///
 /// # Errors
@@ -29,13 +29,13 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     set.commit()
 }
 
-/// A document that a file of text holds.
+/// Document that is saved as a text file.
 pub trait TextDocument {
-    /// The text to save: that of `source`, byte for byte, where the document says the same.
+    /// Text to save: that of `source`, byte for byte, where the document says the same.
     fn text_like(&self, source: Option<&SourceMap>) -> String;
 
-    /// Saves the document, whole or not at all; unchanged text stays as it is where `source` is what
-    /// the document was read from.
+    /// Saves the document, whole or not at all; unchanged text stays as it is where `source` is the
+    /// text that the document was read from.
     ///
     /// # Errors
     /// A diagnostic that says why the file could not be written; the old one is then as it was.
@@ -127,7 +127,8 @@ mod tests {
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
 
-        // A link that leads nowhere yet goes on to lead where it leads, also through another link.
+        // A link to a file that does not exist yet leads to the written file afterwards, also
+        // through another link.
         let (later, around) = (folder.path().join("later.json"), folder.path().join("around.json"));
         symlink("later.json", folder.path().join("to-later.json")).unwrap();
         symlink("to-later.json", &around).unwrap();
@@ -138,7 +139,7 @@ mod tests {
         symlink("circle.json", &circle).unwrap();
         assert!(write_atomic(&circle, b"").is_ok() || circle.is_symlink(), "a circle ends");
 
-        // A new file is as any other program would make it here.
+        // A new file gets the permissions that any other program's file gets here.
         let (ours, theirs) = (folder.path().join("ours"), folder.path().join("theirs"));
         write_atomic(&ours, b"").unwrap();
         fs::write(&theirs, b"").unwrap();
@@ -146,7 +147,7 @@ mod tests {
         assert_eq!(mode(&ours), mode(&theirs));
     }
 
-    /// Where the tests may give files away, which takes an administrator.
+    /// Effective only where the tests may give files away, which takes an administrator.
     #[cfg(unix)]
     #[test]
     fn owner_and_group_are_kept() {
@@ -177,7 +178,7 @@ mod tests {
             if is_old {
                 file.set_modified(old).unwrap();
             } else {
-                // As the program has it that still writes here.
+                // Lock as held by a program that still writes here.
                 file.try_lock().unwrap();
                 held.push(file);
             }

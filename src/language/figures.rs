@@ -1,19 +1,19 @@
-//! Numbers as people read them: sizes in a handy unit, and how many there are of something.
+//! Numbers as people read them: sizes in a handy unit, and counts with their nouns.
 
-/// Bytes in a unit of a handy size.
+/// Text of a number of bytes, in a unit of a handy size.
 pub fn bytes(bytes: u64) -> String {
     let kib = bytes as f64 / 1024.0;
     let mib = kib / 1024.0;
     match bytes {
         0..1024 => count(bytes, "byte"),
-        // What would be told as 1024.0 KiB is told as 1.00 MiB.
+        // Sizes that would read 1024.0 KiB read 1.00 MiB.
         _ if kib < 1023.95 => format!("{kib:.1} KiB"),
         _ if mib < 9.995 => format!("{mib:.2} MiB"),
         _ => format!("{mib:.1} MiB"),
     }
 }
 
-/// How many there are of something whose name takes an `s`: `1 image`, `2 images`.
+/// Text of a count with a noun that takes an `s`: `1 image`, `2 images`.
 pub fn count(number: u64, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }

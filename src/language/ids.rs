@@ -1,4 +1,4 @@
-//! Names that last. An id is a slug made once; renaming a node never changes it.
+//! Ids: names that last. An id is a slug made once; renaming a node never changes it.
 
 use std::borrow::Borrow;
 use std::fmt;
@@ -70,37 +70,37 @@ macro_rules! slug_type {
 }
 
 slug_type!(
-    /// A node within one graph (a look's own, or a definition's).
+    /// Id of a node within one graph (a look's own, or a definition's).
     NodeId
 );
 slug_type!(
-    /// An input or output of a node.
+    /// Name of an input or output of a node.
     PortName
 );
 slug_type!(
-    /// A light in `look.lights` or `scene.lights`.
+    /// Id of a light in `look.lights` or `scene.lights`.
     LightId
 );
 slug_type!(
-    /// A group definition, from the document or from the library.
+    /// Id of a group definition, from the document or from the library.
     DefinitionId
 );
 slug_type!(
-    /// A titled frame drawn behind nodes on the canvas.
+    /// Id of a titled frame drawn behind nodes on the canvas.
     FrameId
 );
 slug_type!(
-    /// A text on the canvas.
+    /// Id of a note on the canvas.
     NoteId
 );
 slug_type!(
-    /// An object of a scene.
+    /// Id of an object of a scene.
     ObjectId
 );
 
-/// The id of the pseudo node, inside a definition, whose outputs are the group's inputs.
+/// Id of the pseudo node, inside a definition, whose outputs are the group's inputs.
 pub const GROUP_INPUTS: &str = "inputs";
-/// The id of the pseudo node, inside a definition, whose inputs are the group's outputs.
+/// Id of the pseudo node, inside a definition, whose inputs are the group's outputs.
 pub const GROUP_OUTPUTS: &str = "outputs";
 
 impl Default for PortName {
@@ -109,7 +109,7 @@ impl Default for PortName {
     }
 }
 
-/// Whether `text` can be an id: 1 to 64 of `a-z A-Z 0-9 _ -`, beginning with a letter or `_`.
+/// True for a text that can be an id: 1 to 64 of `a-z A-Z 0-9 _ -`, beginning with a letter or `_`.
 pub fn is_slug(text: &str) -> bool {
     let first_is_letter = text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
     first_is_letter
@@ -146,44 +146,45 @@ pub fn make_slug(text: &str, taken: impl Fn(&str) -> bool) -> String {
         .expect("some number is free")
 }
 
-/// Where a node is once groups are inlined: the ids of the groups around it, then its own, joined
-/// by `/`.
+/// Path of a node once groups are inlined: the ids of the groups around it, then its own, joined by
+/// `/`.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct NodePath(Arc<[NodeId]>);
 
 impl NodePath {
-    /// A node of the look's own graph.
+    /// Path of a node of the look's own graph.
     pub fn root(id: NodeId) -> Self {
         Self(Arc::new([id]))
     }
 
-    /// A node inside the group node that `self` names.
+    /// Path of a node inside the group node that `self` names.
     pub fn join(&self, id: NodeId) -> Self {
         Self(self.0.iter().cloned().chain([id]).collect())
     }
 
-    /// The group node that this one lies in.
+    /// Path of the group node that this node lies in.
     pub fn parent(&self) -> Option<Self> {
         let (_, groups) = self.0.split_last()?;
         (!groups.is_empty()).then(|| Self(groups.into()))
     }
 
-    /// From the outermost group to the node.
+    /// Ids from the outermost group to the node.
     pub fn ids(&self) -> &[NodeId] {
         &self.0
     }
 
-    /// The node of the look's own graph that holds this one (itself when it is in no group).
+    /// Id of the node of the look's own graph that holds this node (the node itself when it is in
+    /// no group).
     pub fn outermost(&self) -> Option<&NodeId> {
         self.0.first()
     }
 
-    /// The node's own id.
+    /// Id of the node itself.
     pub fn last(&self) -> Option<&NodeId> {
         self.0.last()
     }
 
-    /// Reads `group/inner/node`.
+    /// Parses `group/inner/node`.
     pub fn parse(text: &str) -> Self {
         Self(text.split('/').filter(|part| !part.is_empty()).map(NodeId::from).collect())
     }

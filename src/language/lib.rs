@@ -1,11 +1,10 @@
-//! What everything in Chiaro is said in.
+//! Basic language of Chiaro: ids, diagnostics, progress, and WGSL with its interpreter.
 //!
-//! [`ids`] name what a document holds and [`diag`] says what is wrong with it; [`progress`] tells
-//! how far long work has come, and stops it. [`wgsl`] resolves
-//! imports and is the only caller of naga's front end and validator; [`interp`] runs what it gives
-//! in f64 or f32, on the CPU.
+//! [`ids`] name the parts of a document and [`diag`] reports problems; [`progress`] measures long
+//! work, and stops it. [`wgsl`] resolves imports and is the only caller of naga's front end and
+//! validator; [`interp`] runs the validated modules in f64 or f32, on the CPU.
 
-// Words that everything is said in.
+// Basic terms of all other crates.
 pub mod clock;
 pub mod diag;
 pub mod figures;
@@ -13,6 +12,6 @@ pub mod ids;
 pub mod milestones;
 pub mod progress;
 
-// WGSL sources, and what runs them.
+// WGSL sources and their interpreter.
 pub mod interp;
 pub mod wgsl;

@@ -1,9 +1,9 @@
-//! What the program reached when, for who measures how it starts.
+//! Milestones of the program's start and the times at which they were reached, for measurements.
 //!
 //! Where the environment variable `CHIARO_MILESTONES` is set, each milestone is a line of JSON on
 //! standard error, the first time that it is reached: `{"milestone":"library","seconds":0.0312}`,
-//! in seconds since the program began. Elsewhere telling one costs a look at a flag. `cargo bench
-//! --bench editor -- startup` reads them.
+//! in seconds since the program began. Elsewhere a milestone costs a look at a flag. `cargo bench
+//! --bench editor -- startup` reads the lines.
 
 use std::collections::BTreeSet;
 use std::io::Write as _;
@@ -11,7 +11,7 @@ use std::sync::{LazyLock, Mutex, PoisonError};
 
 use crate::clock::Clock;
 
-/// The environment variable that asks for them.
+/// Environment variable that asks for milestones.
 pub const VARIABLE: &str = "CHIARO_MILESTONES";
 
 struct Teller {
@@ -19,24 +19,25 @@ struct Teller {
     told: Mutex<BTreeSet<&'static str>>,
 }
 
+/// Reporter of milestones; `None` where they are not asked for.
 static TELLER: LazyLock<Option<Teller>> = LazyLock::new(|| {
     let is_wanted = std::env::var_os(VARIABLE).is_some_and(|value| !value.is_empty());
     is_wanted.then(|| Teller { since_start: Clock::start(), told: Mutex::default() })
 });
 
-/// Whether anybody wants to know.
+/// True if milestones are reported.
 pub fn are_told() -> bool {
     TELLER.is_some()
 }
 
-/// Tells that the program came this far; the first one told begins to count. Later times of the
-/// same one are not told.
+/// Reports that the program reached a milestone; the first one reported starts the clock. Only the
+/// first time of each milestone is reported.
 pub fn reached(milestone: &'static str) {
     let Some(teller) = &*TELLER else { return };
     let seconds = teller.since_start.seconds();
     if teller.told.lock().unwrap_or_else(PoisonError::into_inner).insert(milestone) {
         let line = serde_json::json!({ "milestone": milestone, "seconds": seconds });
-        // Nobody listens any more: then it need not be told.
+        // A write fails where nobody listens any more, and is then not needed.
         let _ = writeln!(std::io::stderr(), "{line}");
     }
 }

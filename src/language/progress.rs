@@ -1,10 +1,10 @@
-//! Long work: how far it has come, and whether it is still wanted.
+//! Progress of long work, and requests to stop it.
 //!
-//! Whoever works and whoever watches hold handles to one [`Progress`]. A worker lays its steps out,
-//! counts them, and looks between them whether somebody stopped it. A watcher reads the share that
-//! is done, or is an observer that is called at every step. A piece of work that lays out steps of
-//! its own, as a pass of a picture does, gets a [part](Progress::part) that stands for some steps of
-//! the whole: the whole moves with the part, and stopping the whole stops the part.
+//! Workers and watchers hold handles to one [`Progress`]. A worker lays its steps out, counts them,
+//! and checks between them whether the work was stopped. A watcher reads the share that is done, or
+//! is an observer that is called at every step. A piece of work that lays out steps of its own, as
+//! a pass of a picture does, gets a [part](Progress::part) that stands for some steps of the whole:
+//! the whole moves with the part, and stopping the whole stops the part.
 
 use std::fmt;
 use std::sync::Arc;
@@ -12,35 +12,35 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use crate::diag::Diagnostic;
 
-/// Fractions of a step that parts are counted in: whole numbers, so that whatever threads add up in
-/// any order is the whole in the end.
+/// Number of fractions of a step, in which parts are counted: whole numbers, so that the sum over
+/// threads is exact in any order.
 const FRACTIONS: u64 = 1 << 20;
 
-/// A handle to long work: how far the work has come, and whether it is still wanted. Clones are
-/// handles to the same work.
+/// Handle to long work: its progress, and whether it is still wanted. Clones are handles to the
+/// same work.
 #[derive(Clone, Default)]
 pub struct Progress(Arc<Work>);
 
 #[derive(Default)]
 struct Work {
-    /// Fractions of steps that are done.
+    /// Number of fractions of steps that are done.
     done: AtomicU64,
-    /// Steps that are laid out.
+    /// Number of steps that are laid out.
     total: AtomicU64,
     is_stopped: AtomicBool,
     observer: Option<Observer>,
     share_of: Option<ShareOf>,
 }
 
-/// Called at every step, from the thread that made the step.
+/// Observer that is called at every step, from the thread that made the step.
 type Observer = Box<dyn Fn(&Progress) + Send + Sync>;
 
-/// What a part stands for in the whole.
+/// Share of the whole that a part stands for.
 struct ShareOf {
     whole: Progress,
-    /// Steps of the whole.
+    /// Number of steps of the whole.
     steps: u64,
-    /// Fractions of those steps that the whole has counted so far.
+    /// Number of fractions of those steps that the whole has counted so far.
     counted: AtomicU64,
 }
 
@@ -76,24 +76,24 @@ impl Progress {
         })
     }
 
-    /// Work that stands for so many steps of this work, with steps of its own.
+    /// Work that stands for `steps` steps of this work, with steps of its own.
     #[must_use]
     pub fn part(&self, steps: u64) -> Self {
         let share_of = ShareOf { whole: self.clone(), steps, counted: AtomicU64::new(0) };
         Self(Arc::new(Work { share_of: Some(share_of), ..Work::default() }))
     }
 
-    /// Whether both are handles to the same work.
+    /// True if both are handles to the same work.
     pub fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 
-    /// Says that the work is not wanted any more; the work ends soon after.
+    /// Stops the work: it ends soon after.
     pub fn stop(&self) {
         self.0.is_stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Whether somebody stopped this work, or the whole that this work is a part of.
+    /// True if this work was stopped, or the whole that this work is a part of.
     pub fn is_stopped(&self) -> bool {
         let mut work = self;
         loop {
@@ -107,33 +107,33 @@ impl Progress {
         }
     }
 
-    /// Fails once the work is not wanted any more.
+    /// Fails once the work was stopped.
     ///
     /// # Errors
-    /// That the work was stopped.
+    /// [`Stopped`], where the work was stopped.
     pub fn check(&self) -> Result<(), Stopped> {
         if self.is_stopped() { Err(Stopped) } else { Ok(()) }
     }
 
-    /// Steps that are done, and how many there will be as far as is known: 0 before the work is
+    /// Number of steps that are done, and of all steps as far as is known: 0 before the work is
     /// laid out.
     pub fn steps(&self) -> [u64; 2] {
         let [done, total] = self.fractions();
         [done / FRACTIONS, total]
     }
 
-    /// The share that is done, from 0 to 1.
+    /// Share of the work that is done, from 0 to 1.
     pub fn share(&self) -> f64 {
         let [done, total] = self.fractions();
         if total == 0 { 0.0 } else { (done as f64 / FRACTIONS as f64 / total as f64).min(1.0) }
     }
 
-    /// Fractions of steps that are done, and steps that are laid out.
+    /// Number of fractions of steps that are done, and of steps that are laid out.
     fn fractions(&self) -> [u64; 2] {
         [self.0.done.load(Ordering::Relaxed), self.0.total.load(Ordering::Relaxed)]
     }
 
-    /// Lays out so many steps, of which none is done.
+    /// Lays out `total` steps, of which none is done.
     pub fn begin(&self, total: u64) {
         self.0.done.store(0, Ordering::Relaxed);
         self.0.total.store(total, Ordering::Relaxed);
@@ -149,11 +149,10 @@ impl Progress {
         self.advance(steps.saturating_mul(FRACTIONS));
     }
 
-    /// Counts a step, be it one that nobody laid out, and fails where the work is not wanted any
-    /// more.
+    /// Counts a step, even one that was not laid out, and fails where the work was stopped.
     ///
     /// # Errors
-    /// That the work was stopped.
+    /// [`Stopped`], where the work was stopped.
     pub fn step(&self) -> Result<(), Stopped> {
         let done = self.0.done.load(Ordering::Relaxed) / FRACTIONS + 1;
         self.0.total.fetch_max(done, Ordering::Relaxed);
@@ -161,10 +160,10 @@ impl Progress {
         self.check()
     }
 
-    /// Counts whatever is left of a part, and fails where the work is not wanted any more.
+    /// Counts the rest of a part, and fails where the work was stopped.
     ///
     /// # Errors
-    /// That the work was stopped.
+    /// [`Stopped`], where the work was stopped.
     pub fn finish(&self) -> Result<(), Stopped> {
         if let Some(share_of) = &self.0.share_of {
             share_of.reach(share_of.steps.saturating_mul(FRACTIONS));
@@ -188,8 +187,8 @@ impl Progress {
 }
 
 impl ShareOf {
-    /// Has the whole count up to so many fractions of the part's steps, each fraction once whatever
-    /// threads come here, and in whatever order.
+    /// Lets the whole count up to `fractions` fractions of the part's steps, each fraction once,
+    /// whatever threads come here, and in whatever order.
     fn reach(&self, fractions: u64) {
         let before = self.counted.fetch_max(fractions, Ordering::Relaxed);
         if fractions > before {
@@ -198,16 +197,17 @@ impl ShareOf {
     }
 }
 
-/// That somebody stopped the work before it was done.
+/// Error of work that was stopped before it was done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("it was stopped before it was done")]
 pub struct Stopped;
 
 impl Stopped {
-    /// The code of the diagnostic.
+    /// Code of the diagnostic.
     pub const CODE: &'static str = "stopped";
 
-    /// Whether problems say that the work was stopped, and so nothing of what it was about.
+    /// True if the problems say that the work was stopped, and so say nothing of the work's
+    /// subject.
     pub fn is_among(problems: &[Diagnostic]) -> bool {
         problems.iter().any(|problem| problem.code == Self::CODE)
     }

@@ -12,7 +12,7 @@ use crate::library::{Fallback, Library, NodeDef, Preset, Special, Type, load_nod
 
 /// The kind of a node whose WGSL is a value of its own.
 pub const CUSTOM_KIND: &str = "wgsl";
-/// The value that holds it.
+/// Name of the value that holds the WGSL of a custom node.
 pub const CODE: &str = "code";
 /// The code of a new custom node.
 pub const CUSTOM_CODE: &str = "\
@@ -24,46 +24,46 @@ fn my_node(value: f32) -> f32 {
     return value * value;
 }
 ";
-/// Groups within groups are looked into this deep.
+/// Greatest depth of groups within groups that is looked into.
 const MAX_DEPTH: usize = 16;
 
-/// A port as people see it.
+/// Port of a node as people see it.
 #[derive(Clone, Debug)]
 pub struct Port {
-    /// The port's name in wires and files.
+    /// Name of the port in wires and files.
     pub name: PortName,
-    /// The label that people read.
+    /// Label that people read.
     pub label: Arc<str>,
-    /// The help text: its purpose.
+    /// Help text: the purpose.
     pub help: String,
-    /// The type of its socket or its setting.
+    /// Type of the socket or of the setting.
     pub ty: Type,
-    /// Inputs: every type that one of the node's functions takes here.
+    /// Inputs: every type that a function of the node takes here.
     pub accepts: Vec<Type>,
-    /// Inputs: what it has while nothing is wired to it.
+    /// Inputs: the value of the port while no wire leads to the port.
     pub fallback: Fallback,
-    /// The least value of numbers.
+    /// Least value of a number.
     pub min: Option<f64>,
-    /// The greatest value of numbers.
+    /// Greatest value of a number.
     pub max: Option<f64>,
-    /// `rad` and the like; empty where there is none.
+    /// Unit of the value, such as `rad`; empty where there is none.
     pub unit: String,
-    /// The words of a choice, each with its label.
+    /// Words of a choice, each with its label.
     pub options: Vec<(String, String)>,
 }
 
 impl Port {
-    /// Whether it has a socket.
+    /// True for a port with a socket, false for a setting.
     pub fn is_wirable(&self) -> bool {
         !self.ty.is_setting()
     }
 
-    /// Whether an output of type `from` may be wired to this input.
+    /// True if an output of type `from` may be wired to this input.
     pub fn takes(&self, from: &Type) -> bool {
         self.is_wirable() && self.accepts.iter().any(|to| from.convert_to(to).is_some())
     }
 
-    /// A kind of which only the name is known.
+    /// Port of which only the name is known.
     pub fn named(name: &str) -> Self {
         Self {
             name: name.into(),
@@ -80,40 +80,40 @@ impl Port {
     }
 }
 
-/// A kind of node as people see it.
+/// Kind of node as people see it.
 #[derive(Clone, Debug)]
 pub struct Kind {
-    /// The library's name of it, a group's id, or [`CUSTOM_KIND`].
+    /// Name of the kind in the library, id of a group, or [`CUSTOM_KIND`].
     pub id: String,
-    /// The label that people read.
+    /// Label that people read.
     pub label: Arc<str>,
-    /// Where it lies in the palette; its title is colored by it.
+    /// Category in the palette; the color of the node's title follows from it.
     pub category: String,
-    /// The help text: its purpose.
+    /// Help text: the purpose.
     pub help: String,
-    /// Papers.
+    /// Papers that the node is taken from.
     pub sources: Vec<String>,
-    /// In the order of their rows.
+    /// Inputs in the order of their rows.
     pub inputs: Vec<Port>,
-    /// In the order of their rows, above the inputs.
+    /// Outputs in the order of their rows, above the inputs.
     pub outputs: Vec<Port>,
     /// Named sets of values.
     pub presets: Vec<Preset>,
-    /// Its implementations, exact first.
+    /// Implementations, the exact one first.
     pub tiers: Vec<Tier>,
-    /// Whether it passes on whatever it is given.
+    /// True for a node that passes on whatever value it is given.
     pub is_reroute: bool,
-    /// Whether it could not be found, or has errors.
+    /// True for a kind that could not be found or has errors.
     pub is_missing: bool,
 }
 
 impl Kind {
-    /// An input's index by name.
+    /// Index of an input by name.
     pub fn input(&self, name: &str) -> Option<usize> {
         self.inputs.iter().position(|port| port.name.as_str() == name)
     }
 
-    /// An output's index by name; an empty name is the first.
+    /// Index of an output by name; an empty name is the first.
     pub fn output(&self, name: &str) -> Option<usize> {
         if name.is_empty() {
             return (!self.outputs.is_empty()).then_some(0);
@@ -180,7 +180,7 @@ fn input_port(def: &NodeDef, index: usize) -> Port {
     }
 }
 
-/// Every kind that a look's nodes may have.
+/// All kinds that the nodes of a look may have.
 #[derive(Debug, Default)]
 pub struct Catalog {
     library: HashMap<String, Arc<Kind>>,
@@ -219,7 +219,7 @@ impl Catalog {
         self.order.push(kind);
     }
 
-    /// Learns the groups and custom nodes of a look.
+    /// Replaces the groups and custom nodes in the catalog by those of a look.
     pub fn sync(&mut self, look: &Look, library: &Library) {
         let find = |kind: &str| {
             let own = look.definitions.get(kind);
@@ -242,7 +242,7 @@ impl Catalog {
         }
     }
 
-    /// The kind of a node; `None` where there is none of that name.
+    /// Kind of a node; `None` where no kind has the node's name.
     pub fn of(&self, node: &Node) -> Option<&Arc<Kind>> {
         match custom_code(node) {
             Some(code) => self.custom.get(code),
@@ -250,17 +250,18 @@ impl Catalog {
         }
     }
 
-    /// A kind by its id.
+    /// Kind with an id.
     pub fn get(&self, id: &str) -> Option<&Arc<Kind>> {
         self.definitions.get(id).or_else(|| self.library.get(id))
     }
 
-    /// The kinds that can be added: the look's own groups first, then the library.
+    /// Kinds that can be added: the look's own groups first, then the library.
     pub fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
         self.definitions.values().chain(&self.order)
     }
 
-    /// The two ends of a group, seen from inside: what its inputs give and what its outputs take.
+    /// The two ends of a group, seen from inside: the node that gives the group's inputs and the
+    /// node that takes its outputs.
     pub fn ends(&self, group: &str) -> Option<[Kind; 2]> {
         let kind = self.get(group)?;
         let end = |id: &str, label: &str, help: &str, inputs: Vec<Port>, outputs: Vec<Port>| {
@@ -278,7 +279,8 @@ impl Catalog {
         };
         let mut outputs = kind.outputs.clone();
         for port in &mut outputs {
-            // An output takes the type that comes out: any type, as wired first.
+            // The group's output takes the type of the node that is wired to it first, and so may
+            // have any type.
             port.accepts = vec![port.ty.clone()];
         }
         Some([
@@ -293,7 +295,8 @@ impl Catalog {
         ])
     }
 
-    /// Kinds of a graph's nodes that do not exist, with the ports that wires and values name.
+    /// Stand-ins for the kinds of a graph's nodes that do not exist, with the ports that wires and
+    /// values name.
     pub fn missing_in(&self, graph: &Graph) -> HashMap<NodeId, Arc<Kind>> {
         let is_missing =
             |(_, node): &(&NodeId, &Node)| self.of(node).is_none_or(|kind| kind.is_missing);
@@ -327,7 +330,7 @@ impl Catalog {
         ports.into_iter().map(stand_in).collect()
     }
 
-    /// Stands in for a kind that does not exist, with the ports that the look names.
+    /// Stand-in for a kind that does not exist, with the ports that the look names.
     pub fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> Kind {
         let ports =
             |names: &[PortName]| names.iter().map(|name| Port::named(name.as_str())).collect();
@@ -374,8 +377,8 @@ fn custom_kind(code: &str) -> Kind {
     kind
 }
 
-/// A category as people read it. What lies in a project's `nodes` folder itself has that folder's
-/// name, which says nothing beside other nodes: it is the project's.
+/// Category as people read it. Nodes in a project's `nodes` folder itself would be of the category
+/// "nodes", which tells nothing: they get the category "project".
 fn category(folder: &str) -> String {
     if folder == "nodes" { "project".to_owned() } else { folder.to_owned() }
 }
@@ -435,7 +438,7 @@ fn group_kind<'a>(
     }
 }
 
-/// The inner port that a group's input is wired to first, and its node.
+/// Inner port that a group's input is wired to first, and its node.
 fn inner_input(
     graph: &Graph,
     port: &InterfacePort,
@@ -457,7 +460,7 @@ fn inner_input(
     None
 }
 
-/// The inner port that a group's output comes from.
+/// Inner port that a group's output comes from.
 fn inner_output(
     graph: &Graph,
     port: &InterfacePort,

@@ -5,7 +5,7 @@ use crate::library::{Context, Fallback, Type};
 
 use super::Port;
 
-/// A value in a few characters.
+/// Text of a value in a few characters.
 pub fn short(port: &Port, value: &Value) -> String {
     match value {
         Value::Bool(on) => if *on { "on" } else { "off" }.to_owned(),
@@ -29,7 +29,7 @@ pub fn short(port: &Port, value: &Value) -> String {
     }
 }
 
-/// A number with at most so many decimals, and none that say nothing.
+/// Text of a number with at most `decimals` decimals, without zeros at its end.
 pub fn number_text(number: f64, decimals: usize) -> String {
     if number != 0.0 && (number.abs() >= 1e6 || number.abs() < 0.5 * 0.1f64.powi(decimals as i32)) {
         return format!("{number:.1e}");
@@ -42,30 +42,30 @@ pub fn number_text(number: f64, decimals: usize) -> String {
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
-/// A name of code as words.
+/// Words of a name in code: underscores and points become spaces.
 pub fn words(name: &str) -> String {
     name.replace(['_', '.'], " ")
 }
 
-/// A context in people's words: the papers' kappa is a curvature.
+/// Label of a context in people's words: the papers' kappa is a curvature.
 pub fn context_words(context: Context) -> String {
     context.row().label.map_or_else(|| words(context.word()), str::to_owned)
 }
 
-/// The display of an unwired input in a node's row.
+/// Display of an unwired input in a node's row.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shown {
-    /// Only its name.
+    /// Only the name of the input.
     Nothing,
-    /// Where the value comes from, in quiet words.
+    /// Source of the value, in quiet words.
     Source(String),
-    /// The value.
+    /// Text of the value.
     Text(String),
-    /// Straight RGBA.
+    /// Color, as RGBA with straight alpha.
     Color([f64; 4]),
 }
 
-/// The display of an unwired input of `node` in `look`.
+/// Display of an unwired input of `node` in `look`.
 pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
@@ -96,7 +96,7 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
     }
 }
 
-/// The value of an unwired input: its own, or its kind's.
+/// Value of an unwired input: the node's own, or that of the kind.
 pub fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> {
     match (own, &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => Some(value),
@@ -104,7 +104,7 @@ pub fn current<'a>(port: &'a Port, own: Option<&'a Value>) -> Option<&'a Value> 
     }
 }
 
-/// A value as a number.
+/// Value as a number.
 pub fn number(value: Option<&Value>) -> f64 {
     match value {
         Some(Value::Number(number)) => *number,
@@ -114,7 +114,7 @@ pub fn number(value: Option<&Value>) -> f64 {
     }
 }
 
-/// A value as so many numbers; one number stands for all.
+/// Value as `width` numbers; one number stands for all.
 pub fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
     let mut numbers = match value {
         Some(Value::Vector(numbers)) => numbers.clone(),
@@ -124,7 +124,7 @@ pub fn vector(value: Option<&Value>, width: usize) -> Vec<f64> {
     numbers
 }
 
-/// `#rrggbb`, or `#rrggbbaa` where it is not opaque.
+/// Hexadecimal text of a color: `#rrggbb`, or `#rrggbbaa` where the color is not opaque.
 pub fn hex(color: [f64; 4]) -> String {
     let [r, g, b, a] = color.map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
     if a == 255 {

@@ -1,7 +1,7 @@
-//! What can be said of a document without the library: whether wires, frames, keys and parameters
-//! name what exists.
+//! Checks of a document without the library: whether wires, frames, keys and parameters name
+//! existing parts.
 //!
-//! The compiler calls [`Look::check`] too, so that looks made by programs are held to the same.
+//! The compiler calls [`Look::check`] too, so that looks made by programs pass the same checks.
 
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
@@ -12,13 +12,14 @@ use super::{
 use crate::diag::{Diagnostic, MAX_PROBLEMS, more_problems};
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NodePath};
 
-/// How many broken references get a suggestion: looking for near names in 100,000 takes its time.
+/// Greatest number of broken references that get a suggestion: looking for near names in 100,000
+/// takes its time.
 const MAX_SUGGESTIONS: usize = 10;
 
 impl Look {
-    /// Everything that is wrong with the look as a whole, whatever the library has: wires from and
-    /// to nodes that do not exist, two wires into one input, ids used twice, keys and parameters
-    /// that name nothing. Reading a look tells the same, with lines.
+    /// All problems of the look as a whole, whatever the library has: wires from and to nodes that
+    /// do not exist, two wires into one input, ids used twice, keys and parameters that name
+    /// nothing. Reading a look reports the same, with lines.
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut check = Check::default();
         check.lights(&self.lights);
@@ -34,8 +35,7 @@ impl Look {
 }
 
 impl Scene {
-    /// Everything that is wrong with the scene as a whole. Reading a scene tells the same, with
-    /// lines.
+    /// All problems of the scene as a whole. Reading a scene reports the same, with lines.
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut check = Check::default();
         check.lights(&self.lights);
@@ -51,14 +51,14 @@ impl Scene {
     }
 }
 
-/// What is wrong with a target.
+/// Problems of a target.
 pub(super) fn check_target(look: &Look, target: &Target) -> Vec<Diagnostic> {
     let mut check = Check::default();
     check.target(look, target, String::new());
     check.finish()
 }
 
-/// What is wrong with an output that drives keys.
+/// Problems of an output that drives keys.
 pub(super) fn check_output(look: &Look, output: &OutputPort) -> Vec<Diagnostic> {
     let mut check = Check::default();
     check.node_at(look, &output.node, String::new());
@@ -86,7 +86,7 @@ impl Check {
         self.found
     }
 
-    /// Reports a name that leads nowhere, with near ones.
+    /// Reports a name that does not exist, and suggests near ones.
     fn unknown<'a>(
         &mut self,
         path: String,
@@ -124,7 +124,7 @@ impl Check {
             view[0] * up_y - view[1] * up_x,
         ];
         let length = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        // Asked so that NaN, which a program may have made, is no good either.
+        // These comparisons fail for NaN, too, which a program may have made.
         let sees = length(view) > 1e-9;
         let stands = length(side) > 1e-6 * length(view) * length(camera.up);
         if !sees {
@@ -311,7 +311,7 @@ impl Check {
             for output in keys.by.outputs() {
                 self.node_at(look, &output.node, path.clone() + ".by");
             }
-            // Each target is looked for once, not once a key.
+            // Each target is checked once, not once a key.
             let mut seen = HashSet::new();
             for (index, key) in keys.keys.iter().enumerate() {
                 for target in

@@ -1,8 +1,8 @@
-//! Colors as they are written.
+//! Colors in documents, and conversions between color spaces.
 
 use super::{ColorSpace, Value};
 
-/// Reads `#rrggbb` or `#rrggbbaa`: straight RGBA from 0 to 1, as shown (sRGB-encoded).
+/// Parses `#rrggbb` or `#rrggbbaa`: RGBA with straight alpha from 0 to 1, as shown (sRGB-encoded).
 pub fn parse_hex(text: &str) -> Option<[f64; 4]> {
     let digits = text.strip_prefix('#')?;
     if !matches!(digits.len(), 6 | 8) || !digits.bytes().all(|b| b.is_ascii_hexdigit()) {
@@ -16,20 +16,20 @@ pub fn parse_hex(text: &str) -> Option<[f64; 4]> {
     Some(color)
 }
 
-/// Linear light from an sRGB-encoded channel (IEC 61966-2-1).
+/// Linear light of an sRGB-encoded channel (IEC 61966-2-1).
 pub fn srgb_to_linear(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Linear light as an sRGB-encoded channel (IEC 61966-2-1).
+/// sRGB-encoded channel of linear light (IEC 61966-2-1).
 pub fn linear_to_srgb(linear: f64) -> f64 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
 impl Value {
-    /// The value as a straight RGBA color: three or four numbers as they stand, or `#rrggbb` or
-    /// `#rrggbbaa` as shown. `None` for anything else. In a linear look,
-    /// [`color_in`](Self::color_in) decodes the latter.
+    /// Value as an RGBA color with straight alpha: three or four numbers as they stand, or
+    /// `#rrggbb` or `#rrggbbaa` as shown. `None` for any other value. In a linear look,
+    /// [`color_in`](Self::color_in) decodes the hexadecimal forms.
     pub fn color(&self) -> Option<[f64; 4]> {
         match self {
             Self::Vector(numbers) => match numbers[..] {
@@ -42,8 +42,8 @@ impl Value {
         }
     }
 
-    /// The value as a straight RGBA color in a look's color space: numbers are in it already,
-    /// `#rrggbb` is decoded where that is linear.
+    /// Value as an RGBA color with straight alpha in a look's color space: numbers are in that
+    /// space already, `#rrggbb` is decoded where the space is linear.
     pub fn color_in(&self, space: ColorSpace) -> Option<[f64; 4]> {
         let color = self.color()?;
         let is_encoded = matches!(self, Self::Text(_)) && space == ColorSpace::Linear;
@@ -55,8 +55,8 @@ impl Value {
         })
     }
 
-    /// The value with its `#rrggbb` as numbers in linear light, where the look is linear; else as
-    /// it is.
+    /// Value with its `#rrggbb` as numbers in linear light, where the look is linear; else
+    /// unchanged.
     #[must_use]
     pub fn in_space(self, space: ColorSpace) -> Self {
         match (&self, space) {

@@ -1,6 +1,6 @@
-//! Documents as they lie in memory, for journals. Looks and scenes have such an image by serde, from
-//! their descriptions, and HCBTFs have theirs here. An image holds also what no file says, such as the unknown fields of a part that is
-//! gone now and that undo may bring back.
+//! Images of documents as they lie in memory, for journals. Looks and scenes have an image by
+//! serde, from their descriptions; the image of HCBTFs is defined here. An image also holds data
+//! that no file has, such as the unknown fields of a removed part, which undo may bring back.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -12,7 +12,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::packed::Packed;
 use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Tile};
 
-/// An HCBTF, each tile once however many samples are equal to it.
+/// Image of an HCBTF, with each tile once however many samples are equal to it.
 pub(super) struct HcbtfImage;
 
 #[derive(Serialize, Deserialize)]
@@ -21,7 +21,7 @@ struct HcbtfText<'h> {
     grid: Grid,
     is_tiling: bool,
     tiles: Vec<Packed>,
-    /// Each sample, and which of the tiles it is.
+    /// Each sample, with the index of its tile.
     painted: Vec<(Address, usize)>,
     rules: Cow<'h, [Rule]>,
 }
@@ -51,7 +51,7 @@ impl HcbtfImage {
     ) -> Result<Hcbtf, D::Error> {
         let HcbtfText { grid, is_tiling, tiles, painted, rules } =
             HcbtfText::deserialize(deserializer)?;
-        // Before anything is unpacked.
+        // The bound is checked before anything is unpacked.
         if tiles.iter().map(Packed::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
             return Err(D::Error::custom("the tiles are larger than can be"));
         }
@@ -69,23 +69,23 @@ impl HcbtfImage {
     }
 }
 
-/// A document that a journal can be of.
+/// Document that a journal can hold.
 pub trait Journaled:
     Editable<Edit: Serialize + serde::de::DeserializeOwned + 'static> + Clone
 {
-    /// What kind of document it is, as files say it.
+    /// Kind of the document, as files give it.
     const KIND: &'static str;
 
-    /// All of the document, as JSON.
+    /// Image of the whole document, as JSON.
     ///
     /// # Errors
-    /// It holds what JSON cannot, which no document does.
+    /// The document holds values that JSON cannot, which no document does.
     fn to_image(&self) -> serde_json::Result<String>;
 
-    /// The document that [`to_image`](Self::to_image) wrote.
+    /// Reads the document that [`to_image`](Self::to_image) wrote.
     ///
     /// # Errors
-    /// The text is something else.
+    /// The text is no image of such a document.
     fn from_image(text: &str) -> serde_json::Result<Self>;
 }
 
@@ -122,7 +122,7 @@ impl Journaled for Hcbtf {
     }
 }
 
-/// For edits.
+/// Serialization of an HCBTF within edits.
 pub(super) mod of_hcbtf {
     use serde::{Deserializer, Serializer};
 
@@ -143,7 +143,7 @@ pub(super) mod of_hcbtf {
     }
 }
 
-/// A tile that is there, or not.
+/// Serialization of an optional tile.
 pub(super) mod of_tile {
     use std::sync::Arc;
 

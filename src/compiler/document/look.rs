@@ -10,14 +10,14 @@ use super::value::{Interpolation, Value, Values};
 use super::word::Word as _;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
 
-/// Places on the canvas.
+/// Kind of positions on the canvas.
 const CANVAS: Kind = Kind::Numbers(2, 2, Bounds::new(-1e9, 1e9));
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
 ///
-/// Parts without an `unknown` of their own (lights, wires, a curve) leave theirs to what they
-/// belong to: under the name of its field and what tells the part apart (an id, a wire's input),
-/// e.g. `{"lights": {"key": {"flare": 2}}}`.
+/// Parts without an `unknown` of their own (lights, wires, a curve) leave theirs to the part around
+/// them: under the name of its field and the key of the part (an id, a wire's input), e.g.
+/// `{"lights": {"key": {"flare": 2}}}`.
 pub type Unknown = serde_json::Map<String, serde_json::Value>;
 
 described! {
@@ -61,7 +61,8 @@ described! {
 }
 
 impl Look {
-    /// Asks every node for a tier, also those that say their own, and those in the look's groups.
+    /// Asks every node for a tier, also nodes with a tier of their own, and those in the look's
+    /// groups.
     pub fn set_every_tier(&mut self, tier: Tier) {
         self.tier = tier;
         let groups = self.definitions.values_mut().map(|definition| &mut definition.graph);
@@ -71,14 +72,14 @@ impl Look {
     }
 }
 
-/// What the numbers of a color mean.
+/// Color space of the numbers of colors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ColorSpace {
-    /// As they are shown (sRGB-encoded); layers blend as in a painting program.
+    /// Colors as shown (sRGB-encoded); layers blend as in a painting program.
     #[default]
     Display,
-    /// Linear light; encoded to sRGB where a picture is shown or written as PNG.
+    /// Linear light; colors are encoded to sRGB where a picture is shown or written as PNG.
     Linear,
 }
 
@@ -103,7 +104,7 @@ described! {
 }
 
 impl Graph {
-    /// The wire that feeds an input, if any.
+    /// Wire that feeds an input, if any.
     pub fn wire_into(&self, node: &NodeId, port: &PortName) -> Option<&Wire> {
         self.wires.iter().find(|wire| wire.to.node == *node && wire.to.port == *port)
     }
@@ -134,18 +135,18 @@ described! {
     }
 }
 
-/// One implementation of a node.
+/// Tier: an implementation of a node.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Tier {
-    /// The truth, as near as f32 comes.
+    /// Exact result, as near as f32 comes.
     #[default]
     Exact,
-    /// Errors below what is seen, where that is faster.
+    /// Faster implementation with errors too small to be seen.
     Balanced,
-    /// The least time.
+    /// Fastest implementation.
     Fast,
 }
 
@@ -160,22 +161,22 @@ described! {
     }
 }
 
-/// A port of a node; written `node.port`.
+/// Port of a node; written `node.port`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Endpoint {
-    /// The node (inside a definition also `inputs` or `outputs`).
+    /// Id of the node (inside a definition also `inputs` or `outputs`).
     pub node: NodeId,
-    /// The port. In a wire's `from`, an empty name means the node's only or first output.
+    /// Name of the port. In a wire's `from`, an empty name means the node's only or first output.
     pub port: PortName,
 }
 
 impl Endpoint {
-    /// A port of a node.
+    /// Endpoint of a node and a port.
     pub fn new(node: impl Into<NodeId>, port: impl Into<PortName>) -> Self {
         Self { node: node.into(), port: port.into() }
     }
 
-    /// Reads what [`Display`](std::fmt::Display) writes: `node.port`, or `node` alone.
+    /// Parses the text that [`Display`](std::fmt::Display) writes: `node.port`, or `node` alone.
     pub fn parse(text: &str) -> Self {
         let (node, port) = text.split_once('.').unwrap_or((text, ""));
         Self::new(node, port)
@@ -235,7 +236,7 @@ described! {
 }
 
 impl Note {
-    /// How wide a note is that does not say it.
+    /// Default width of a note, in points.
     pub const WIDTH: f64 = 220.0;
 }
 
@@ -309,22 +310,22 @@ described! {
     }
 }
 
-/// Something that a key or an exposed parameter sets: an unwired input of a node,
-/// `path/to/node.port`, or a field of a light, `lights.key.direction`.
+/// Target of a key or an exposed parameter: an unwired input of a node, `path/to/node.port`, or a
+/// field of a light, `lights.key.direction`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
-    /// An unwired input, through the groups it lies in.
+    /// Unwired input, with the groups around its node.
     Input {
-        /// The node.
+        /// Path of the node.
         node: NodePath,
-        /// Its input.
+        /// Name of the input.
         port: PortName,
     },
     /// A [`LightField`] of a light.
     Light {
-        /// The light.
+        /// Id of the light.
         light: LightId,
-        /// Its field.
+        /// Name of the field.
         field: String,
     },
 }
@@ -352,8 +353,7 @@ impl<'de> Deserialize<'de> for Target {
 }
 
 impl Target {
-    /// The field of a light that a target names; `None` of an input, or where there is no such
-    /// field.
+    /// Field of a light that the target names; `None` for an input, or an unknown field.
     pub fn light_field(&self) -> Option<LightField> {
         match self {
             Self::Light { field, .. } => LightField::named(field),
@@ -361,7 +361,7 @@ impl Target {
         }
     }
 
-    /// Reads what [`Display`](std::fmt::Display) writes; `None` where there is no `.`.
+    /// Parses the text that [`Display`](std::fmt::Display) writes; `None` where there is no `.`.
     pub fn parse(text: &str) -> Option<Self> {
         if let Some((light, field)) =
             text.strip_prefix("lights.").and_then(|rest| rest.split_once('.'))
@@ -390,20 +390,20 @@ described! {
     }
 }
 
-/// Which direction decides between direction keys.
+/// Direction, or numbers, that decide between direction keys.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum KeyDirection {
-    /// The direction toward a light, in camera axes (x right, y up, z toward the viewer).
+    /// Direction toward a light, in camera axes (x right, y up, z toward the viewer).
     Light(LightId),
-    /// The direction from the object's centre to the eye, in world space.
+    /// Direction from the object's center to the eye, in world space.
     View,
-    /// No direction but one to three numbers, the axes of the space that the keys lie in.
+    /// One to three numbers in place of a direction: the axes of the space that the keys lie in.
     Drivers(Vec<Driver>),
 }
 
 impl KeyDirection {
-    /// How many drivers decide; `None` where it is a direction.
+    /// Number of drivers that decide; `None` for a direction.
     pub fn axes(&self) -> Option<usize> {
         match self {
             Self::Drivers(drivers) => Some(drivers.len()),
@@ -411,7 +411,7 @@ impl KeyDirection {
         }
     }
 
-    /// The lights that it reads.
+    /// Lights that the keys depend on.
     pub fn lights(&self) -> Vec<&LightId> {
         match self {
             Self::Light(light) => vec![light],
@@ -420,63 +420,63 @@ impl KeyDirection {
         }
     }
 
-    /// The outputs of nodes that it reads.
+    /// Outputs of nodes that the keys depend on.
     pub fn outputs(&self) -> impl Iterator<Item = &OutputPort> {
         let drivers = if let Self::Drivers(drivers) = self { drivers.as_slice() } else { &[] };
         drivers.iter().filter_map(Driver::output)
     }
 }
 
-/// A number of the scene that decides between keys.
+/// Driver: a number of the scene that decides between keys.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Driver {
-    /// From the eye to the object's centre, scene units.
+    /// Distance from the eye to the object's center, in scene units.
     Distance,
-    /// The angle between the object's front (its z axis) and the direction to the eye: 0 seen from
-    /// the front, pi from behind.
+    /// Angle between the object's front (its z axis) and the direction to the eye, in radians: 0
+    /// seen from the front, pi from behind.
     Facing,
-    /// How high a light stands over the horizon as the object sees it, radians: pi/2 straight
-    /// above, 0 at the horizon.
+    /// Height of a light over the horizon as the object sees it, in radians: pi/2 straight above, 0
+    /// at the horizon.
     Height(LightId),
-    /// From this object's centre to another one's, scene units.
+    /// Distance from this object's center to another object's, in scene units.
     Near(ObjectId),
-    /// What an output of a node gives, where that is one number for the whole object.
+    /// Value of a node's output that is one number for the whole object.
     Wire(OutputPort),
 }
 
 impl Driver {
-    /// As many as decide together at most.
+    /// Greatest number of drivers that decide together.
     pub const MOST: usize = 3;
 
-    /// The light that it reads.
+    /// Light that the driver depends on.
     pub fn light(&self) -> Option<&LightId> {
         if let Self::Height(light) = self { Some(light) } else { None }
     }
 
-    /// The output that it reads.
+    /// Output that the driver depends on.
     pub fn output(&self) -> Option<&OutputPort> {
         if let Self::Wire(output) = self { Some(output) } else { None }
     }
 
-    /// Whether its value is an angle, in radians.
+    /// True for a driver whose value is an angle, in radians.
     pub fn is_angle(&self) -> bool {
         matches!(self, Self::Facing | Self::Height(_))
     }
 }
 
-/// An output of a node, through the groups it lies in; written `node.port`, `group/node.port`, or
-/// `node` for its first output.
+/// Output of a node, with the groups around it; written `node.port`, `group/node.port`, or `node`
+/// for its first output.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct OutputPort {
-    /// The node.
+    /// Path of the node.
     pub node: NodePath,
-    /// Its output; empty for the first.
+    /// Name of the output; empty for the first.
     pub port: PortName,
 }
 
 impl OutputPort {
-    /// Reads what [`Display`](std::fmt::Display) writes; `None` where no node is named.
+    /// Parses the text that [`Display`](std::fmt::Display) writes; `None` where no node is named.
     pub fn parse(text: &str) -> Option<Self> {
         let (node, port) = text.rsplit_once('.').unwrap_or((text, ""));
         let node = NodePath::parse(node);
@@ -504,16 +504,16 @@ impl<'de> Deserialize<'de> for OutputPort {
     }
 }
 
-/// How the weights of direction keys are computed.
+/// Scheme by which the weights of direction keys are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum KeyScheme {
-    /// The sphere's biharmonic functions in closed form.
+    /// Biharmonic functions of the sphere in closed form.
     #[default]
     Biharmonic,
-    /// The continuum limit of the energy of BADF Appendix B, in closed form.
+    /// Continuum limit of the energy of BADF Appendix B, in closed form.
     AppendixB,
-    /// The paper's own least squares over a tessellated sphere; for comparison.
+    /// Least squares over a tessellated sphere, as in the paper; for comparison.
     Tessellated,
 }
 

@@ -1,9 +1,9 @@
-//! What an artist makes and keeps: looks and scenes, how they are read, edited and written.
+//! Documents of an artist: looks, scenes and HCBTFs, and how they are read, edited and written.
 //!
 //! [`Look::read`] and [`Scene::read`] take JSON and give a value, a [`SourceMap`] and every problem
-//! at once; [`Look::to_text`] writes the canonical form, and a document equal to what was read is
-//! written back byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`],
-//! and undoes it; a journal keeps what is not saved. docs/format.md documents the files.
+//! at once; [`Look::to_text`] writes the canonical form, and an unchanged document is written back
+//! byte for byte. [`History`] applies every [`Edit`], [`SceneEdit`] and [`HcbtfEdit`], and undoes
+//! it; a journal keeps unsaved work. docs/format.md documents the files.
 
 mod check;
 mod color;
@@ -50,5 +50,5 @@ pub use structure::{GraphId, InnerNode};
 pub use text::read_text;
 pub use value::*;
 
-/// The version of the format that this Chiaro writes, and the newest that it reads.
+/// Version of the format that this Chiaro writes, and the newest that it reads.
 pub const VERSION: u32 = 1;

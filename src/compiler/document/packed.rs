@@ -13,7 +13,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{MAX_TILE_SIDE, Tile};
 
-/// Bytes, packed.
+/// Bytes packed by DEFLATE.
 #[derive(Clone, PartialEq, Eq)]
 pub(super) struct Bytes(Arc<[u8]>);
 
@@ -24,7 +24,7 @@ impl std::fmt::Debug for Bytes {
 }
 
 impl Bytes {
-    /// Packs quickly rather than tightly: a hand waits for it.
+    /// Packs bytes quickly rather than tightly: the artist's hand waits for it.
     pub(super) fn pack(bytes: &[u8]) -> Self {
         let mut encoder = DeflateEncoder::new(Vec::new(), Compression::fast());
         // Writing to memory cannot fail.
@@ -32,15 +32,15 @@ impl Bytes {
         Self(packed.into())
     }
 
-    /// The bytes, if they are `count`.
+    /// Unpacked bytes, if there are `count` of them.
     pub(super) fn unpack(&self, count: usize) -> Option<Vec<u8>> {
         let mut bytes = Vec::new();
-        // One byte beyond tells that there are more.
+        // One byte beyond `count` reveals a longer text.
         DeflateDecoder::new(&*self.0).take(count as u64 + 1).read_to_end(&mut bytes).ok()?;
         (bytes.len() == count).then_some(bytes)
     }
 
-    /// How many they are, packed.
+    /// Size of the packed bytes.
     pub(super) fn count(&self) -> usize {
         self.0.len()
     }
@@ -60,7 +60,7 @@ impl<'de> Deserialize<'de> for Bytes {
     }
 }
 
-/// A tile, packed.
+/// Packed tile.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Tile")]
 pub(super) struct Packed {
@@ -73,12 +73,12 @@ impl Packed {
         Self { size: tile.size(), rgba: Bytes::pack(tile.bytes()) }
     }
 
-    /// How many bytes its texels take.
+    /// Size of the tile's texels when unpacked, in bytes.
     pub(super) fn texel_bytes(&self) -> u64 {
         self.size.iter().fold(4, |bytes: u64, side| bytes.saturating_mul(u64::from(*side)))
     }
 
-    /// The tile; `None` where it is damaged.
+    /// Unpacked tile; `None` where the data are damaged.
     pub(super) fn tile(&self) -> Option<Tile> {
         let is_tile = self.size.iter().all(|side| (1..=MAX_TILE_SIDE).contains(side));
         let count = is_tile.then(|| self.texel_bytes() as usize)?;

@@ -1,14 +1,14 @@
-//! The list of what is wrong with a text, and the lines and columns of it.
+//! Problems of a text, with their lines and columns.
 
 use crate::diag::{Diagnostic, LineColumn, MAX_PROBLEMS, Severity, more_problems};
 
-/// How far apart the known places of [`Lines`] are, in bytes.
+/// Distance between the known places of [`Lines`], in bytes.
 const STRIDE: usize = 4096;
 
-/// Finds lines and columns quickly, also in a file that is one long line.
+/// Index that finds lines and columns quickly, also in a file that is one long line.
 #[derive(Clone, Debug)]
 pub(super) struct Lines {
-    /// The place of every [`STRIDE`]th byte.
+    /// Line and column of every [`STRIDE`]th byte.
     marks: Vec<LineColumn>,
 }
 
@@ -23,7 +23,7 @@ impl Lines {
         Self { marks }
     }
 
-    /// The place of a byte of the same text; offsets past the end give the end.
+    /// Line and column of a byte of the same text; offsets past the end give the end.
     pub(super) fn at(&self, text: &str, offset: usize) -> LineColumn {
         let offset = offset.min(text.len());
         let block = (offset / STRIDE).min(self.marks.len().saturating_sub(1));
@@ -32,17 +32,17 @@ impl Lines {
     }
 }
 
-/// The place behind some more bytes.
+/// Line and column after some more bytes.
 fn advance(from: LineColumn, bytes: &[u8]) -> LineColumn {
     let lines = bytes.iter().filter(|&&b| b == b'\n').count() as u32;
     let line_start = bytes.iter().rposition(|&b| b == b'\n').map_or(0, |p| p + 1);
-    // Bytes that continue a UTF-8 sequence are no characters of their own.
+    // Continuation bytes of UTF-8 are no characters of their own.
     let characters = bytes[line_start..].iter().filter(|&&b| b & 0xC0 != 0x80).count() as u32;
     let column = if lines > 0 { 1 } else { from.column };
     LineColumn { line: from.line + lines, column: column + characters }
 }
 
-/// Collects what is wrong with one text.
+/// Collector of the problems of one text.
 pub(super) struct Problems {
     found: Vec<(usize, Diagnostic)>,
     errors: usize,
@@ -64,13 +64,13 @@ impl Problems {
         }
     }
 
-    /// Whether a problem like this will be told, and not only counted.
+    /// True if a problem of this severity will be reported, and not only counted.
     pub(super) fn takes(&self, problem: &Diagnostic) -> bool {
         let count = if problem.severity == Severity::Error { self.errors } else { self.warnings };
         count < MAX_PROBLEMS
     }
 
-    /// All of them in the order of the text, with file, line and column.
+    /// All problems in the order of the text, with file, line and column.
     pub(super) fn finish(mut self, file: &str, text: &str, lines: &Lines) -> Vec<Diagnostic> {
         self.found.sort_by_key(|(offset, _)| *offset);
         let place = |(offset, problem): (usize, Diagnostic)| {

@@ -1,6 +1,6 @@
-//! Rotations as quaternions `[x, y, z, w]`, and what else they may be written as.
+//! Rotations as quaternions `[x, y, z, w]`, and their other notations.
 
-/// Turned by `angle` radians around an axis of any length but 0, by the right-hand rule.
+/// Rotation by `angle` around an axis of any length but 0, by the right-hand rule; in radians.
 pub(super) fn from_axis_angle(axis: [f64; 3], angle: f64) -> [f64; 4] {
     let length = norm(&axis);
     let (sin, cos) = (angle / 2.0).sin_cos();
@@ -8,8 +8,8 @@ pub(super) fn from_axis_angle(axis: [f64; 3], angle: f64) -> [f64; 4] {
     [x, y, z, cos]
 }
 
-/// A quaternion made unit. One that is unit already, as far as 64-bit numbers can say, stays as it
-/// is, so that what was written is read back.
+/// Normalized quaternion. A quaternion that is unit within the precision of f64 stays unchanged, so
+/// that what was written is read back.
 pub(super) fn from_quaternion(quaternion: [f64; 4]) -> Result<[f64; 4], &'static str> {
     let length = norm(&quaternion);
     if length < 1e-9 {
@@ -22,14 +22,14 @@ pub(super) fn from_quaternion(quaternion: [f64; 4]) -> Result<[f64; 4], &'static
     })
 }
 
-/// A 3x3 matrix, given by rows, that turns column vectors.
+/// Rotation of a 3x3 matrix, given by rows, that turns column vectors.
 pub(super) fn from_matrix(m: [[f64; 3]; 3]) -> Result<[f64; 4], &'static str> {
     const TOLERANCE: f64 = 1e-3;
     for i in 0..3 {
         for j in 0..3 {
             let dot: f64 = (0..3).map(|k| m[i][k] * m[j][k]).sum();
             let expected = if i == j { 1.0 } else { 0.0 };
-            // Asked so that NaN is no good either.
+            // This comparison fails for NaN, too.
             let holds = (dot - expected).abs() <= TOLERANCE;
             if !holds {
                 return Err(
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    /// `v + 2 w (a x v) + 2 a x (a x v)` for `q = (a, w)`.
+    /// Vector turned by a quaternion: `v + 2 w (a x v) + 2 a x (a x v)` for `q = (a, w)`.
     fn turn([x, y, z, w]: [f64; 4], v: [f64; 3]) -> [f64; 3] {
         let cross = |a: [f64; 3], b: [f64; 3]| {
             [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

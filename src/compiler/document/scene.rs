@@ -104,29 +104,29 @@ described! {
 }
 
 impl Camera {
-    /// The least and the greatest vertical field of view, in radians: of files, of views and of
-    /// command lines alike.
+    /// Least and greatest vertical field of view, of files, views and command lines alike, in
+    /// radians.
     pub const FOV: [f64; 2] = [0.001, std::f64::consts::PI - 0.01];
 
-    /// Whether a vertical field of view, in radians, can be looked through.
+    /// True if a vertical field of view is within [`FOV`](Self::FOV), in radians.
     pub fn holds_fov(fov: f64) -> bool {
         (Self::FOV[0]..=Self::FOV[1]).contains(&fov)
     }
 
-    /// How many times as high the view is in a picture whose width is `aspect` times its height.
+    /// Factor by which the view is higher in a picture whose width is `aspect` times its height.
     pub fn widening(&self, aspect: f64) -> f64 {
         if self.aspect > 0.0 { (self.aspect / aspect.max(1e-6)).max(1.0) } else { 1.0 }
     }
 }
 
-/// How depth becomes smaller.
+/// Projection of the scene onto the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Projection {
-    /// Lines meet at the eye.
+    /// Perspective: lines of sight meet at the eye.
     #[default]
     Perspective,
-    /// Parallel lines stay parallel.
+    /// Orthographic: parallel lines stay parallel.
     Orthographic,
 }
 

@@ -1,4 +1,4 @@
-//! Where things are in the text that a document was read from.
+//! Places of a document's parts in the text that it was read from.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
@@ -9,57 +9,58 @@ use super::problems::Lines;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::ids::NodePath;
 
-/// What came of reading a document.
+/// Result of reading a document.
 #[derive(Clone, Debug)]
 pub struct Loaded<T> {
-    /// The document, as far as it could be understood. `None` where the text is no document of this
-    /// type, or one of a newer version: saving it would lose what this version does not know.
+    /// Document, as far as it could be understood. `None` where the text is no document of this
+    /// type, or one of a newer version: saving it would lose fields that this version does not
+    /// know.
     pub value: Option<T>,
-    /// The text, and where everything is in it.
+    /// Text, with the places of all its parts.
     pub source: SourceMap,
-    /// Everything that is wrong, in the order of the text.
+    /// Problems, in the order of the text.
     pub diagnostics: Vec<Diagnostic>,
 }
 
 impl<T> Loaded<T> {
-    /// Whether anything that is written could not be understood. Saving the value over the file
-    /// would lose that.
+    /// True if a part of the text could not be understood. Saving the value over the file would
+    /// lose that part.
     pub fn has_errors(&self) -> bool {
         crate::diag::has_errors(&self.diagnostics)
     }
 }
 
-/// A text and where everything is in it.
+/// Text with the places of all its parts.
 #[derive(Clone, Debug)]
 pub struct SourceMap {
     pub(super) file: String,
     pub(super) lines: Lines,
     pub(super) tree: Tree,
-    /// For lists of which items were left out: the index in the text of each item of the value, by
-    /// the list's path.
+    /// Lists that lost items in reading: the index in the text of each item of the value, by the
+    /// list's path.
     pub(super) kept: BTreeMap<String, Vec<u32>>,
 }
 
 impl SourceMap {
-    /// The text as it was read.
+    /// Text as it was read.
     pub fn text(&self) -> &Arc<str> {
         self.tree.text()
     }
 
-    /// The file, as the user named it.
+    /// File name, as the user gave it.
     pub fn file(&self) -> &str {
         &self.file
     }
 
     /// Fills in the file, line and column of a diagnostic that names a place in the document: a
     /// node (which is looked for by its id, through its groups) or a JSON path. Where the text has
-    /// no such place, because a default was left out, the nearest thing around it is taken. A place
+    /// no such place, because a default was left out, the nearest part around it is taken. A place
     /// that is known already stays.
     pub fn locate(&self, diagnostic: &mut Diagnostic) {
         self.locate_all(std::slice::from_mut(diagnostic));
     }
 
-    /// Locates all of them.
+    /// Fills in the places of all diagnostics, as [`locate`](Self::locate).
     pub fn locate_all(&self, diagnostics: &mut [Diagnostic]) {
         let mut finder = Finder::new(self);
         for diagnostic in diagnostics {
@@ -67,7 +68,7 @@ impl SourceMap {
         }
     }
 
-    /// The line and column of the value at a JSON path, or of the nearest thing around it.
+    /// Line and column of the value at a JSON path, or of the nearest part around it.
     pub fn place_of(&self, json_path: &str) -> Option<LineColumn> {
         let (at, _) = Finder::new(self).find_translated(json_path);
         at.map(|at| self.line_column(at))
@@ -78,13 +79,13 @@ impl SourceMap {
     }
 }
 
-/// Finds places in a text. Each list and object that is looked into is gone through once, however
-/// many places are looked for: a document may have 100,000 nodes, and something wrong with each.
+/// Finder of places in a text. Each list and object that is looked into is gone through once,
+/// however many places are looked for: a document may have 100,000 nodes, and a problem in each.
 struct Finder<'s> {
     source: &'s SourceMap,
     items: HashMap<u32, Vec<At>>,
     members: HashMap<u32, HashMap<Cow<'s, str>, At>>,
-    /// The indices of the nodes of a list, by their ids.
+    /// Indices of the nodes of a list, by their ids.
     nodes: HashMap<u32, HashMap<Cow<'s, str>, usize>>,
 }
 
@@ -93,7 +94,7 @@ impl<'s> Finder<'s> {
         Self { source, items: HashMap::new(), members: HashMap::new(), nodes: HashMap::new() }
     }
 
-    /// See [`SourceMap::locate`].
+    /// Fills in a diagnostic's place: see [`SourceMap::locate`].
     fn locate(&mut self, diagnostic: &mut Diagnostic) {
         let place = &mut diagnostic.place;
         if place.file.is_none() {
@@ -105,7 +106,7 @@ impl<'s> Finder<'s> {
         if place.json_path.is_none()
             && let Some(node) = &place.node
         {
-            // What lies in a group of the library is nowhere in the text; the group's node is.
+            // Nodes in a group of the library are not in the text; the group's node is.
             let mut around = std::iter::successors(Some(node.clone()), NodePath::parent);
             let path = around.find_map(|node| self.path_of_node(&node));
             let value =
@@ -120,7 +121,7 @@ impl<'s> Finder<'s> {
         }
     }
 
-    /// The JSON path of a node, found by its id through the groups around it.
+    /// JSON path of a node, found by its id through the groups around it.
     fn path_of_node(&mut self, node: &NodePath) -> Option<String> {
         let (last, groups) = node.ids().split_last()?;
         let mut graph = String::new();
@@ -151,7 +152,7 @@ impl<'s> Finder<'s> {
         Some(format!("{list}[{index}]"))
     }
 
-    /// The value at a path of the text, or the nearest thing around it; and whether it is the value
+    /// Value at a path of the text, or the nearest part around it, and true if it is the value
     /// itself.
     fn find(&mut self, path: &str) -> (Option<At>, bool) {
         let mut at = self.source.tree.root();
@@ -165,8 +166,8 @@ impl<'s> Finder<'s> {
         (at, at.is_some())
     }
 
-    /// The value at a path of the document, and its path in the text: they differ where items were
-    /// left out.
+    /// Value at a path of the document, and its path in the text: the two paths differ where items
+    /// were left out.
     fn find_translated(&mut self, path: &str) -> (Option<At>, String) {
         let mut at = self.source.tree.root();
         let mut so_far = String::new();
@@ -197,7 +198,7 @@ impl<'s> Finder<'s> {
                 let members = self.members.entry(at.index()).or_insert_with(|| {
                     let mut members = HashMap::new();
                     for member in tree.children(at) {
-                        // Of two of one name the first.
+                        // Of two members with one name, the first counts.
                         members.entry(tree.key(member)).or_insert(member);
                     }
                     members
@@ -214,14 +215,14 @@ impl<'s> Finder<'s> {
     }
 }
 
-/// One step of a JSON path.
+/// Step of a JSON path.
 #[derive(Debug, PartialEq)]
 enum Segment {
     Key(String),
     Index(usize),
 }
 
-/// The steps of a path like `nodes[3].values.offset` or `looks["skin 2"]`.
+/// Steps of a path like `nodes[3].values.offset` or `looks["skin 2"]`.
 fn segments(path: &str) -> Vec<Segment> {
     let mut found = Vec::new();
     let mut rest = path;
@@ -246,7 +247,7 @@ fn segments(path: &str) -> Vec<Segment> {
     found
 }
 
-/// How many bytes the inside of a quoted key has.
+/// Length of the inside of a quoted key, in bytes.
 fn quoted_length(inner: &str) -> usize {
     let mut escaped = false;
     for (i, c) in inner.char_indices() {
@@ -258,7 +259,7 @@ fn quoted_length(inner: &str) -> usize {
     inner.len()
 }
 
-/// The path of a member of the object at `path`: `.key`, or `["key"]` where the key is not a plain
+/// Path of a member of the object at `path`: `.key`, or `["key"]` where the key is not a plain
 /// word.
 pub(super) fn member_path(path: &str, key: &str) -> String {
     let plain = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "_-$".contains(c));
@@ -287,8 +288,8 @@ mod tests {
             assert_eq!(problem.place.at.map(|at| at.line), Some(i + 1));
             assert_eq!(problem.place.json_path, Some(format!("nodes[{i}]")));
         }
-        // The document; its list of nodes, by place and by id. Nodes themselves are not looked
-        // into.
+        // Lookups of the document, of its list of nodes by place, and by id. Nodes themselves are
+        // not looked into.
         assert_eq!((finder.members.len(), finder.items.len(), finder.nodes.len()), (1, 1, 1));
     }
 
@@ -304,11 +305,11 @@ mod tests {
             [key("looks"), key("a]\".b"), Segment::Index(0)]
         );
         assert_eq!(segments(""), []);
-        // What was put together comes apart again.
+        // Composed paths come apart again.
         for name in ["plain", "two words", "a.b", "", "\"", "\\", "光", "[0]"] {
             assert_eq!(segments(&member_path("lights", name)), [key("lights"), key(name)]);
         }
-        // Nonsense gives something, and no panic.
+        // Malformed paths give some steps, and no panic.
         for text in ["[", "]", "[\"", "a..b", ".", "[\"a", "[x]", "[\"\\"] {
             segments(text);
         }

@@ -1,25 +1,25 @@
-//! How an HCBTF lies in the texture that shaders look it up in.
+//! Layout of an HCBTF in the texture that shaders look it up in.
 
-/// A choice between speed and memory.
+/// Storage of an HCBTF in a texture: a choice between speed and memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Storage {
-    /// The lights of each texel beside each other, a layer for each view that differs: the fewest
+    /// Lights of each texel beside each other, with a layer for each distinct view: the fewest
     /// reads.
     #[default]
     Quick,
-    /// Every tile that differs once, with (x, y) innermost, as indices into a palette where that is
+    /// Each distinct tile once, with (x, y) innermost, as indices into a palette where that is
     /// smaller: exact, too.
     Compact,
-    /// Every tile that differs once, with (x, y) innermost, in compressed blocks of a byte a texel:
-    /// with a small loss.
+    /// Each distinct tile once, with (x, y) innermost, in compressed blocks of a byte a texel: with
+    /// a small loss.
     Blocks,
 }
 
 impl Storage {
-    /// Every one, in the order of menus.
+    /// All storages, in the order of menus.
     pub const ALL: [Self; 3] = [Self::Quick, Self::Compact, Self::Blocks];
 
-    /// What looks call it.
+    /// Name of the storage in looks.
     pub fn word(self) -> &'static str {
         match self {
             Self::Quick => "quick",
@@ -28,7 +28,7 @@ impl Storage {
         }
     }
 
-    /// What it is, in a line without a full stop: for help, documentation and menus.
+    /// Description in a line without a full stop, for help, documentation and menus.
     pub fn about(self) -> &'static str {
         match self {
             Self::Quick => {
@@ -46,7 +46,7 @@ impl Storage {
         }
     }
 
-    /// The one that looks call so.
+    /// Storage with a name in looks.
     pub fn of(word: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|storage| storage.word() == word)
     }

@@ -1,21 +1,21 @@
-//! Finding one's way through a look: graphs, nodes in groups, and where they are in the JSON.
+//! Navigation in a look: graphs, nodes in groups, and their places in the JSON.
 
 use super::{Graph, Look, Node, Target, Wire};
 use crate::ids::{DefinitionId, NodePath, PortName};
 
-/// A graph of a look.
+/// Id of a graph of a look.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum GraphId {
-    /// The look's own.
+    /// The look's own graph.
     #[default]
     Look,
-    /// That of a group.
+    /// Graph of a group.
     Definition(DefinitionId),
 }
 
 impl GraphId {
-    /// What the JSON paths of its nodes, wires and frames begin with.
+    /// Prefix of the JSON paths of the graph's nodes, wires and frames.
     fn json_prefix(&self) -> String {
         match self {
             Self::Look => String::new(),
@@ -24,19 +24,19 @@ impl GraphId {
     }
 }
 
-/// Where a [`NodePath`] leads.
+/// Node that a [`NodePath`] leads to.
 #[derive(Clone, Debug)]
 pub struct InnerNode<'l> {
-    /// The graph that the node lies in.
+    /// Graph that the node lies in.
     pub graph: GraphId,
-    /// Its index there.
+    /// Index of the node in the graph.
     pub index: usize,
-    /// The node.
+    /// The node itself.
     pub node: &'l Node,
 }
 
 impl Look {
-    /// A graph, if there is one of that name.
+    /// Graph with an id; `None` where there is none.
     pub fn graph_of(&self, graph: &GraphId) -> Option<&Graph> {
         match graph {
             GraphId::Look => Some(&self.graph),
@@ -44,8 +44,8 @@ impl Look {
         }
     }
 
-    /// Follows a path through the groups of this document. `None` where a step does not exist, and
-    /// inside groups that come from the library.
+    /// Node that a path leads to through the groups of this document. `None` where a step does not
+    /// exist, and inside groups that come from the library.
     pub fn find(&self, path: &NodePath) -> Option<InnerNode<'_>> {
         let mut graph = GraphId::Look;
         let (last, groups) = path.ids().split_last()?;
@@ -58,14 +58,14 @@ impl Look {
         Some(InnerNode { graph, index, node })
     }
 
-    /// The JSON path of a node, e.g. `definitions.rim.nodes[2]`.
+    /// JSON path of a node, e.g. `definitions.rim.nodes[2]`.
     pub fn json_path_of_node(&self, path: &NodePath) -> Option<String> {
         let found = self.find(path)?;
         Some(format!("{}nodes[{}]", found.graph.json_prefix(), found.index))
     }
 
-    /// The JSON path of what feeds an input: its wire, else its value, e.g.
-    /// `nodes[3].values.offset` (which the text need not have, as a default may be left out).
+    /// JSON path of an input's source: its wire, else its value, e.g. `nodes[3].values.offset`
+    /// (which the text need not have, as a default may be left out).
     pub fn json_path_of_input(&self, path: &NodePath, port: &PortName) -> Option<String> {
         let found = self.find(path)?;
         let prefix = found.graph.json_prefix();
@@ -78,7 +78,7 @@ impl Look {
         })
     }
 
-    /// The JSON path of what a target names.
+    /// JSON path of the input or field that a target names.
     pub fn json_path_of_target(&self, target: &Target) -> Option<String> {
         match target {
             Target::Input { node, port } => self.json_path_of_input(node, port),

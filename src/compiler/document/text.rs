@@ -1,4 +1,4 @@
-//! Reading files of text with a bound.
+//! Reading of text files with a bound.
 
 use std::io;
 use std::path::Path;
@@ -73,9 +73,9 @@ pub fn read_text(files: &dyn Files, path: &Path) -> Result<String, Box<Diagnosti
     })
 }
 
-/// Whether bytes are those of an `.hcbtf` file, or of another zip that is called so.
+/// True for the bytes of an `.hcbtf` file, or of another zip with that extension.
 fn is_painting(path: &Path, bytes: &[u8]) -> bool {
     let is_called_so = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("hcbtf"));
-    // Our own have the manifest first.
+    // Files that Chiaro writes have the manifest first.
     bytes.starts_with(b"PK") && (is_called_so || bytes.get(30..43) == Some(b"manifest.json"))
 }

@@ -1,4 +1,4 @@
-//! The values that an artist types into unwired inputs.
+//! Values that an artist types into unwired inputs.
 
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
@@ -8,27 +8,27 @@ use super::shape::{F32, Kind};
 use super::word::Word as _;
 use crate::ids::PortName;
 
-/// The value of an unwired input. What an input takes is the node's business: `chiaro nodes` lists
-/// it.
+/// Value of an unwired input. The node decides which values an input takes: `chiaro nodes` lists
+/// them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Value {
-    /// On or off.
+    /// Switch, on or off.
     Bool(bool),
-    /// A number; angles in radians.
+    /// Number; angles in radians.
     Number(f64),
-    /// A vector or a color (`[r, g, b]` is opaque).
+    /// Vector or color (`[r, g, b]` is opaque).
     Vector(Vec<f64>),
-    /// A choice (`"add"`), a light's id, an asset's path, WGSL source, or a color as `"#rrggbb"`
-    /// or `"#rrggbbaa"`.
+    /// Choice (`"add"`), a light's id, an asset's path, WGSL source, or a color as `"#rrggbb"` or
+    /// `"#rrggbbaa"`.
     Text(String),
-    /// A free curve.
+    /// Free curve.
     Curve(Curve),
-    /// A color ramp.
+    /// Color ramp.
     Ramp(Ramp),
 }
 
-/// The values of a node's unwired inputs by port name; what is left out has the node's default.
+/// Values of a node's unwired inputs by port name; absent inputs have the node's default.
 pub type Values = IndexMap<PortName, Value>;
 
 described! {
@@ -44,7 +44,7 @@ described! {
 }
 
 impl Curve {
-    /// As many points as a shader's curve holds.
+    /// Greatest number of points, as many as a shader's curve holds.
     pub const MAX_POINTS: usize = 16;
 }
 
@@ -61,7 +61,7 @@ described! {
 }
 
 impl Ramp {
-    /// As many stops as a shader's ramp holds.
+    /// Greatest number of stops, as many as a shader's ramp holds.
     pub const MAX_STOPS: usize = 16;
 }
 
@@ -75,15 +75,15 @@ described! {
     }
 }
 
-/// How neighbouring points of a curve, a ramp or a time track are joined.
+/// Interpolation between neighboring points of a curve, a ramp or a time track.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Interpolation {
-    /// Straight.
+    /// Straight line between points.
     #[default]
     Linear,
-    /// Smooth, without overshoot (monotone cubic).
+    /// Smooth curve without overshoot (monotone cubic).
     Smooth,
-    /// Each point's value holds until the next point.
+    /// Step: each point's value holds until the next point.
     Stepped,
 }

@@ -1,21 +1,21 @@
-//! The words that choices are written with.
+//! Words that choices are written with.
 
 use super::{ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier};
 
-/// A choice between words.
+/// Choice that is written as a word.
 pub(super) trait Word: Sized + Copy + PartialEq + 'static {
-    /// Each word and what it means.
+    /// Each word and its meaning.
     const WORDS: &'static [(&'static str, &'static str)];
-    /// The choices, in the order of the words.
+    /// Choices, in the order of the words.
     const ALL: &'static [Self];
 
-    /// How it is written.
+    /// Word of the choice.
     fn word(self) -> &'static str {
         let index = Self::ALL.iter().position(|&choice| choice == self);
         index.map_or("", |index| Self::WORDS[index].0)
     }
 
-    /// The choice that is written so.
+    /// Choice with a word.
     fn from_word(word: &str) -> Option<Self> {
         Self::WORDS.iter().position(|(known, _)| *known == word).map(|index| Self::ALL[index])
     }

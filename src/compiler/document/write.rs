@@ -7,24 +7,24 @@ use super::shape::Shape;
 use super::source::SourceMap;
 use super::{Look, Scene, Unknown, VERSION};
 
-/// What every document can be written by. Methods of the types themselves, and no trait's, so that
-/// whoever has a document can write it without importing anything.
+/// Methods that write a document. They belong to the types themselves, not to a trait, so that a
+/// caller can write a document without importing anything.
 macro_rules! written {
     ($document:ty) => {
         impl $document {
-            /// The document as JSON in the canonical form, with a line end at its end.
+            /// Document as JSON in the canonical form, with a line end at its end.
             pub fn to_text(&self) -> String {
                 self.write(Writer::new())
             }
 
-            /// As [`to_text`](Self::to_text), but numbers that are none are written as such, which
-            /// no reader takes.
+            /// Document as [`to_text`](Self::to_text) writes it, but with numbers that are not
+            /// finite written as NaN, which no reader takes.
             pub(super) fn to_trial_text(&self) -> String {
                 self.write(Writer::trial())
             }
 
-            /// The text that the document was read from, byte for byte, where that says the same;
-            /// else the canonical form.
+            /// Text that the document was read from, byte for byte, where the document is
+            /// unchanged; else the canonical form.
             pub fn to_text_like(&self, source: &SourceMap) -> String {
                 let own = self.to_text();
                 let read = Self::read(source.text(), source.file()).value;
@@ -46,7 +46,7 @@ macro_rules! written {
 written!(Look);
 written!(Scene);
 
-/// A document: what it is first, then its fields.
+/// Writes a document: its type first, then its fields.
 fn document<T: Described>(w: &mut Writer, document: &T, unknown: &Unknown) {
     w.shaped(Layout::Lines, T::shape(), Some(unknown), |w| {
         if let Some(schema) = unknown.get("$schema") {
@@ -59,7 +59,7 @@ fn document<T: Described>(w: &mut Writer, document: &T, unknown: &Unknown) {
 }
 
 impl Writer {
-    /// An object whose unknown members come last.
+    /// Writes an object whose unknown members come last.
     pub(super) fn shaped(
         &mut self,
         layout: Layout,

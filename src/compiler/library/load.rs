@@ -45,6 +45,7 @@ pub struct GroupDef {
     pub definition: Definition,
 }
 
+/// Built-in library, loaded on first use.
 static BUILT_IN: LazyLock<Library> = LazyLock::new(|| match Library::load_built_in() {
     Ok(library) => library,
     // A test loads every shipped file, so a release cannot come here; the problems tell a developer

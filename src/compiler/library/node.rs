@@ -125,7 +125,7 @@ pub struct Output {
 /// Function of a node.
 #[derive(Clone, Debug)]
 pub struct Variant {
-    /// The function's name.
+    /// Name of the function.
     pub function: String,
     /// Choice that the function implements: the input's index and the word.
     pub choice: Option<(usize, String)>,
@@ -156,7 +156,7 @@ pub enum Parameter {
 /// known there.
 #[derive(Clone, Debug)]
 pub struct Prepare {
-    /// The function's name.
+    /// Name of the function.
     pub function: String,
     /// Indices of the inputs that the function takes, with the types of the parameters.
     pub parameters: Vec<(usize, Type)>,
@@ -180,7 +180,7 @@ pub struct Bypass {
 pub enum BypassResult {
     /// Value of an input, by index.
     Input(usize),
-    /// A number.
+    /// Fixed number.
     Number(f64),
 }
 
@@ -227,7 +227,7 @@ pub enum Test {
 /// Limit that a condition compares an input with.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Limit {
-    /// A number.
+    /// Fixed number.
     Number(f64),
     /// All numbers of another input, by index.
     Input(usize),

@@ -1,14 +1,15 @@
-//! One record a line: its number, the length and the checksum of what it says, and that as JSON. A
-//! line that was cut off, changed, lost or put in twice is told from a whole one.
+//! Lines of a journal, one record each: the record's number, the length and checksum of its JSON,
+//! and the JSON. A line that was cut off, changed, lost or put in twice is told from a whole one.
 
 use std::fmt::Write as _;
 use std::io::{self, BufRead, Read as _};
 
-/// The longest line that is read, in bytes: a snapshot's document at its bound, every character of
-/// it escaped.
+/// Length of the longest line that is read, in bytes: enough for a snapshot's document at its
+/// bound, every character escaped.
 pub(super) const MAX_LINE: u64 = 256 << 20;
 
-/// CRC-32 as in Ethernet, gzip and PNG (polynomial 0x04C11DB7, reflected), by the byte.
+/// CRC-32 checksum as in Ethernet, gzip and PNG (polynomial 0x04C11DB7, reflected), computed by the
+/// byte.
 fn checksum(bytes: &[u8]) -> u32 {
     const TABLE: [u32; 256] = {
         let mut table = [0; 256];
@@ -30,14 +31,14 @@ fn checksum(bytes: &[u8]) -> u32 {
         .fold(!0, |crc, &byte| TABLE[((crc ^ u32::from(byte)) & 0xFF) as usize] ^ (crc >> 8))
 }
 
-/// Writes record `number`; `json` is one line.
+/// Appends record `number` to `text`; `json` is one line.
 pub(super) fn push(text: &mut String, number: u64, json: &str) {
     debug_assert!(!json.contains('\n'), "JSON as serde writes it has no line ends");
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{number} {} {:08x} {json}", json.len(), checksum(json.as_bytes()));
 }
 
-/// The number and the JSON of a line without its end; `None` where it is not as it was written.
+/// Number and JSON of a line without its end; `None` where the line is not as it was written.
 fn parse(line: &str) -> Option<(u64, &str)> {
     let (number, rest) = line.split_once(' ')?;
     let (length, rest) = rest.split_once(' ')?;
@@ -48,18 +49,18 @@ fn parse(line: &str) -> Option<(u64, &str)> {
     number.parse().ok().filter(|_| is_whole).map(|number| (number, json))
 }
 
-/// What the next line is.
+/// Result of reading the next line.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Line {
     /// The record's JSON.
     Whole(String),
-    /// Not what was written here.
+    /// Line that differs from what was written.
     Damaged,
-    /// There is no more.
+    /// End of the file.
     End,
 }
 
-/// Reads lines in order.
+/// Reader of lines in order.
 pub(super) struct Lines<R> {
     from: R,
     next: u64,
@@ -70,8 +71,8 @@ impl<R: BufRead> Lines<R> {
         Self { from, next: 0 }
     }
 
-    /// The next record. After a damaged line the following one is looked at all the same: whether
-    /// there is a good one tells damage from an end that was cut off.
+    /// Reads the next record. After a damaged line the following one is looked at all the same: a
+    /// whole record there tells damage from an end that was cut off.
     ///
     /// # Errors
     /// The file cannot be read.
@@ -84,13 +85,13 @@ impl<R: BufRead> Lines<R> {
         let line = bytes.strip_suffix(b"\n").and_then(|bytes| std::str::from_utf8(bytes).ok());
         let found = line.and_then(parse).filter(|(number, _)| *number >= self.next);
         let Some((number, json)) = found else { return Ok(Line::Damaged) };
-        // A record that is missing is damage, whatever follows it.
+        // A gap in the numbers is damage, whatever follows.
         let is_next = number == self.next;
         self.next = number + 1;
         Ok(if is_next { Line::Whole(json.to_owned()) } else { Line::Damaged })
     }
 
-    /// Whether any whole record follows.
+    /// True if any whole record follows.
     pub(super) fn has_more(&mut self) -> bool {
         loop {
             let before = self.next;
@@ -109,7 +110,7 @@ mod tests {
 
     #[test]
     fn the_checksum_is_the_known_one() {
-        // The check value that every description of CRC-32 gives.
+        // Check value that every description of CRC-32 gives.
         assert_eq!(checksum(b"123456789"), 0xCBF4_3926);
         assert_eq!(checksum(b""), 0);
     }
@@ -161,7 +162,7 @@ mod tests {
                 let mut bytes = text.clone().into_bytes();
                 bytes[at] ^= change;
                 let (whole, end) = read(&bytes);
-                // The case of the checksum's digits says nothing.
+                // The case of the checksum's digits does not matter.
                 assert!(
                     whole.len() == 1 && end == Line::Damaged || whole[1] == r#"{"a":"ü"}"#,
                     "byte {at}"

@@ -1,14 +1,14 @@
-//! What was done to a document that is not saved, in a file, so that neither a crash nor a full
-//! stop loses it.
+//! Journal of the edits to an unsaved document, in a file, so that neither a crash nor a full stop
+//! loses the work.
 //!
-//! A [`Journal`] begins with where a [`History`] stands (the document, what can be undone and
-//! redone, and the text of its file), and every edit, undo and redo is added to it as one line.
-//! Reading it applies them again, by the same code in the same order, and so comes to the same
-//! history. Lines carry their number, length and checksum: an end that was cut off is recognised
-//! and left out. When a journal has grown long it is begun anew.
+//! A [`Journal`] begins with the state of a [`History`] (the document, the steps that can be undone
+//! and redone, and the text of its file), and every edit, undo and redo is added as one line.
+//! Reading the journal applies them again, by the same code in the same order, and so comes to the
+//! same history. Lines carry their number, length and checksum: an end that was cut off is
+//! recognized and left out. When a journal has grown long it is begun anew.
 //!
 //! Journals lie in one folder, each in a [`Slot`] that the program using it holds by a lock of the
-//! system's. docs/format.md describes the file.
+//! operating system. docs/format.md describes the file.
 
 mod line;
 mod read;
@@ -29,35 +29,36 @@ pub use read::{Found, Recovered, recover, recover_any};
 pub use record::{About, HcbtfOp, LookOp, Op, SceneOp};
 pub use slot::{Slot, left_behind};
 
-/// A journal may grow by so many bytes, or by as much as it began with, before it is begun anew.
+/// Growth after which a journal is begun anew, unless its beginning was larger, in bytes.
 const GROWTH: u64 = 8 << 20;
-/// As many bytes of steps that can be taken back are kept when a journal is begun; of more, the
-/// newest.
+/// Greatest size of the undoable and of the redoable steps that are kept when a journal is begun,
+/// in bytes; of more, the newest are kept.
 const MAX_PAST: usize = 32 << 20;
-/// As many bytes of steps share a line.
+/// Size of the steps that share a line, in bytes.
 const STEPS_LINE: usize = 1 << 20;
 
-/// As many bytes of the document's image share a line.
+/// Size of the part of the document's image in one line, in bytes.
 const IMAGE_LINE: usize = 64 << 20;
 
-/// A journal that is being written.
+/// Journal that is being written.
 #[derive(Debug)]
 pub struct Journal {
     file: File,
-    /// The number of the next line.
+    /// Number of the next line.
     number: u64,
-    /// In bytes; whatever lies beyond was not written whole.
+    /// Length of the whole lines, in bytes; whatever lies beyond was not written whole.
     size: u64,
     begun_size: u64,
     line: String,
 }
 
 impl Journal {
-    /// Begins the journal of a slot with a document as it stands and all its past, in place of what
-    /// was there, at once. `source` is what its file held when it was read or saved last.
+    /// Begins the journal of a slot with a document as it stands and all its past, in place of any
+    /// earlier journal there, at once. `source` is the text of the document's file when it was read
+    /// or saved last.
     ///
     /// # Errors
-    /// The disk is full, or the folder cannot be written. What was there stays.
+    /// The disk is full, or the folder cannot be written. An earlier journal stays.
     pub fn begin<D: Journaled>(
         slot: &Slot,
         about: &About,
@@ -90,12 +91,12 @@ impl Journal {
         Ok(Self { file, number, size, begun_size: size, line })
     }
 
-    /// Adds what was done, all of it or nothing; the system has it when this returns, and a program
-    /// that is killed afterwards loses none of it.
+    /// Adds operations, all of them or none. The system has them when this method returns, so that
+    /// a program that is killed afterwards loses none of them.
     ///
     /// # Errors
-    /// The disk is full, say, or this is more than a line holds. The journal is then as it was, and
-    /// more may be tried, or it is begun anew.
+    /// The disk is full, for example, or the operations are more than a line holds. The journal is
+    /// then as it was; the caller may try again, or begin the journal anew.
     pub fn append<E: Clone + Serialize>(&mut self, ops: &[Op<E>]) -> io::Result<()> {
         if ops.is_empty() {
             return Ok(());
@@ -103,8 +104,8 @@ impl Journal {
         self.push(&Record::Ops(Cow::Borrowed(ops)))
     }
 
-    /// Notes what the window wants back now, such as where it looks from: each member takes the
-    /// place of the one that [`About::window`] has.
+    /// Notes the state that the window wants back, such as its camera: each member takes the place
+    /// of the one that [`About::window`] has.
     ///
     /// # Errors
     /// As [`append`](Self::append).
@@ -115,7 +116,7 @@ impl Journal {
         self.push::<()>(&Record::Window(Cow::Borrowed(members)))
     }
 
-    /// Notes that the window was closed as windows are.
+    /// Notes that the window was closed normally.
     ///
     /// # Errors
     /// As [`append`](Self::append).
@@ -128,7 +129,7 @@ impl Journal {
         self.push_within(record, line::MAX_LINE)
     }
 
-    /// Adds a record of at most so many bytes: a longer one could not be read again.
+    /// Adds a record of at most `most` bytes: a longer one could not be read again.
     fn push_within<E: Clone + Serialize>(
         &mut self,
         record: &Record<'_, E>,
@@ -145,7 +146,7 @@ impl Journal {
             ));
         }
         if let Err(error) = self.file.write_all(self.line.as_bytes()) {
-            // Half a line would hide what follows it.
+            // Half a line would hide the lines that follow.
             self.file.set_len(self.size)?;
             self.file.seek(SeekFrom::Start(self.size))?;
             return Err(error);
@@ -155,26 +156,26 @@ impl Journal {
         Ok(())
     }
 
-    /// Waits until the disk has it, so that not even a power cut loses it.
+    /// Waits until the disk has the journal, so that not even a power cut loses it.
     ///
     /// # Errors
-    /// The disk cannot.
+    /// The disk cannot store the file.
     pub fn sync(&self) -> io::Result<()> {
         self.file.sync_data()
     }
 
-    /// Whether it is long enough to be begun anew.
+    /// True if the journal is long enough to be begun anew.
     pub fn is_grown(&self) -> bool {
         self.size - self.begun_size > GROWTH.max(self.begun_size)
     }
 
-    /// In bytes.
+    /// Size of the journal, in bytes.
     pub fn size(&self) -> u64 {
         self.size
     }
 }
 
-/// The beginning of a journal, while it is written.
+/// Writer of the beginning of a journal.
 struct Lines<W: io::Write> {
     to: W,
     number: u64,
@@ -191,7 +192,7 @@ impl<W: io::Write> Lines<W> {
         self.to.write_all(self.line.as_bytes())
     }
 
-    /// The document's image, in lines of about so many bytes.
+    /// Writes the document's image, in lines of at most about `most` bytes of it.
     fn image<E: Clone + Serialize>(&mut self, image: &str, most: usize) -> io::Result<()> {
         let mut rest = image;
         while !rest.is_empty() {
@@ -202,13 +203,13 @@ impl<W: io::Write> Lines<W> {
         Ok(())
     }
 
-    /// As many of the newest steps as may be kept, oldest first.
+    /// Writes as many of the newest steps as may be kept, oldest first.
     fn steps<'s, E: Clone + Serialize>(
         &mut self,
         steps: &'s [Step<E>],
         record: impl Fn(&'s [Step<E>]) -> Record<'s, E>,
     ) -> io::Result<()> {
-        // Where each line begins, from the newest step back.
+        // Index of each line's first step, from the newest step back.
         let mut starts = vec![steps.len()];
         let (mut total, mut in_line) = (0, 0);
         for (index, step) in steps.iter().enumerate().rev() {
@@ -263,7 +264,7 @@ mod tests {
         assert_eq!(found.history.document(), history.document());
     }
 
-    /// What could not be read again is not written.
+    /// A record that could not be read again is not written.
     #[test]
     fn more_than_a_line_holds_is_refused() {
         let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Reading a journal: the same history again.
+//! Reader of a journal: restores the same history.
 
 use std::fs::File;
 use std::io::{self, BufReader};
@@ -9,26 +9,26 @@ use super::record::{About, Op, Record, VERSION};
 use crate::diag::Diagnostic;
 use crate::document::{Editable, Hcbtf, History, HistoryNumbers, Journaled, Look, Scene, Step};
 
-/// A longer image of a document is refused: that of the largest HCBTF is shorter.
+/// Length of the longest image of a document that is accepted, in bytes: that of the largest HCBTF
+/// is shorter.
 const MAX_IMAGE: usize = 3 << 29;
 
-/// What a journal gave back.
+/// Work restored from a journal.
 #[derive(Clone, Debug)]
 pub struct Recovered<D: Editable> {
-    /// The document with all that can be undone and redone.
+    /// Document with all steps that can be undone and redone.
     pub history: History<D>,
-    /// What it is.
+    /// Description of the document: its name, file and window.
     pub about: About,
-    /// What its file held when it was read or saved last.
+    /// Text of the document's file when it was read or saved last.
     pub source: Option<String>,
-    /// What could not be brought back, and why. An end that was cut off, as a crash leaves it, is
-    /// none.
+    /// Losses and their reasons. An end that was cut off, as a crash leaves it, is no loss.
     pub damage: Vec<Diagnostic>,
-    /// Whether the window was closed as windows are, and did not crash.
+    /// True if the window was closed normally, false after a crash.
     pub is_closed: bool,
 }
 
-/// What a journal gave back, whichever kind of document it is of.
+/// Work restored from a journal of any kind of document.
 #[derive(Clone, Debug)]
 pub enum Found {
     /// A look.
@@ -44,7 +44,7 @@ pub enum Found {
 /// # Errors
 /// As [`recover`].
 pub fn recover_any(path: &Path) -> Result<Found, Box<Diagnostic>> {
-    // What is damaged where it begins is told as that of a look.
+    // A journal with a damaged beginning is reported as that of a look.
     if let Ok(scene) = recover::<Scene>(path) {
         return Ok(Found::Scene(Box::new(scene)));
     }
@@ -89,7 +89,7 @@ fn damage(message: impl Into<String>) -> Diagnostic {
     Diagnostic::warning("damaged-journal", message)
 }
 
-/// What stands before the edits.
+/// Part of a journal before the edits.
 struct Beginning<D: Editable> {
     numbers: HistoryNumbers,
     about: About,
@@ -105,7 +105,8 @@ struct Reader {
 }
 
 impl Reader {
-    /// `None` where it is not whole. It is put in its place whole, so that is damage.
+    /// Reads the beginning; `None` where it is not whole. A beginning is put in its place whole, so
+    /// that a part of one is damage.
     fn beginning<D: Journaled>(&mut self) -> io::Result<Option<Beginning<D>>> {
         let Some(Record::Begin { version, kind, numbers, about }) = self.record::<D>()? else {
             return Ok(None);
@@ -131,7 +132,7 @@ impl Reader {
         Ok(document.map(|document| Beginning { numbers, about, source, document, done, undone }))
     }
 
-    /// The next record, where it is whole and known.
+    /// Reads the next record; `None` where it is not whole or not known.
     fn record<D: Journaled>(&mut self) -> io::Result<Option<Record<'static, D::Edit>>> {
         match self.lines.next()? {
             Line::Whole(json) => Ok(serde_json::from_str(&json).ok()),
@@ -139,9 +140,9 @@ impl Reader {
         }
     }
 
-    /// Does again what was done. What follows something that cannot be done is left out: it was
-    /// made for another document. Notes what the window wanted back last. Returns whether the
-    /// window was closed.
+    /// Applies the noted operations again. Operations after one that cannot be applied are left
+    /// out: they were made for another document. Keeps the window's state that was noted last.
+    /// Returns true if the window was closed.
     fn ops<D: Journaled>(
         &mut self,
         history: &mut History<D>,
@@ -161,6 +162,7 @@ impl Reader {
                     return Ok(false);
                 }
             };
+            // A record after `Closed` means that work went on.
             is_closed = false;
             let is_done = match serde_json::from_str::<Record<'static, D::Edit>>(&json) {
                 Ok(Record::Ops(ops)) => ops.into_owned().into_iter().all(|op| apply(history, op)),

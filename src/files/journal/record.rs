@@ -1,4 +1,4 @@
-//! What the lines of a journal say.
+//! Records that the lines of a journal hold.
 
 use std::borrow::Cow;
 
@@ -6,71 +6,71 @@ use serde::{Deserialize, Serialize};
 
 use crate::document::{Edit, HcbtfEdit, HistoryNumbers, SceneEdit, Step};
 
-/// The version of the journal that this Chiaro writes, and the only one that it reads.
+/// Version of the journal that this Chiaro writes, and the only one that it reads.
 pub(super) const VERSION: u32 = 1;
 
-/// One line. A journal is `begin`, what stood there then, `ready`, and from then on `ops` and
-/// `window`.
+/// Content of one line. A journal consists of `begin`, the records of the state at that time,
+/// `ready`, and from then on `ops` and `window`.
 #[derive(Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", bound(deserialize = "E: Clone + Deserialize<'de>"))]
 pub(super) enum Record<'a, E: Clone> {
-    /// What the journal is of.
+    /// Subject of the journal.
     Begin { version: u32, kind: Cow<'a, str>, numbers: HistoryNumbers, about: Cow<'a, About> },
-    /// The text that the file held when it was read or saved last.
+    /// Text of the document's file when it was read or saved last.
     Source { text: Cow<'a, str> },
-    /// The document's image; of a large one the next part, several lines following each other.
+    /// Image of the document; a large image is split over several lines that follow each other.
     Document { image: Cow<'a, str> },
-    /// Steps that can be taken back, oldest first; several lines follow each other.
+    /// Steps that can be undone, oldest first; several lines follow each other.
     Done(Cow<'a, [Step<E>]>),
-    /// Steps that can be repeated, the next one last.
+    /// Steps that can be redone, the next one last.
     Undone(Cow<'a, [Step<E>]>),
-    /// All of the above is there.
+    /// Mark that all of the above is there.
     Ready,
-    /// What was done, at once.
+    /// Operations that were done at once.
     Ops(Cow<'a, [Op<E>]>),
-    /// What the window wants back now, member by member in place of what [`About::window`] says.
+    /// State that the window wants back, member by member in place of those of [`About::window`].
     Window(Cow<'a, serde_json::Map<String, serde_json::Value>>),
-    /// The window was closed as windows are.
+    /// Mark that the window was closed normally.
     Closed,
 }
 
-/// One thing done to a document.
+/// Operation on a document.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Op<E> {
-    /// An edit, in the gesture that it belongs to.
+    /// Edit, in the gesture that it belongs to.
     Edit {
-        /// As given to [`History::apply_in`](crate::document::History::apply_in).
+        /// Gesture as given to [`History::apply_in`](crate::document::History::apply_in).
         #[serde(default, skip_serializing_if = "Option::is_none")]
         gesture: Option<u64>,
-        /// What was applied.
+        /// Edit that was applied.
         edit: E,
     },
-    /// The last step was taken back.
+    /// Undo of the last step.
     Undo,
-    /// The step taken back last was repeated.
+    /// Redo of the step that was undone last.
     Redo,
 }
 
-/// What a journal is of, for people and for taking it back.
+/// Description of a journal's document, for people and for restoring the window.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct About {
-    /// What people call the document.
+    /// Name of the document as people read it.
     pub name: String,
-    /// Its file, once there is one.
+    /// Path of the document's file; `None` before it is first saved.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub path: Option<String>,
-    /// Whether the file holds more than could be read.
+    /// True if the file holds more than could be read.
     pub is_partial: bool,
-    /// What else a window wants back, such as the mesh; the journal does not look at it.
+    /// Other state that the window wants back, such as the mesh; the journal does not look at it.
     #[serde(skip_serializing_if = "serde_json::Value::is_null")]
     pub window: serde_json::Value,
 }
 
-/// What is done to looks.
+/// Operation on a look.
 pub type LookOp = Op<Edit>;
-/// What is done to scenes.
+/// Operation on a scene.
 pub type SceneOp = Op<SceneEdit>;
-/// What is done to HCBTFs.
+/// Operation on an HCBTF.
 pub type HcbtfOp = Op<HcbtfEdit>;

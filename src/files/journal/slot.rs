@@ -1,31 +1,34 @@
-//! Where journals lie: one folder, and in it for each open document a journal and a lock. The lock
-//! is the system's own and ends with the program that holds it, however that ends; so a journal
-//! without a holder was left behind.
+//! Places of journals: one folder, and in it a journal and a lock file for each open document. The
+//! lock belongs to the operating system and ends with the program that holds it, however that ends;
+//! so a journal without a holder was left behind.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
+/// Extension of journals.
 const JOURNAL: &str = "journal";
+/// Extension of lock files.
 const LOCK: &str = "lock";
-/// What is half written under a name that ends so may be removed once it is old.
+/// Suffix of unfinished files, which may be removed once they are old.
 pub(super) const UNFINISHED: &str = ".tmp";
-/// Nobody takes so long between making a lock and writing the journal, or to write one.
+/// Age from which a file counts as old: no program takes so long between making a lock and writing
+/// the journal, or to write a journal.
 const OLD: Duration = Duration::from_secs(24 * 60 * 60);
 
-/// A place for one journal, held by this program. Dropping it lets go of the journal and leaves it
-/// where it is.
+/// Place for one journal, held by this program. Dropping the slot releases the lock and leaves the
+/// journal where it is.
 #[derive(Debug)]
 pub struct Slot {
-    /// The journal, which need not be there yet.
+    /// Path of the journal, which need not exist yet.
     path: PathBuf,
-    /// Locked, where the file system can.
+    /// Lock file, locked where the file system has locks.
     _lock: File,
 }
 
 impl Slot {
-    /// A new place in a folder, which is made where it is missing, for this user only.
+    /// New place in a folder, which is made where it is missing, for this user only.
     ///
     /// # Errors
     /// The folder cannot be made or written.
@@ -37,30 +40,31 @@ impl Slot {
             .rand_bytes(10)
             .tempfile_in(folder)?;
         let (lock, path) = lock.keep().map_err(|error| error.error)?;
-        // A window that just looks whether somebody holds it lets go at once. Where there are no
-        // locks, go without.
+        // Another window that tests the lock lets go at once, so this does not wait long. Without
+        // locks on the file system, the slot goes unlocked.
         let _ = lock.lock();
         Ok(Self { path: path.with_extension(JOURNAL), _lock: lock })
     }
 
-    /// Where the journal is.
+    /// Path of the journal.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Its folder.
+    /// Folder of the journal.
     pub(super) fn folder(&self) -> &Path {
         self.path.parent().unwrap_or(Path::new("."))
     }
 
-    /// When it was written to last, if it is there.
+    /// Time of the last write to the journal; `None` where there is no journal.
     pub fn written(&self) -> Option<SystemTime> {
         fs::metadata(&self.path).ok()?.modified().ok()
     }
 
     /// Removes the journal.
     pub fn discard(self) {
-        // What is gone already is as it should be; what cannot be removed is offered once more.
+        // A journal that is gone already is as it should be; one that cannot be removed is offered
+        // once more.
         let _ = fs::remove_file(&self.path);
     }
 }
@@ -73,8 +77,8 @@ impl Drop for Slot {
     }
 }
 
-/// The journals in a folder that nobody holds, the newest first; they are held from then on.
-/// Removes what is old and half written.
+/// Journals in a folder that nobody holds, the newest first; they are held from then on. Removes
+/// old unfinished files.
 pub fn left_behind(folder: &Path) -> Vec<Slot> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut slots = Vec::new();
@@ -92,7 +96,7 @@ pub fn left_behind(folder: &Path) -> Vec<Slot> {
     slots
 }
 
-/// Holds the journal, unless somebody does.
+/// Takes hold of the journal, unless another program holds it.
 fn take(path: PathBuf) -> Option<Slot> {
     let lock = OpenOptions::new()
         .write(true)
@@ -102,11 +106,11 @@ fn take(path: PathBuf) -> Option<Slot> {
         .ok()?;
     match lock.try_lock() {
         Err(TryLockError::WouldBlock) => return None,
-        // Where a file system knows no locks, work that is offered twice is better than work that
-        // is lost.
+        // On a file system without locks, work that is offered twice is better than work that is
+        // lost.
         Ok(()) | Err(TryLockError::Error(_)) => {}
     }
-    // It may have been thrown away between listing and locking.
+    // The journal may have been discarded between listing and locking.
     path.exists().then_some(Slot { path, _lock: lock })
 }
 

@@ -1,28 +1,29 @@
-//! What files that commands write are, and by what an earlier one is known again.
+//! Kinds of files that commands write, and the tests by which earlier outputs are recognized.
 
 use flate2::Crc;
 
-/// What a file is that a command writes.
+/// Kind of a file that a command writes.
 #[derive(Clone, Copy)]
 pub struct OutputKind<'a> {
-    /// What people read, such as "a picture"; empty where no earlier output can be known.
+    /// Name of the kind for people, such as "a picture"; empty where no earlier output can be
+    /// recognized.
     pub name: &'a str,
-    /// Whether bytes are those of an earlier output of this kind, as Chiaro wrote it. Such a file
-    /// is replaced unasked.
+    /// Test whether bytes are an earlier output of this kind, as Chiaro wrote it. Such a file is
+    /// replaced unasked.
     pub is_own: &'a dyn Fn(&[u8]) -> bool,
-    /// Whether files of this kind are PNGs that are written with a seal.
+    /// True if files of this kind are PNGs that are written with a seal.
     pub has_seal: bool,
 }
 
 impl OutputKind<'_> {
-    /// What people work on: a look, a scene, an HCBTF, or what is exported to be painted on. It is
+    /// Work of people: a look, a scene, an HCBTF, or an export to be painted on. Such a file is
     /// never replaced unasked.
     pub const DOCUMENT: OutputKind<'static> =
         OutputKind { name: "", is_own: &|_| false, has_seal: false };
-    /// A picture that was rendered.
+    /// Rendered picture.
     pub const PICTURE: OutputKind<'static> =
         OutputKind { name: "a picture", is_own: &is_sealed, has_seal: true };
-    /// A drawing of a graph or a plot, as SVG.
+    /// Drawing of a graph or a plot, as SVG.
     pub const DRAWING: OutputKind<'static> =
         OutputKind { name: "a drawing", is_own: &is_drawing, has_seal: false };
 
@@ -31,17 +32,19 @@ impl OutputKind<'_> {
     }
 }
 
+/// Signature at the beginning of a PNG.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
-/// Where the header of a PNG ends: the signature, and one chunk of 13 bytes.
+/// End of a PNG's header, in bytes: the signature, and one chunk of 13 bytes.
 const AFTER_HEADER: usize = 8 + 12 + 13;
-/// What a seal says before its number.
+/// Beginning of a seal, before its number.
 const SEAL: &[u8] = b"tEXtSoftware\0Chiaro ";
-/// A chunk's length and its checksum, the words, and the number in hexadecimal.
+/// Length of a seal, in bytes: the chunk's length and checksum, the words, and the number in
+/// hexadecimal.
 const SEAL_BYTES: usize = 4 + SEAL.len() + 8 + 4;
 
-/// A PNG with a seal: the program that made it, which a PNG may say, and a checksum of all the
-/// rest. A picture that was painted on since does not match it, even if the painting program keeps
-/// the text. Other bytes are left as they are.
+/// Adds a seal to a PNG: the name of the program that made it, which a PNG may hold, and a checksum
+/// of all the rest. A picture that was painted on since does not match the checksum, even if the
+/// painting program keeps the text. Bytes that are no PNG are returned as they are.
 pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
     if !png.starts_with(SIGNATURE) || png.len() < AFTER_HEADER || is_sealed(png) {
         return png.to_vec();
@@ -52,7 +55,7 @@ pub(super) fn sealed(png: &[u8]) -> Vec<u8> {
     [head, &length, &words, &checksum(&[&words]).to_be_bytes(), rest].concat()
 }
 
-/// Whether a PNG is as Chiaro wrote it.
+/// True if a PNG is as Chiaro wrote it.
 fn is_sealed(png: &[u8]) -> bool {
     let Some((head, rest)) = png.split_at_checked(AFTER_HEADER) else { return false };
     let Some((seal, rest)) = rest.split_at_checked(SEAL_BYTES) else { return false };
@@ -62,15 +65,15 @@ fn is_sealed(png: &[u8]) -> bool {
     head.starts_with(SIGNATURE) && number == Some(checksum(&[head, rest]))
 }
 
-/// The checksum that PNGs have.
+/// Checksum as PNGs have it, of the concatenated parts.
 fn checksum(parts: &[&[u8]]) -> u32 {
     let mut crc = Crc::new();
     parts.iter().for_each(|part| crc.update(part));
     crc.sum()
 }
 
-/// Whether a text is an SVG as Chiaro writes its graphs and plots: other programs begin in other
-/// ways, and one that was edited in such a program begins as that has it.
+/// True if a text is an SVG as Chiaro writes its graphs and plots. SVGs of other programs begin in
+/// other ways, also those that such a program has edited.
 fn is_drawing(bytes: &[u8]) -> bool {
     const BEGINS: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"";
     const FACES: [&str; 2] = [
@@ -105,8 +108,8 @@ mod tests {
         for cut in 0..with_seal.len() {
             assert!(!is_sealed(&with_seal[..cut]), "{cut}");
         }
-        // The text is kept, as by programs that keep what they do not know, and the picture is
-        // another one.
+        // The seal's text stays, as with programs that keep unknown chunks, and the picture
+        // differs.
         let last = with_seal.len() - 20;
         with_seal[last] ^= 1;
         assert!(!is_sealed(&with_seal));

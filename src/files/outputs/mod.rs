@@ -1,9 +1,9 @@
-//! What commands write, guarded: nothing that somebody made is lost by a mistyped name.
+//! Guarded outputs of commands: no file that somebody made is lost by a mistyped name.
 //!
-//! [`Outputs`] is the one way by which a command, or the window for it, writes files. It knows what
-//! the command reads and refuses to write over that; over anything else that is there it writes
-//! only what it knows for an earlier output of the same [`OutputKind`], unless it is forced. All
-//! files of one [`Outputs::commit`] come together.
+//! [`Outputs`] is the one way by which a command, or the window for it, writes files. It knows the
+//! files that the command reads and refuses to write over them; of other existing files it replaces
+//! only those that it recognizes as earlier outputs of the same [`OutputKind`], unless it is
+//! forced. All files of one [`Outputs::commit`] come together.
 
 mod kind;
 mod staging;
@@ -17,25 +17,25 @@ pub use staging::{FileSet, remove_abandoned, remove_unfinished};
 
 use crate::diag::Diagnostic;
 
-/// Folders that are read are looked through so deep, and for so many files.
+/// Bounds of looking through a folder that a command reads: depth, and number of files.
 const MAX_DEPTH: usize = 8;
 const MAX_FILES: usize = 100_000;
-/// A file that is longer, in bytes, is none that Chiaro wrote.
+/// Length from which a file cannot be an output of Chiaro, in bytes.
 const MAX_KNOWN: u64 = 1 << 30;
 
-/// A file by what it is and not by what it is called: links and `..` lead to the same.
+/// Identity of a file, whatever it is called: links and `..` lead to the same file.
 #[derive(Clone, Debug)]
 struct Identity {
-    /// Its place, without links: another program may put another file there while the command
+    /// Canonical path, without links: another program may put another file there while the command
     /// works.
     place: PathBuf,
-    /// The numbers of its device and of itself, which all of its names have in common.
+    /// Numbers of the device and of the inode, which all names of the file have in common.
     #[cfg(unix)]
     numbers: (u64, u64),
 }
 
 impl Identity {
-    /// `None` where there is no file.
+    /// Identity of the file at a path; `None` where there is no file.
     fn of(path: &Path) -> Option<Self> {
         let place = fs::canonicalize(path).ok()?;
         #[cfg(unix)]
@@ -60,7 +60,7 @@ impl Identity {
     }
 }
 
-/// The files that one command writes, and what they must not be written over.
+/// Files that one command writes, and the files that must not be written over.
 #[derive(Debug, Default)]
 pub struct Outputs {
     inputs: Vec<(Identity, PathBuf)>,
@@ -68,19 +68,19 @@ pub struct Outputs {
     changed: Vec<(Identity, PathBuf)>,
     is_forced: bool,
     set: FileSet,
-    /// The paths in the set.
+    /// Paths of the files in the set.
     added: Vec<PathBuf>,
 }
 
 impl Outputs {
     /// Outputs of a command that reads nothing yet. With `is_forced`, files that somebody made are
-    /// replaced, too; but not what the command reads.
+    /// replaced, too, but not those that the command reads.
     pub fn new(is_forced: bool) -> Self {
         Self { is_forced, ..Self::default() }
     }
 
-    /// A file that the command reads, or a folder: of that, the documents and nodes in it. What
-    /// there is not is no matter.
+    /// Notes a file that the command reads, or the documents and nodes in a folder. A path that
+    /// does not exist is ignored.
     pub fn reads(&mut self, path: &Path) {
         let mut open = vec![(path.to_owned(), 0)];
         while let Some((path, depth)) = open.pop() {
@@ -101,17 +101,17 @@ impl Outputs {
         }
     }
 
-    /// A document that the command reads and writes back: a document may replace it, under whatever
-    /// name, and nothing else.
+    /// Notes a document that the command reads and writes back: a document may replace it, under
+    /// whatever name, and no other kind of file.
     pub fn changes(&mut self, path: &Path) {
         self.changed.extend(Identity::of(path).map(|identity| (identity, path.to_owned())));
     }
 
-    /// Whether a file of this kind may be written there, asked before the work is done.
+    /// Checks whether a file of this kind may be written there, before the work is done.
     ///
     /// # Errors
-    /// - `would-overwrite`: the command reads what is there.
-    /// - `file-exists`: somebody made what is there.
+    /// - `would-overwrite`: the command reads the file at the path.
+    /// - `file-exists`: somebody made the file at the path.
     pub fn check(&self, path: &Path, kind: OutputKind<'_>) -> Result<(), Diagnostic> {
         self.check_bytes(path, kind, None)
     }
@@ -139,7 +139,7 @@ impl Outputs {
         Ok(())
     }
 
-    /// Takes a file away when the others come, unless one of them takes its place.
+    /// Removes a file when the others appear, unless one of them takes its place.
     pub fn remove(&mut self, path: PathBuf) {
         self.set.remove(path);
     }
@@ -154,7 +154,7 @@ impl Outputs {
         std::mem::take(&mut self.set).commit().map_err(|problem| *problem)
     }
 
-    /// One file alone.
+    /// Writes one file alone.
     ///
     /// # Errors
     /// As [`add`](Self::add) and [`commit`](Self::commit).
@@ -196,7 +196,7 @@ impl Outputs {
             return Ok(());
         }
         let is_known = |old: &[u8]| new == Some(old) || (kind.is_own)(old);
-        // What is no file is told by whoever writes there.
+        // The write itself reports a path that is no file.
         if path.is_dir() || known_bytes(path).is_some_and(|old| is_known(&old)) {
             return Ok(());
         }
@@ -214,7 +214,7 @@ fn in_file(problem: Diagnostic, path: &Path) -> Diagnostic {
     problem.in_file(path.display().to_string())
 }
 
-/// What a file holds; `None` where that cannot be read, or is too much for anything that Chiaro
+/// Content of a file; `None` where the file cannot be read, or is longer than any that Chiaro
 /// writes.
 fn known_bytes(path: &Path) -> Option<Vec<u8>> {
     let mut bytes = Vec::new();

@@ -3,9 +3,9 @@
 //!
 //! # Whose temporary files these are
 //! A set has one lock file in each folder, `.chiaro-RANDOM.tmp`, which its program holds locked
-//! while it lives; what the set writes there is called `.chiaro-RANDOM-NUMBER.tmp`. The system lets
-//! go of the lock when the program ends, however it ends, so whoever can lock such a file knows
-//! that its program is gone, and removes what is left of the set. Process numbers would not tell:
+//! while it lives; the set's files there are called `.chiaro-RANDOM-NUMBER.tmp`. The system
+//! releases the lock when the program ends, however it ends, so a program that can lock such a file
+//! knows that the owner is gone, and removes the rest of the set. Process numbers would not tell:
 //! they are used again, and differ between containers that share a folder.
 
 use std::collections::{BTreeSet, HashSet};
@@ -20,22 +20,23 @@ use tempfile::NamedTempFile;
 use crate::clock;
 use crate::diag::Diagnostic;
 
-/// What the names of temporary files begin and end with.
+/// Prefix and suffix of the names of temporary files.
 const PREFIX: &str = ".chiaro-";
 const SUFFIX: &str = ".tmp";
 
-/// How often a lock file is made anew that another program took for one left behind before it was
-/// locked.
+/// Number of attempts to make a lock file: another program may take a new one for left behind
+/// before it is locked.
 const TRIES: u32 = 16;
 
-/// What is half written by this program.
+/// Unfinished files of this program.
 struct Unfinished {
     /// Temporary files.
     files: BTreeSet<PathBuf>,
-    /// Whether the program ends: from then on nothing is begun and nothing takes its name.
+    /// True once the program ends: from then on no file is begun and none takes its name.
     is_ending: bool,
 }
 
+/// Unfinished files of this program, which [`remove_unfinished`] removes.
 static UNFINISHED: Mutex<Unfinished> =
     Mutex::new(Unfinished { files: BTreeSet::new(), is_ending: false });
 
@@ -43,14 +44,13 @@ fn unfinished() -> MutexGuard<'static, Unfinished> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes files that are half written, for a program that is about to end in the middle of its
-/// work (Ctrl-C). A set whose files are just taking their names has taken them all when this
-/// returns.
+/// Removes unfinished files, for a program that is about to end in the middle of its work (Ctrl-C).
+/// A set whose files are just taking their names has taken them all when this function returns.
 pub fn remove_unfinished() {
     let mut unfinished = unfinished();
     unfinished.is_ending = true;
     for path in std::mem::take(&mut unfinished.files) {
-        // It may be gone by now, which is what is wanted.
+        // A file that is gone by now is as wanted.
         let _ = fs::remove_file(path);
     }
 }
@@ -59,41 +59,41 @@ fn ending() -> io::Error {
     io::Error::new(io::ErrorKind::Interrupted, "the program is ending")
 }
 
-/// Files that are seen together or not at all, as far as a file system has it: until
+/// Files that appear together or not at all, as far as a file system allows: until
 /// [`commit`](Self::commit) there are temporary files only, and a set that is dropped before leaves
 /// nothing. Between two names that are taken only the end of the machine or of the program by force
-/// can come; the file that describes the others is added last, for it is seen last.
+/// can come; a file that describes the others is added last, for it appears last.
 #[derive(Debug, Default)]
 pub struct FileSet {
     folders: Vec<Folder>,
     files: Vec<StagedFile>,
-    /// What goes when the set comes.
+    /// Files that are removed when the set is committed.
     removed: Vec<PathBuf>,
 }
 
-/// A folder that files of a set lie in.
+/// Folder that files of a set lie in.
 #[derive(Debug)]
 struct Folder {
     path: PathBuf,
-    /// The lock file, locked as long as this lives where the file system has locks.
+    /// Lock file, locked while this value lives, where the file system has locks.
     lock: NamedTempFile,
-    /// How many files of the set were begun here.
+    /// Number of files of the set that were begun in the folder.
     count: u32,
 }
 
-/// A file under its temporary name.
+/// File under its temporary name.
 #[derive(Debug)]
 struct StagedFile {
     temporary: PathBuf,
     target: PathBuf,
-    /// The path that was asked for, for messages.
+    /// Path that was asked for, for messages.
     named: PathBuf,
 }
 
 impl FileSet {
-    /// Writes a file under a temporary name in the folder that `path` leads to. It will take the
-    /// old file's permissions and, as far as the system lets us, its owner and group. A link stays
-    /// a link, and the file that it leads to is replaced, or made where there is none.
+    /// Writes a file under a temporary name in the folder that `path` leads to. The file will take
+    /// the old one's permissions and, as far as the system allows, its owner and group. A link
+    /// stays a link, and the file that it leads to is replaced, or made where there is none.
     ///
     /// Not kept: other names of the same file (hard links), access lists, and extended attributes.
     ///
@@ -103,7 +103,7 @@ impl FileSet {
         self.try_add(path, bytes).map_err(|error| cannot_write(path, &error))
     }
 
-    /// Takes a file away when the set comes, unless the set has one of that name.
+    /// Removes a file when the set is committed, unless the set has one of that name.
     pub fn remove(&mut self, path: PathBuf) {
         self.removed.push(path);
     }
@@ -112,16 +112,16 @@ impl FileSet {
     /// disk has the files and their names.
     ///
     /// # Errors
-    /// A diagnostic that names the file that could not; files of the set that replace none are then
-    /// gone again.
+    /// A diagnostic that names the file that could not take its name; files of the set that replace
+    /// none are then removed again.
     pub fn commit(mut self) -> Result<(), Box<Diagnostic>> {
         for file in &self.files {
             check_place(&file.target).map_err(|error| cannot_write(&file.named, &error))?;
         }
         self.take_names()?;
         for folder in &self.folders {
-            // New names are on the disk once the folder is. Not every system can do this, and the
-            // files are safe.
+            // New names are on the disk once the folder is. Not every system can sync a folder, and
+            // the files are safe.
             if let Ok(folder) = File::open(&folder.path) {
                 let _ = folder.sync_all();
             }
@@ -155,6 +155,7 @@ impl FileSet {
 
     fn take_names(&mut self) -> Result<(), Box<Diagnostic>> {
         let mut unfinished = unfinished();
+        // The guard is held until all names are taken, so that a program that ends meanwhile waits.
         if let Some(file) = self.files.first().filter(|_| unfinished.is_ending) {
             return Err(cannot_write(&file.named, &ending()));
         }
@@ -194,7 +195,7 @@ impl Drop for FileSet {
             unfinished.files.remove(&file.temporary);
             let _ = fs::remove_file(&file.temporary);
         }
-        // The lock goes last: whoever finds files without one takes them for left behind.
+        // The lock goes last: another program takes files without a lock for left behind.
         for folder in &self.folders {
             unfinished.files.remove(folder.lock.path());
         }
@@ -212,10 +213,11 @@ impl Folder {
             let mut builder = tempfile::Builder::new();
             let lock = builder.prefix(PREFIX).suffix(SUFFIX).tempfile_in(path)?;
             match lock.as_file().try_lock() {
-                // It was held by whoever looks for what was left behind, and is as good as gone.
+                // Another program that looks for abandoned files holds the lock, and is about to
+                // remove it.
                 Err(TryLockError::WouldBlock) => {}
                 Ok(()) if !lock.path().exists() => {}
-                // A file system without locks does without: there, age tells what was left behind.
+                // On a file system without locks, age tells which files were left behind.
                 Ok(()) | Err(TryLockError::Error(_)) => {
                     unfinished.files.insert(lock.path().to_owned());
                     return Ok(Self { path: path.to_owned(), lock, count: 0 });
@@ -225,7 +227,7 @@ impl Folder {
         Err(io::Error::other("temporary files in this folder vanish as soon as they are made"))
     }
 
-    /// Begins a file.
+    /// Creates a temporary file.
     fn create(&mut self) -> io::Result<(PathBuf, File)> {
         let lock = self.lock.path().to_string_lossy();
         let temporary =
@@ -235,16 +237,16 @@ impl Folder {
         if unfinished.is_ending {
             return Err(ending());
         }
-        // As any other program would make it here: the system's mask takes away from its
-        // permissions.
+        // Permissions as any other program's file would have here: the system's mask takes away
+        // from them.
         let file = OpenOptions::new().write(true).create_new(true).open(&temporary)?;
         unfinished.files.insert(temporary.clone());
         Ok((temporary, file))
     }
 }
 
-/// What is at a place that a file is to be written to. Refuses a folder and what may not be
-/// written.
+/// Metadata of the file that is to be written over, if there is one. Refuses a folder and a
+/// read-only file.
 fn check_place(target: &Path) -> io::Result<Option<fs::Metadata>> {
     let Ok(old) = fs::metadata(target) else { return Ok(None) };
     if old.is_dir() {
@@ -276,15 +278,17 @@ fn cannot_write(path: &Path, error: &io::Error) -> Box<Diagnostic> {
     )
 }
 
-/// Why a write failed, without the name of the temporary file, which would tell nobody anything.
+/// Reason why a write failed, without the name of the temporary file, which would tell nobody
+/// anything.
 fn reason(error: &io::Error) -> String {
     let inner = error.get_ref().and_then(std::error::Error::source);
     inner.map_or_else(|| error.to_string(), ToString::to_string)
 }
 
-/// Where a path leads, so that a link goes on to lead to the file; also where there is no file yet.
+/// Target of a path's links, so that a link goes on to lead to the file; also where there is no
+/// file yet.
 fn follow_links(path: &Path) -> PathBuf {
-    /// As many as Linux follows.
+    /// Greatest number of links in a row, as many as Linux follows.
     const MOST: usize = 40;
     if let Ok(target) = fs::canonicalize(path) {
         return target;
@@ -297,8 +301,8 @@ fn follow_links(path: &Path) -> PathBuf {
     target
 }
 
-/// Gives a file the owner, group and permissions of another. A group that cannot be kept gets no
-/// more than everybody has.
+/// Gives a file the owner, group and permissions of another. Where the group cannot be kept, the
+/// file's group gets the permissions of others.
 #[cfg(unix)]
 fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()> {
     use std::os::unix::fs::{MetadataExt, PermissionsExt, fchown};
@@ -319,7 +323,7 @@ fn keep_owner_and_permissions(file: &File, old: &fs::Metadata) -> io::Result<()>
     file.set_permissions(old.permissions())
 }
 
-/// Removes what programs that are gone have left in a folder in the middle of a write.
+/// Removes the temporary files that ended programs left in a folder in the middle of a write.
 pub fn remove_abandoned(folder: &Path) {
     let mut sets: BTreeSet<String> = BTreeSet::new();
     let mut files: Vec<(String, PathBuf)> = Vec::new();
@@ -342,7 +346,7 @@ pub fn remove_abandoned(folder: &Path) {
             files.iter().filter(|(of, _)| *of == set).map(|(_, path)| path.as_path()).collect();
         let newest = of_set.last().copied().unwrap_or(&lock);
         if_abandoned(&lock, newest, || {
-            // What cannot be removed does no harm. The lock goes last, while it is held.
+            // A file that cannot be removed does no harm. The lock goes last, while it is held.
             for path in of_set.iter().chain([&lock.as_path()]) {
                 let _ = fs::remove_file(path);
             }
@@ -350,8 +354,8 @@ pub fn remove_abandoned(folder: &Path) {
     }
 }
 
-/// Calls `remove` where the program whose lock this is has gone, and holds the lock meanwhile,
-/// against others that look for what was left behind. `file` is one of the set.
+/// Calls `remove` where the program that owned `lock` has ended, and holds the lock meanwhile,
+/// against others that look for abandoned files. `file` is one of the set.
 fn if_abandoned(lock: &Path, file: &Path, remove: impl FnOnce()) {
     // Opened for writing, because some file systems lock no other.
     match OpenOptions::new().read(true).write(true).open(lock) {
@@ -360,13 +364,13 @@ fn if_abandoned(lock: &Path, file: &Path, remove: impl FnOnce()) {
             Err(TryLockError::Error(_)) if is_old(file) => remove(),
             Err(_) => {}
         },
-        // A program removes its lock after all else.
+        // The lock is gone: a program removes its lock after all else.
         Err(error) if error.kind() == io::ErrorKind::NotFound => remove(),
         Err(_) => {}
     }
 }
 
-/// Whether nobody can be at work on a file any more that no lock tells of.
+/// True if a file is so old that no program can be at work on it, where locks tell nothing.
 fn is_old(path: &Path) -> bool {
     const OLD: Duration = Duration::from_secs(24 * 60 * 60);
     let modified = fs::metadata(path).and_then(|data| data.modified());
@@ -426,7 +430,7 @@ mod tests {
         let mut set = FileSet::default();
         set.add(&path("a.txt"), b"a").unwrap();
         set.add(&path("b.txt"), b"b").unwrap();
-        // Somebody makes a folder of that name meanwhile.
+        // Another program makes a folder of that name meanwhile.
         fs::create_dir(path("b.txt")).unwrap();
         let problem = set.commit().unwrap_err();
         assert!(problem.code == "cannot-write" && problem.message.contains("folder"), "{problem}");
@@ -441,7 +445,7 @@ mod tests {
         living.add(&path("living.txt"), b"alive").unwrap();
         let beside: Vec<String> = names(folder.path());
         assert_eq!(beside.len(), 2, "a lock and a file");
-        // Of a program that was killed, and of one that was killed while it ended.
+        // Files of a program that was killed, and of one that was killed while it ended.
         for name in
             [".chiaro-dead.tmp", ".chiaro-dead-0.tmp", ".chiaro-dead-1.tmp", ".chiaro-gone-7.tmp"]
         {

@@ -1,4 +1,4 @@
-//! The one [`Diagnostic`] that every floor reports with: what is wrong, where, and what to do.
+//! [`Diagnostic`], the one report of all floors: the problem, its place, and remedies.
 
 use std::fmt;
 use std::ops::Range;
@@ -7,59 +7,58 @@ use serde::Serialize;
 
 use crate::ids::{NodePath, PortName};
 
-/// How much a diagnostic matters.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
-    /// For information only.
+    /// Note, for information only.
     Note,
-    /// The result stands, but is probably not what was meant.
+    /// Warning: the result stands, but is probably not what was meant.
     Warning,
-    /// The thing named could not be used.
+    /// Error: the named thing could not be used.
     Error,
 }
 
-/// A place in a text, counted from 1; columns count characters.
+/// Line and column in a text, counted from 1; columns count characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct LineColumn {
-    /// From 1.
+    /// Line, from 1.
     pub line: u32,
-    /// From 1, in characters.
+    /// Column in characters, from 1.
     pub column: u32,
 }
 
 impl LineColumn {
-    /// The place of a byte offset in `text`; offsets past the end give the end.
+    /// Line and column of a byte offset in `text`; offsets past the end give the end.
     pub fn of(text: &str, offset: usize) -> Self {
         let before = &text.as_bytes()[..offset.min(text.len())];
         let line_start = before.iter().rposition(|&b| b == b'\n').map_or(0, |p| p + 1);
-        // Bytes that continue a UTF-8 sequence are no characters of their own.
+        // Continuation bytes of UTF-8 are no characters of their own.
         let characters = before[line_start..].iter().filter(|&&b| b & 0xC0 != 0x80).count();
         let lines = before.iter().filter(|&&b| b == b'\n').count();
         Self { line: lines as u32 + 1, column: characters as u32 + 1 }
     }
 }
 
-/// Everything known of where a problem is. All of it is optional; [`Diagnostic`]'s display shows
-/// what there is.
+/// Place of a problem. Every field is optional; [`Diagnostic`]'s display shows those that are set.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Place {
-    /// The file, as the user named it.
+    /// File name, as the user gave it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
-    /// Where in the file.
+    /// Line and column in the file.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<LineColumn>,
-    /// Where in the document, e.g. `nodes[3].values.offset`.
+    /// JSON path in the document, e.g. `nodes[3].values.offset`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub json_path: Option<String>,
-    /// The node, through its groups.
+    /// Path of the node, through its groups.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "as_text")]
     pub node: Option<NodePath>,
-    /// The port of that node.
+    /// Port of that node.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub port: Option<PortName>,
-    /// The bytes of WGSL source that the message speaks of.
+    /// Byte range of WGSL source that the message is about.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wgsl: Option<Range<usize>>,
 }
@@ -71,35 +70,35 @@ fn as_text<S: serde::Serializer>(
     serializer.collect_str(path.as_ref().expect("skipped when absent"))
 }
 
-/// One problem, told so that the reader can mend it.
+/// Report of one problem, so that the reader can mend it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Diagnostic {
-    /// How much it matters.
+    /// Severity of the problem.
     pub severity: Severity,
-    /// A stable slug for scripts and tests, e.g. `unknown-kind`.
+    /// Code: a stable slug for scripts and tests, e.g. `unknown-kind`.
     pub code: &'static str,
-    /// What is wrong, in one sentence without a full stop.
+    /// Description of the problem, in one sentence without a full stop.
     pub message: String,
-    /// Where.
+    /// Place of the problem.
     #[serde(flatten)]
     pub place: Place,
-    /// What to do about it.
+    /// Remedies.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub hints: Vec<String>,
 }
 
 impl Diagnostic {
-    /// An error.
+    /// New error.
     pub fn error(code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, code, message)
     }
 
-    /// A warning.
+    /// New warning.
     pub fn warning(code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, code, message)
     }
 
-    /// A note.
+    /// New note.
     pub fn note(code: &'static str, message: impl Into<String>) -> Self {
         Self::new(Severity::Note, code, message)
     }
@@ -108,7 +107,7 @@ impl Diagnostic {
         Self { severity, code, message: message.into(), place: Place::default(), hints: Vec::new() }
     }
 
-    /// Adds what to do about it.
+    /// Adds a remedy.
     #[must_use]
     pub fn hint(mut self, hint: impl Into<String>) -> Self {
         self.hints.push(hint.into());
@@ -129,42 +128,42 @@ impl Diagnostic {
         }
     }
 
-    /// Names the file.
+    /// Sets the file.
     #[must_use]
     pub fn in_file(mut self, file: impl Into<String>) -> Self {
         self.place.file = Some(file.into());
         self
     }
 
-    /// Names the line and column.
+    /// Sets the line and column.
     #[must_use]
     pub fn at(mut self, at: LineColumn) -> Self {
         self.place.at = Some(at);
         self
     }
 
-    /// Names the place in the document.
+    /// Sets the place in the document.
     #[must_use]
     pub fn json_path(mut self, path: impl Into<String>) -> Self {
         self.place.json_path = Some(path.into());
         self
     }
 
-    /// Names the node.
+    /// Sets the node.
     #[must_use]
     pub fn node(mut self, path: NodePath) -> Self {
         self.place.node = Some(path);
         self
     }
 
-    /// Names the port.
+    /// Sets the port.
     #[must_use]
     pub fn port(mut self, port: PortName) -> Self {
         self.place.port = Some(port);
         self
     }
 
-    /// Whether it stops the thing it speaks of from being used.
+    /// True for an error, which stops the named thing from being used.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
     }
@@ -207,30 +206,30 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// A value that can be used, and what is odd about it: the one channel of warnings. Whoever makes a
-/// value of a file or a graph returns this; whoever shows something to people passes a list down to
-/// [`tell`](Self::tell).
+/// Value that can be used, with warnings: the one channel of warnings. A function that makes a
+/// value of a file or a graph returns this type; code that shows results to people passes a list
+/// down to [`tell`](Self::tell).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warned<T> {
-    /// The value.
+    /// Value itself.
     pub value: T,
     /// Warnings and notes, in the order in which they were found; no errors.
     pub warnings: Vec<Diagnostic>,
 }
 
 impl<T> Warned<T> {
-    /// A value with what is odd about it.
+    /// Value with warnings.
     pub fn new(value: T, warnings: Vec<Diagnostic>) -> Self {
         Self { value, warnings }
     }
 
-    /// Hands the warnings to whoever collects them, and the value to the caller.
+    /// Moves the warnings to a list, and returns the value.
     pub fn tell(self, collected: &mut Vec<Diagnostic>) -> T {
         collected.extend(self.warnings);
         self.value
     }
 
-    /// The value and the warnings.
+    /// Value and warnings.
     pub fn into_parts(self) -> (T, Vec<Diagnostic>) {
         (self.value, self.warnings)
     }
@@ -247,16 +246,17 @@ impl<T> From<T> for Warned<T> {
     }
 }
 
-/// Whether any of them is an error.
+/// True if any of the diagnostics is an error.
 pub fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(Diagnostic::is_error)
 }
 
-/// As many errors, and as many warnings, as are told of one document; the rest is counted.
+/// Greatest number of errors, and of warnings, that are reported of one document; the rest is
+/// counted.
 pub const MAX_PROBLEMS: usize = 1000;
 
-/// The first [`MAX_PROBLEMS`] errors and the first [`MAX_PROBLEMS`] others, with how many more
-/// there are.
+/// First [`MAX_PROBLEMS`] errors and first [`MAX_PROBLEMS`] others, with a note of the number left
+/// out.
 pub fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let (all, mut errors, mut others) = (problems.len(), 0, 0);
     problems.retain(|problem| {
@@ -270,7 +270,7 @@ pub fn bounded(mut problems: Vec<Diagnostic>) -> Vec<Diagnostic> {
     problems
 }
 
-/// Tells how many problems are not told.
+/// Note on the number of problems that are not listed.
 pub fn more_problems(count: usize) -> Diagnostic {
     Diagnostic::note(
         "more-problems",
@@ -278,7 +278,7 @@ pub fn more_problems(count: usize) -> Diagnostic {
     )
 }
 
-/// Why the system refused something, in words, without the number that it has for that.
+/// Reason of a system's error in words, without the number that the system has for it.
 pub fn reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -289,7 +289,7 @@ pub fn reason(error: &std::io::Error) -> String {
     }
 }
 
-/// Up to three of the `known` names that could have been meant by `wrong`, best first.
+/// Up to three of the `known` names that `wrong` may stand for, best first.
 pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let lower = wrong.to_lowercase();
     let mut scored: Vec<(f64, &str)> = known

@@ -1,12 +1,12 @@
-//! What the machine can do. Every operand is the number of a slot, unless it says otherwise.
+//! Instructions of the machine. Every operand is the number of a slot, unless stated otherwise.
 
-/// The number of a slot in memory.
+/// Number of a slot in memory.
 pub(super) type Slot = u32;
 
-/// The number of an instruction; while compiling, the number of a label.
+/// Number of an instruction; while compiling, number of a label.
 pub(super) type Target = u32;
 
-/// One step of a program.
+/// Instruction: one step of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Instruction {
     /// Ends the program.
@@ -31,11 +31,11 @@ pub(super) enum Instruction {
     IntUnary { op: IntUnary, to: Slot, a: Slot },
     /// (integer, integer) -> integer or bool
     IntBinary { op: IntBinary, to: Slot, a: Slot, b: Slot },
-    /// The bits `offset..offset + count` of `a`, sign-extended if `signed`.
+    /// Bits `offset..offset + count` of `a`, sign-extended if `signed`.
     ExtractBits { to: Slot, a: Slot, offset: Slot, count: Slot, signed: bool },
     /// `a` with the bits `offset..offset + count` replaced by the low bits of `b`.
     InsertBits { to: Slot, a: Slot, b: Slot, offset: Slot, count: Slot },
-    /// From one kind of scalar to another.
+    /// Conversion from one kind of scalar to another.
     Convert { op: Conversion, to: Slot, a: Slot },
     /// `to = if condition { accept } else { reject }`
     Select { to: Slot, condition: Slot, accept: Slot, reject: Slot },
@@ -47,32 +47,33 @@ pub(super) enum Instruction {
     Load { to: Slot, pointer: Slot, offset: u32, count: u32 },
     /// `memory[pointer + offset] = from`
     Store { pointer: Slot, offset: u32, from: Slot },
-    /// `to[i] = buffers[buffer][pointer + offset + i]` for `i < count`; beyond its end the last
-    /// scalar.
+    /// `to[i] = buffers[buffer][pointer + offset + i]` for `i < count`; beyond the buffer's end the
+    /// last scalar.
     LoadBuffer { to: Slot, buffer: u32, pointer: Slot, offset: u32, count: u32 },
-    /// How a float differs between the lanes of a 2x2 quad.
+    /// Difference of a float between the lanes of a 2x2 quad.
     Derivative { op: Derivative, to: Slot, a: Slot },
-    /// Reads or measures a texture; the number is that of a [`super::image::Operation`].
+    /// Read of a texture, or query of its size; the number is that of a
+    /// [`super::image::Operation`].
     Image { operation: u32 },
-    /// From here on the lane only helps its neighbours.
+    /// End of a lane, which from here on only helps its neighbors.
     Kill,
-    /// Goes on at `target`.
+    /// Jump to `target`.
     Jump { target: Target },
-    /// Goes on at `target` if the condition is `when`.
+    /// Jump to `target` if the condition is `when`.
     JumpIf { condition: Slot, when: bool, target: Target },
-    /// Goes on where the table of that number says.
+    /// Jump to the target that the table of that number gives for the selector.
     Switch { selector: Slot, table: u32 },
-    /// Goes on at `target`, and leaves in `link` the number of the next instruction.
+    /// Jump to `target`, with the number of the next instruction left in `link`.
     Call { target: Target, link: Slot },
-    /// The same, of a function that gives the same for the same arguments; the number is that of a
-    /// [`PureCall`].
+    /// Call of a function that gives the same result for the same arguments; the number is that of
+    /// a [`PureCall`].
     CallPure { target: Target, link: Slot, call: u32 },
-    /// Goes on at the instruction whose number is in `link`.
+    /// Jump to the instruction whose number is in `link`.
     Return { link: Slot },
 }
 
 impl Instruction {
-    /// What it counts for in [`super::Options::step_limit`].
+    /// Cost of the instruction, counted in [`super::Options::step_limit`].
     #[inline(always)]
     pub(super) fn cost(self) -> u64 {
         match self {
@@ -85,29 +86,28 @@ impl Instruction {
     }
 }
 
-/// A call of a function whose result depends on its arguments, constants and buffers alone, and
-/// that does much: lanes that all give it the same arguments can share one run, and later runs its
-/// result.
+/// Call of a function whose result depends on its arguments, constants and buffers alone, and whose
+/// run is long: lanes with the same arguments can share one run, and later runs its result.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct PureCall {
-    /// All slots of its arguments.
+    /// All slots of the arguments.
     pub(super) arguments: Vec<Slot>,
-    /// The first slot of its result, and how many there are.
+    /// First slot of the result, and number of its slots.
     pub(super) result: Slot,
     pub(super) result_slots: u32,
 }
 
-/// Where the values of a selector lead.
+/// Jump table of a switch: the targets of the values of a selector.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Switch {
-    /// Sorted by value once the program is complete.
+    /// Values and their targets, sorted by value once the program is complete.
     pub(super) cases: Vec<(u32, Target)>,
-    /// Where the rest lead.
+    /// Target of all other values.
     pub(super) default: Target,
 }
 
 impl Switch {
-    /// Where a value leads.
+    /// Target of a value.
     pub(super) fn target(&self, selector: u32) -> Target {
         let found = self.cases.binary_search_by_key(&selector, |case| case.0);
         found.map_or(self.default, |index| self.cases[index].1)
@@ -172,7 +172,7 @@ pub(super) enum Compare {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum IntUnary {
-    /// The absolute value of what is unsigned.
+    /// Absolute value of an unsigned integer.
     Identity,
     Negate,
     Abs,
@@ -217,19 +217,19 @@ pub(super) enum IntBinary {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Conversion {
-    /// Truncates and saturates; NaN gives 0.
+    /// Truncation with saturation; NaN gives 0.
     FloatToI32,
-    /// Truncates and saturates; NaN gives 0.
+    /// Truncation with saturation; NaN gives 0.
     FloatToU32,
-    /// Whether it is not 0.
+    /// True for a number that is not 0.
     FloatToBool,
-    /// Whether it is not 0.
+    /// True for a number that is not 0.
     IntToBool,
     I32ToFloat,
     U32ToFloat,
-    /// The bits of the nearest f32.
+    /// Bits of the nearest f32.
     FloatToBits,
-    /// The f32 of these bits.
+    /// The f32 with these bits.
     BitsToFloat,
     FrexpExponent,
     IsNan,
@@ -244,19 +244,19 @@ pub(super) enum Conversion {
     FromSnorm16,
     FromUnorm16,
     FromHalf,
-    /// What an f16 holds of a float, in f32 mode.
+    /// Float rounded to f16, in f32 mode.
     HalfInSingle,
 }
 
-/// A difference within a 2x2 quad, whose lanes are (0, 0), (1, 0), (0, 1), (1, 1); y points down.
+/// Difference within a 2x2 quad, whose lanes are (0, 0), (1, 0), (0, 1), (1, 1); y points down.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Derivative {
-    /// Along the lane's own row.
+    /// Difference along the lane's own row.
     FineX,
-    /// Along the lane's own column.
+    /// Difference along the lane's own column.
     FineY,
-    /// Along the first row.
+    /// Difference along the first row.
     CoarseX,
-    /// Along the first column.
+    /// Difference along the first column.
     CoarseY,
 }

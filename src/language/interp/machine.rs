@@ -1,4 +1,4 @@
-//! Runs programs, one call at a time.
+//! Machine that runs programs, one call at a time.
 
 use super::instruction::{Instruction, Target};
 use super::math::{Double, Rounding, Single};
@@ -17,7 +17,7 @@ pub struct Machine<'p> {
     held: &'p [Held],
 }
 
-/// A program ran for longer than allowed.
+/// Error of a program that ran for longer than allowed.
 pub(super) struct Endless;
 
 impl Endless {
@@ -38,7 +38,7 @@ impl<'p> Machine<'p> {
         Self { program, precision, memory: Memory::new(program, precision, &world), held }
     }
 
-    /// Runs the program once. Nothing of an earlier call is left to see.
+    /// Runs the program once. No state of an earlier call remains.
     ///
     /// # Errors
     /// As [`Program::call`].
@@ -61,7 +61,7 @@ impl<'p> Machine<'p> {
     }
 }
 
-/// Puts the arguments of one lane where the program expects them.
+/// Writes the arguments of one lane to the slots where the program expects them.
 pub(super) fn write_arguments<const W: usize>(
     function: &str,
     parameters: &[Parameter],
@@ -99,8 +99,8 @@ fn wrong_shape(function: &str, parameter: &Parameter, value: &Value) -> Diagnost
     Diagnostic::error("interp-argument", message)
 }
 
-/// Runs the function at `entry` until it returns, its link being 0, and takes what it did from
-/// `steps`.
+/// Runs the function at `entry`, whose link is 0, until it returns, and subtracts the cost of its
+/// instructions from `steps`.
 pub(super) fn run<R: Rounding>(
     program: &Program,
     memory: &Memory<1>,
@@ -130,7 +130,7 @@ pub(super) fn run<R: Rounding>(
                 counter = target as usize;
             }
             Instruction::Return { link } => counter = memory.bits(link, 0) as usize,
-            // The only lane has nobody to help.
+            // The only lane has no neighbors to help.
             Instruction::Kill => {}
             _ => step::<R, 1>(instruction, memory, Mask { lanes: ALL, is_full: true }, world),
         }

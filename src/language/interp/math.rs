@@ -1,8 +1,8 @@
-//! The operations on scalars.
+//! Operations on scalars.
 //!
-//! Each function here takes an operation and what it is to be done to: one pair of operands or
-//! whole rows of them. The choice of the operation thus stands outside the loop over the lanes, and
-//! its meaning is written once for any number of them.
+//! Each function here takes an operation and its operands: one pair of them or whole rows. The
+//! choice of the operation thus stands outside the loop over the lanes, and its meaning is written
+//! once for any number of them.
 
 use half::f16;
 
@@ -20,19 +20,19 @@ pub(super) trait Binary<T, U> {
     fn with(self, f: impl Fn(T, T) -> U);
 }
 
-/// How floats are rounded, as a type, so that the machine is compiled once for each.
+/// Rounding of floats, as a type, so that the machine is compiled once for each.
 pub(super) trait Rounding {
-    /// The greatest i32 and u32 that the floats of this precision can hold.
+    /// Greatest i32 and u32 that the floats of this precision can hold.
     const GREATEST_INTEGERS: (f64, f64);
-    /// The nearest float of this precision.
+    /// Nearest float of this precision.
     fn round(x: f64) -> f64;
-    /// What an f16 holds of `x`: in f32 mode the nearest f16, in f64 mode all of it.
+    /// `x` rounded to f16 in f32 mode, and unchanged in f64 mode.
     fn half(x: f64) -> f64;
     /// `a * b + c`, rounded once.
     fn fma(a: f64, b: f64, c: f64) -> f64;
 }
 
-/// Floats are f64.
+/// Rounding to f64: floats are f64.
 pub(super) struct Double;
 
 impl Rounding for Double {
@@ -52,7 +52,7 @@ impl Rounding for Double {
     }
 }
 
-/// Floats are f32, held as f64.
+/// Rounding to f32: floats are f32, held as f64.
 pub(super) struct Single;
 
 impl Rounding for Single {
@@ -72,7 +72,7 @@ impl Rounding for Single {
     }
 }
 
-/// Of one float; not yet rounded.
+/// Operations on one float; not yet rounded.
 #[inline(always)]
 pub(super) fn float_unary(op: FloatUnary, each: impl Unary<f64, f64>) {
     match op {
@@ -119,7 +119,7 @@ fn sign(x: f64) -> f64 {
     }
 }
 
-/// Of two floats; not yet rounded.
+/// Operations on two floats; not yet rounded.
 #[inline(always)]
 pub(super) fn float_binary(op: FloatBinary, each: impl Binary<f64, f64>) {
     match op {
@@ -128,7 +128,7 @@ pub(super) fn float_binary(op: FloatBinary, each: impl Binary<f64, f64>) {
         FloatBinary::Multiply => each.with(|a, b| a * b),
         FloatBinary::Divide => each.with(|a, b| a / b),
         FloatBinary::Remainder => each.with(|a, b| a % b),
-        // Of a number and NaN, the number.
+        // The minimum or maximum of a number and NaN is the number.
         FloatBinary::Min => each.with(|a, b| if b < a || a.is_nan() { b } else { a }),
         FloatBinary::Max => each.with(|a, b| if a < b || a.is_nan() { b } else { a }),
         FloatBinary::Step => each.with(|a, b| f64::from(u8::from(a <= b))),
@@ -142,7 +142,7 @@ fn pow(x: f64, y: f64) -> f64 {
     if x > 0.0 && x.is_finite() && y.is_finite() { x.powf(y) } else { (y * x.log2()).exp2() }
 }
 
-/// Of two floats.
+/// Comparisons of two floats.
 #[inline(always)]
 pub(super) fn float_compare(op: Compare, each: impl Binary<f64, bool>) {
     match op {
@@ -153,8 +153,8 @@ pub(super) fn float_compare(op: Compare, each: impl Binary<f64, bool>) {
     }
 }
 
-/// A fraction with magnitude in [0.5, 1), and the exponent of the power of two that it is to be
-/// multiplied by. Zeros, infinities and NaN are their own fraction, with exponent 0.
+/// Fraction with magnitude in [0.5, 1), and the exponent of the power of two to multiply it by.
+/// Zeros, infinities and NaN are their own fraction, with exponent 0.
 pub(super) fn frexp(x: f64) -> (f64, i32) {
     const MIDDLE: u64 = 1022;
     if x == 0.0 || !x.is_finite() {
@@ -168,14 +168,13 @@ pub(super) fn frexp(x: f64) -> (f64, i32) {
 
 /// `x * 2^exponent`, rounded once.
 pub(super) fn ldexp(mut x: f64, exponent: i32) -> f64 {
-    // Beyond these, every finite number has become infinite or zero.
+    // Beyond these exponents, every finite number has become infinite or zero.
     let mut rest = exponent.clamp(-2200, 2200);
     while rest > 1000 {
         x *= 1000_f64.exp2();
         rest -= 1000;
     }
-    // Steps down stay clear of subnormals (53 bits of 1022), lest one step round what another
-    // rounds again.
+    // Steps down stay clear of subnormals (53 bits of 1022), so that no number is rounded twice.
     while rest < -969 {
         x *= (-969_f64).exp2();
         rest += 969;
@@ -183,7 +182,7 @@ pub(super) fn ldexp(mut x: f64, exponent: i32) -> f64 {
     x * f64::from(rest).exp2()
 }
 
-/// Of one integer.
+/// Operations on one integer.
 #[inline(always)]
 pub(super) fn int_unary(op: IntUnary, each: impl Unary<u32, u32>) {
     match op {
@@ -200,7 +199,7 @@ pub(super) fn int_unary(op: IntUnary, each: impl Unary<u32, u32>) {
         IntUnary::FirstTrailingBit => {
             each.with(|x| if x == 0 { u32::MAX } else { x.trailing_zeros() });
         }
-        // The topmost bit that differs from the sign; none gives 31 - 32, all ones.
+        // Index of the topmost bit that differs from the sign; without any, 31 - 32, all ones.
         IntUnary::FirstLeadingBitSigned => each.with(|x| {
             let signed = x.cast_signed();
             31_u32.wrapping_sub(((signed >> 31) ^ signed).leading_zeros())
@@ -209,7 +208,7 @@ pub(super) fn int_unary(op: IntUnary, each: impl Unary<u32, u32>) {
     }
 }
 
-/// Of two integers or bools.
+/// Operations on two integers or bools.
 #[inline(always)]
 pub(super) fn int_binary(op: IntBinary, each: impl Binary<u32, u32>) {
     let signed = u32::cast_signed;
@@ -244,13 +243,13 @@ pub(super) fn int_binary(op: IntBinary, each: impl Binary<u32, u32>) {
     }
 }
 
-/// The part of bits `offset..offset + count` that lies within 32 bits, as offset and count.
+/// Part of bits `offset..offset + count` that lies within 32 bits, as offset and count.
 fn bit_range(offset: u32, count: u32) -> (u32, u32) {
     let offset = offset.min(32);
     (offset, count.min(32 - offset))
 }
 
-/// Those bits of `x`, moved to the bottom.
+/// Bits `offset..offset + count` of `x`, moved to the bottom.
 pub(super) fn extract_bits(x: u32, offset: u32, count: u32, signed: bool) -> u32 {
     let (offset, count) = bit_range(offset, count);
     if count == 0 {
@@ -260,7 +259,7 @@ pub(super) fn extract_bits(x: u32, offset: u32, count: u32, signed: bool) -> u32
     if signed { (top.cast_signed() >> (64 - count)) as u32 } else { (top >> (64 - count)) as u32 }
 }
 
-/// `x` with those bits replaced by the lowest of `new`.
+/// `x` with bits `offset..offset + count` replaced by the lowest of `new`.
 pub(super) fn insert_bits(x: u32, new: u32, offset: u32, count: u32) -> u32 {
     let (offset, count) = bit_range(offset, count);
     let mask = ((1_u64 << count) - 1) << offset;
@@ -268,7 +267,7 @@ pub(super) fn insert_bits(x: u32, new: u32, offset: u32, count: u32) -> u32 {
     (u64::from(x) & !mask | new & mask) as u32
 }
 
-/// From the bits of a slot to those of another.
+/// Conversions from the bits of one slot to those of another.
 #[inline(always)]
 pub(super) fn convert<R: Rounding>(op: Conversion, each: impl Unary<u64, u64>) {
     let float = f64::from_bits;

@@ -1,6 +1,6 @@
 //! Memory: a list of slots, each of which is a row of `W` lanes: 1 for one call, [`super::LANES`]
 //! for lockstep. Rows are cells, because the operands of one instruction may be the same row, and
-//! because that leaves plain loops which the compiler turns into vector code.
+//! because cells leave plain loops which the compiler turns into vector code.
 
 use std::cell::Cell;
 
@@ -8,20 +8,20 @@ use super::instruction::Slot;
 use super::resources::World;
 use super::{Precision, Program};
 
-/// A mask with all lanes.
+/// Bits of a mask with all lanes.
 pub(super) const ALL: u64 = u64::MAX;
 
-/// The lanes of one slot.
+/// Lanes of one slot.
 pub(super) type Row<const W: usize> = [Cell<u64>; W];
 
-/// Slots, read and written as what the instructions say they are.
+/// Memory of slots, whose types the instructions know.
 #[derive(Clone, Debug)]
 pub(super) struct Memory<const W: usize> {
     rows: Vec<Row<W>>,
 }
 
 impl<const W: usize> Memory<W> {
-    /// What a program's memory holds before it runs, the same in all lanes.
+    /// Memory of a program before it runs, the same in all lanes.
     pub(super) fn new(program: &Program, precision: Precision, world: &World) -> Self {
         let row = |bits: u64| std::array::from_fn(|_| Cell::new(bits));
         let mut rows: Vec<Row<W>> = program.image.iter().map(|&bits| row(bits)).collect();
@@ -36,7 +36,7 @@ impl<const W: usize> Memory<W> {
         Self { rows }
     }
 
-    /// None at all.
+    /// Memory without slots.
     pub(super) fn empty() -> Self {
         Self { rows: Vec::new() }
     }
@@ -46,7 +46,7 @@ impl<const W: usize> Memory<W> {
         &self.rows[slot as usize]
     }
 
-    /// The bits of one lane.
+    /// Bits of one lane.
     #[inline(always)]
     pub(super) fn bits(&self, slot: Slot, lane: usize) -> u64 {
         self.rows[slot as usize][lane].get()
@@ -67,7 +67,7 @@ impl<const W: usize> Memory<W> {
         self.rows[slot as usize][lane].set(bits);
     }
 
-    /// The lanes of `mask` in which the slot is not 0.
+    /// Lanes of `mask` in which the slot is not 0.
     #[inline(always)]
     pub(super) fn truths(&self, slot: Slot, mask: u64) -> u64 {
         let row = self.row(slot);
@@ -85,16 +85,16 @@ impl<const W: usize> Memory<W> {
         }
     }
 
-    /// What the slot holds in all lanes, if that is the same.
+    /// Bits of the slot, if they are the same in all lanes.
     pub(super) fn same_in_all(&self, slot: Slot) -> Option<u64> {
         let row = self.row(slot);
         let first = row[0].get();
-        // No early exit, so that it is one sweep of vector code.
+        // The loop has no early exit, so that it is one sweep of vector code.
         let differing = row.iter().fold(0, |differing, bits| differing | (bits.get() ^ first));
         (differing == 0).then_some(first)
     }
 
-    /// Whether the slot holds the same in these lanes.
+    /// True if the slot holds the same bits in these lanes.
     pub(super) fn is_same_in(&self, slot: Slot, lanes: u64) -> bool {
         let row = self.row(slot);
         let first = row[lanes.trailing_zeros() as usize].get();
@@ -120,7 +120,7 @@ impl<const W: usize> Memory<W> {
         }
     }
 
-    /// Copies slots that are neighbours.
+    /// Copies neighboring slots.
     pub(super) fn copy_run(&self, to: Slot, from: Slot, count: u32, mask: Mask) {
         if W == 1 {
             let rows = |first: Slot| &self.rows[first as usize..][..count as usize];
@@ -130,7 +130,7 @@ impl<const W: usize> Memory<W> {
         }
     }
 
-    /// Clears slots that are neighbours.
+    /// Clears neighboring slots.
     pub(super) fn clear(&self, to: Slot, count: u32, mask: Mask) {
         for row in &self.rows[to as usize..][..count as usize] {
             for (lane, to) in row.iter().enumerate() {
@@ -141,18 +141,19 @@ impl<const W: usize> Memory<W> {
         }
     }
 
-    /// The slot that lies `offset` beyond what `pointer` holds.
+    /// Slot that lies `offset` beyond the one whose number `pointer` holds.
     #[inline(always)]
     pub(super) fn target(&self, pointer: Slot, offset: u32, lane: usize) -> Slot {
         self.bits(pointer, lane) as u32 + offset
     }
 }
 
-/// Which lanes an instruction is for. All others may only be changed where nobody looks.
+/// Lanes that an instruction applies to. All other lanes may only be changed where their contents
+/// are not needed.
 #[derive(Clone, Copy)]
 pub(super) struct Mask {
     pub(super) lanes: u64,
-    /// No other lane holds anything that is still needed.
+    /// True if no other lane holds anything that is still needed.
     pub(super) is_full: bool,
 }
 
@@ -162,7 +163,7 @@ impl Mask {
         self.is_full || self.lanes >> lane & 1 != 0
     }
 
-    /// The lanes in it, of the first `width`.
+    /// Lanes in the mask, of the first `width`.
     #[inline(always)]
     pub(super) fn lanes(self, width: usize) -> impl Iterator<Item = usize> {
         (0..width).filter(move |lane| self.lanes >> lane & 1 != 0)

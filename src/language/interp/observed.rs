@@ -1,40 +1,40 @@
-//! Values that a program names (`let`), readable after a run: every one keeps its slots, because
-//! none are shared.
+//! Observed values: values that a program names (`let`), readable after a run. Each keeps its
+//! slots, because none are shared.
 
 use std::ops::Range;
 
 use super::instruction::Slot;
 use super::{Lanes, Program, ScalarKind, Shape};
 
-/// A named value of some function of a program.
+/// Named value of a function of a program.
 ///
 /// A function that is called several times keeps the values of its last call.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Observed {
-    /// What the source calls it.
+    /// Name in the source.
     pub name: String,
-    /// The function that it stands in.
+    /// Name of the function that holds the value.
     pub function: String,
-    /// The expression that it names, in bytes of the source.
+    /// Expression that the value names, in bytes of the source.
     pub span: Range<usize>,
-    /// Its scalars, in order.
+    /// Slots and kinds of the value's scalars, in order.
     pub(super) slots: Vec<(Slot, ScalarKind)>,
 }
 
 impl Observed {
-    /// How many scalars it has.
+    /// Number of scalars of the value.
     pub fn len(&self) -> usize {
         self.slots.len()
     }
 
-    /// Whether it has none.
+    /// True for a value without scalars.
     pub fn is_empty(&self) -> bool {
         self.slots.is_empty()
     }
 }
 
 impl Program {
-    /// Every named value; none unless it was compiled with
+    /// All named values; none unless the program was compiled with
     /// [`Options::observe`](super::Options::observe).
     pub fn observed(&self) -> &[Observed] {
         &self.observed
@@ -42,7 +42,7 @@ impl Program {
 }
 
 impl Lanes<'_> {
-    /// What a named value was in one lane of the last run; bools are 0 or 1.
+    /// Scalars of a named value in one lane of the last run; bools are 0 or 1.
     ///
     /// # Panics
     /// There is no such lane.
@@ -55,7 +55,7 @@ impl Lanes<'_> {
     }
 }
 
-/// The kinds of all scalars of a shape, in order.
+/// Appends the kinds of all scalars of a shape, in order.
 pub(super) fn kinds(shape: &Shape, kinds_so_far: &mut Vec<ScalarKind>) {
     match shape {
         Shape::Scalar(kind) => kinds_so_far.push(*kind),

@@ -1,26 +1,26 @@
-//! What goes into and comes out of a stage, one vector at a time.
+//! Ports: inputs and outputs of a stage, one vector at a time.
 
 use super::ScalarKind;
 use super::instruction::Slot;
 
-/// A scalar or vector that [`Lanes`](super::Lanes) are given or give: an argument or result, or a
-/// member of one.
+/// Scalar or vector that [`Lanes`](super::Lanes) take or give: an argument or result, or a member
+/// of one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Port {
-    /// Its name: `in.position`, `color`. An unnamed result is empty.
+    /// Name of the port: `in.position`, `color`. An unnamed result is empty.
     pub name: String,
-    /// What its attribute says: a builtin, or a location with its interpolation.
+    /// Binding given by the attribute: a builtin, or a location with its interpolation.
     pub binding: Option<naga::Binding>,
-    /// The kind of its scalars.
+    /// Kind of the scalars.
     pub kind: ScalarKind,
-    /// The number of its scalars, 1 to 4.
+    /// Number of scalars, 1 to 4.
     pub size: usize,
-    /// The first of its slots.
+    /// First slot of the port.
     pub(super) slot: Slot,
 }
 
 impl Port {
-    /// Its location, if it has one.
+    /// Location of the port, if it has one.
     pub fn location(&self) -> Option<u32> {
         if let Some(naga::Binding::Location { location, .. }) = self.binding {
             Some(location)
@@ -29,7 +29,7 @@ impl Port {
         }
     }
 
-    /// Its builtin, if it is one.
+    /// Builtin of the port, if it is one.
     pub fn builtin(&self) -> Option<naga::BuiltIn> {
         if let Some(naga::Binding::BuiltIn(builtin)) = self.binding { Some(builtin) } else { None }
     }

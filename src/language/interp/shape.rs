@@ -1,10 +1,10 @@
-//! The types of arguments and results, and how their values lie in slots.
+//! Shapes: types of arguments and results, and the layout of their values in slots.
 
 use std::fmt;
 
 use super::{Precision, Scalar, Value};
 
-/// The type of a scalar.
+/// Type of a scalar.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ScalarKind {
     /// `bool`
@@ -18,7 +18,7 @@ pub enum ScalarKind {
 }
 
 impl ScalarKind {
-    /// Its WGSL name.
+    /// WGSL name of the type.
     pub fn name(self) -> &'static str {
         match self {
             Self::Bool => "bool",
@@ -38,35 +38,35 @@ impl ScalarKind {
     }
 }
 
-/// A type that can be constructed: what a value of it is made of.
+/// Shape of a constructible type: the parts that a value of it is made of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One scalar.
     Scalar(ScalarKind),
     /// Two to four scalars.
     Vector {
-        /// Of which kind.
+        /// Kind of the scalars.
         kind: ScalarKind,
-        /// 2 to 4.
+        /// Number of scalars, 2 to 4.
         size: usize,
     },
     /// A matrix of floats.
     Matrix {
-        /// 2 to 4.
+        /// Number of columns, 2 to 4.
         columns: usize,
-        /// 2 to 4.
+        /// Number of rows, 2 to 4.
         rows: usize,
     },
     /// An array of a fixed number of elements.
     Array {
-        /// Of what.
+        /// Shape of an element.
         element: Box<Shape>,
-        /// How many.
+        /// Number of elements.
         count: usize,
     },
     /// A struct.
     Struct {
-        /// Its name in the source, or empty.
+        /// Name in the source, or empty.
         name: String,
         /// Name and shape of each member.
         members: Vec<(String, Shape)>,
@@ -74,7 +74,7 @@ pub enum Shape {
 }
 
 impl fmt::Display for Shape {
-    /// As WGSL writes the type.
+    /// Writes the type as in WGSL.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scalar(kind) => f.write_str(kind.name()),
@@ -87,7 +87,7 @@ impl fmt::Display for Shape {
 }
 
 impl Shape {
-    /// How many scalars it has.
+    /// Number of scalars of a value.
     pub(super) fn slots(&self) -> u64 {
         match self {
             Self::Scalar(_) => 1,
@@ -98,7 +98,7 @@ impl Shape {
         }
     }
 
-    /// Writes the scalars of `value` to `slots`, and gives what is left of them; `None` if the
+    /// Writes the scalars of `value` to `slots`, and returns the rest of the slots; `None` if the
     /// value has another shape. Recursion is as deep as the type, which the compiler bounds.
     pub(super) fn write<'s>(
         &self,
@@ -141,7 +141,7 @@ impl Shape {
         }
     }
 
-    /// The value whose scalars are taken from `slots` in turn. There must be enough of them.
+    /// Value whose scalars are taken from `slots` in turn. There must be enough of them.
     pub(super) fn read(&self, slots: &mut impl Iterator<Item = u64>) -> Value {
         match self {
             Self::Scalar(kind) => kind.read(slots.next().unwrap_or(0)).into(),
@@ -163,7 +163,7 @@ impl Shape {
 }
 
 impl ScalarKind {
-    /// The bits of a number of this kind: integers are truncated, and what is not 0 is true.
+    /// Bits of a number of this kind: integers are truncated, and any number but 0 is true.
     pub(super) fn bits_of(self, x: f64, precision: Precision) -> u64 {
         match self {
             Self::Bool => u64::from(x != 0.0),
@@ -195,7 +195,7 @@ fn write_scalars<'s>(
     Some(rest)
 }
 
-/// The slot of a float that enters a program.
+/// Bits of a float that enters a program.
 fn float_bits(x: f64, precision: Precision) -> u64 {
     match precision {
         Precision::F64 => x.to_bits(),

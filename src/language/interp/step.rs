@@ -1,4 +1,4 @@
-//! What one instruction does to memory, in any number of lanes.
+//! Effect of one instruction on memory, in any number of lanes.
 
 use super::image;
 use super::instruction::{Derivative, Instruction};
@@ -6,7 +6,7 @@ use super::math::{self, Binary, Rounding, Unary};
 use super::memory::{Mask, Memory, Row};
 use super::resources::World;
 
-/// Rows with the meaning of their bits.
+/// Rows of the result and one operand.
 struct Lanes1<'m, const W: usize> {
     to: &'m Row<W>,
     a: &'m Row<W>,
@@ -18,7 +18,7 @@ struct Lanes2<'m, const W: usize> {
     b: &'m Row<W>,
 }
 
-/// Floats, rounded when stored.
+/// Rows of floats, rounded when stored.
 struct Floats<R, T>(T, std::marker::PhantomData<R>);
 
 impl<R: Rounding, const W: usize> Unary<f64, f64> for Floats<R, Lanes1<'_, W>> {
@@ -83,9 +83,9 @@ impl<const W: usize> Unary<u64, u64> for Lanes1<'_, W> {
     }
 }
 
-/// Executes an instruction that goes on at the next.
+/// Executes an instruction that continues at the next.
 ///
-/// Slots that hold what an instruction computed are read only by lanes that executed it, so those
+/// Slots that hold the result of an instruction are read only by lanes that executed it, so those
 /// are written in all lanes. Locals, arguments, results and links keep their values while other
 /// lanes run; `Copy` and its like write them, and obey the mask.
 // The callers are the loops, and a second dispatch would cost as much as most instructions.
@@ -155,7 +155,7 @@ pub(super) fn step<R: Rounding, const W: usize>(
     }
 }
 
-/// Executes what is not worth a place in the loop.
+/// Executes rare instructions, which are not worth a place in the loop.
 #[inline(never)]
 fn rare<R: Rounding, const W: usize>(
     instruction: Instruction,
@@ -200,7 +200,8 @@ fn rare<R: Rounding, const W: usize>(
             }
         }
         Instruction::Image { operation } => image::execute::<R, W>(operation, memory, mask, world),
-        // The loops handle what moves the counter or ends lanes; `step` all the rest.
+        // The loops handle instructions that move the counter or end lanes; `step` handles all
+        // others.
         _ => debug_assert!(false, "{instruction:?} is no step"),
     }
 }

@@ -1,10 +1,10 @@
-//! Values that go into and come out of a program.
+//! Values: arguments and results of a program.
 
 use std::fmt;
 
 use super::shape::ScalarKind;
 
-/// One number or truth value.
+/// Number or truth value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scalar {
     /// `bool`
@@ -18,7 +18,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// Its type.
+    /// Type of the scalar.
     pub fn kind(self) -> ScalarKind {
         match self {
             Self::Bool(_) => ScalarKind::Bool,
@@ -28,7 +28,7 @@ impl Scalar {
         }
     }
 
-    /// Its numeric value, true being 1.
+    /// Numeric value of the scalar, true being 1.
     pub fn as_f64(self) -> f64 {
         match self {
             Self::Bool(x) => f64::from(u8::from(x)),
@@ -50,8 +50,7 @@ impl fmt::Display for Scalar {
     }
 }
 
-/// A value of a WGSL type that can be constructed. Equality is that of IEEE 754: NaN equals
-/// nothing.
+/// Value of a constructible WGSL type. Equality is that of IEEE 754: NaN equals nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// `bool`
@@ -62,18 +61,18 @@ pub enum Value {
     U32(u32),
     /// `f32`, held as f64.
     Float(f64),
-    /// Two to four components of one kind.
+    /// Vector of two to four components of one kind.
     Vector(Vec<Scalar>),
-    /// A matrix of floats.
+    /// Matrix of floats.
     Matrix {
-        /// Its number of columns, 2 to 4.
+        /// Number of columns, 2 to 4.
         columns: usize,
-        /// `columns` times the number of rows, column after column.
+        /// Components, column after column: `columns` times the number of rows.
         components: Vec<f64>,
     },
-    /// Elements of one type.
+    /// Array of elements of one type.
     Array(Vec<Value>),
-    /// Members in order of declaration.
+    /// Struct of members, in order of declaration.
     Struct(Vec<Value>),
 }
 
@@ -103,12 +102,12 @@ impl Value {
         Self::Matrix { columns: columns.len(), components: columns.as_flattened().to_vec() }
     }
 
-    /// The number of a float, an integer or a bool (1 if true).
+    /// Number of a float, an integer or a bool (1 if true).
     pub fn as_f64(&self) -> Option<f64> {
         self.as_scalar().map(Scalar::as_f64)
     }
 
-    /// The scalar, if it is one.
+    /// Scalar of a scalar value.
     pub fn as_scalar(&self) -> Option<Scalar> {
         match *self {
             Self::Bool(x) => Some(Scalar::Bool(x)),
@@ -119,7 +118,7 @@ impl Value {
         }
     }
 
-    /// The numbers of a scalar, a vector or a matrix (column after column); none for an array or a
+    /// Numbers of a scalar, a vector or a matrix (column after column); `None` for an array or a
     /// struct.
     pub fn components(&self) -> Option<Vec<f64>> {
         match self {
@@ -130,7 +129,7 @@ impl Value {
         }
     }
 
-    /// The components of a vector of exactly `N` floats.
+    /// Components of a vector of exactly `N` floats.
     pub fn as_vec<const N: usize>(&self) -> Option<[f64; N]> {
         let Self::Vector(scalars) = self else { return None };
         let floats: Option<Vec<f64>> = scalars
@@ -140,7 +139,7 @@ impl Value {
         floats?.try_into().ok()
     }
 
-    /// The elements of an array or the members of a struct.
+    /// Elements of an array or members of a struct.
     pub fn parts(&self) -> Option<&[Self]> {
         match self {
             Self::Array(parts) | Self::Struct(parts) => Some(parts),
@@ -148,7 +147,7 @@ impl Value {
         }
     }
 
-    /// Its type, as far as the value alone tells, in WGSL's words.
+    /// Type of the value, as far as the value alone tells, in WGSL's words.
     pub(super) fn describe(&self) -> String {
         match self {
             Self::Vector(scalars) => {
@@ -208,7 +207,7 @@ impl<const N: usize> From<[f64; N]> for Value {
 }
 
 impl fmt::Display for Value {
-    /// As it would be written in WGSL, but without type names: `1.5`, `(1, 2)`, `[(1, 2), (3, 4)]`,
+    /// Writes the value as in WGSL, but without type names: `1.5`, `(1, 2)`, `[(1, 2), (3, 4)]`,
     /// `{1, true}`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fn list<T: fmt::Display>(

@@ -10,22 +10,23 @@ use std::ops::Range;
 use super::scan::{Token, TokenKind, tokenize};
 use super::validate::WgslError;
 
-/// The longest code of a node, in bytes; the longest shipped node has a twentieth of this.
+/// Greatest length of a node's code, in bytes; the longest shipped node has a twentieth of this.
 pub const MAX_CODE_BYTES: usize = 128 * 1024;
-/// The most functions, structs, constants and variables of a node's code.
+/// Greatest number of functions, structs, constants and variables of a node's code.
 pub const MAX_DECLARATIONS: usize = 500;
-/// The most statements of one function. 2,000 take naga 0.03 s, 4,000 0.2 s and 40,000 minutes.
+/// Greatest number of statements of one function. 2,000 take naga 0.03 s, 4,000 0.2 s and 40,000
+/// minutes.
 pub const MAX_STATEMENTS: usize = 2_000;
-/// The most operators, brackets and members within one expression.
+/// Greatest number of operators, brackets and members within one expression.
 ///
-/// naga needs 2 MiB of stack, the least that any thread of ours has, for a sum of somewhat more
+/// naga needs 2 MiB of stack, the least that any thread of Chiaro has, for a sum of somewhat more
 /// than 4,000 terms, and the same for as many minus signs (measured on x86-64, optimized).
 pub const MAX_OPERATORS: usize = 1_000;
-/// The most `else` and `case` of one function. naga needs 2 MiB of stack for a chain of 1,000 to
-/// 2,000 `else if`.
+/// Greatest number of `else` and `case` of one function. naga needs 2 MiB of stack for a chain of
+/// 1,000 to 2,000 `else if`.
 pub const MAX_BRANCHES: usize = 256;
 
-/// Everything about `source` that is beyond a bound, with its place.
+/// Errors of every bound that `source` exceeds, with their places.
 pub fn beyond_bounds(source: &str) -> Vec<WgslError> {
     if source.len() > MAX_CODE_BYTES {
         let message = format!(
@@ -51,15 +52,15 @@ pub fn beyond_bounds(source: &str) -> Vec<WgslError> {
     counter.beyond
 }
 
-/// What stands between two brackets.
+/// Counts within a pair of brackets.
 #[derive(Clone, Copy, Debug, Default)]
 struct Level {
-    /// Operators since the last comma.
+    /// Number of operators since the last comma.
     operators: usize,
-    /// The most operators between two commas.
+    /// Greatest number of operators between two commas.
     most: usize,
-    /// `<` that no `>` has closed since the last comma: the comma may part the arguments of a type,
-    /// not expressions.
+    /// Number of `<` that no `>` has closed since the last comma: the comma may part the arguments
+    /// of a type, not expressions.
     angles: usize,
     is_block: bool,
 }
@@ -71,9 +72,9 @@ struct Counter<'a> {
     declarations: usize,
     statements: usize,
     branches: usize,
-    /// Whether the expression under way was told of.
+    /// True if the current expression was reported.
     is_told: bool,
-    /// Whether the tokens are those of a `case`, up to its `{` or `:`.
+    /// True within a `case`, up to its `{` or `:`.
     is_case: bool,
     beyond: Vec<WgslError>,
 }
@@ -121,7 +122,7 @@ impl Counter<'_> {
         }
     }
 
-    /// Whether `before` is the same sign, right before this one.
+    /// True if `before` is the same sign, right before this one.
     fn follows(&self, before: &Token, token: &Token, text: &str) -> bool {
         before.span.end == token.span.start && &self.source[before.span.clone()] == text
     }
@@ -143,7 +144,7 @@ impl Counter<'_> {
         &mut self.levels[last]
     }
 
-    /// Counts an operator, and tells of the first one that is too many in its expression.
+    /// Counts an operator, and reports the first one that is too many in its expression.
     fn operator(&mut self, span: &Range<usize>) {
         self.deepen(1, span);
     }
@@ -172,7 +173,8 @@ impl Counter<'_> {
         }
     }
 
-    /// What stands in brackets lies as deep as its longest part in the expression around them.
+    /// Closes a bracket: its content adds the depth of its longest part to the expression around
+    /// it.
     fn close(&mut self, span: &Range<usize>) {
         if self.levels.len() < 2 || self.level().is_block {
             return;
@@ -182,7 +184,7 @@ impl Counter<'_> {
     }
 
     fn close_block(&mut self) {
-        // Brackets that nothing closed end with the block: naga tells of them.
+        // Brackets that nothing closed end with the block: naga reports them.
         while self.levels.len() > 1 && !self.level().is_block {
             self.levels.pop();
         }
@@ -198,7 +200,8 @@ impl Counter<'_> {
     fn end_expression(&mut self) {
         let level = self.level();
         *level = Level { is_block: level.is_block, ..Level::default() };
-        // What ends within brackets, as the parts of a `for` do, is a part of the same statement.
+        // An expression that ends within brackets, as the parts of a `for` do, is a part of the
+        // same statement.
         let is_statement = level.is_block || self.levels.len() == 1;
         self.is_told &= !is_statement;
     }
@@ -262,7 +265,7 @@ mod tests {
             // A comma of a type parts no expressions.
             vec!["array<f32, 2>(x, x)[0]"; deep / 3].join(" + "),
             format!("x > {}", vec!["array<f32, 2>(x, x)[0]"; deep / 3].join(" + ")),
-            // The longest argument counts, with all that stands around it.
+            // The longest argument counts, with everything around it.
             format!("({}) {}", vec!["x"; deep / 3].join("+"), "+ x".repeat(2 * deep / 3)),
         ];
         for expression in expressions {

@@ -1,9 +1,9 @@
-//! How deep the operations of a shader follow from one another, as a driver sees them: with all
-//! calls inlined.
+//! Depth of a shader: the longest chain of operations that follow from one another, as a driver
+//! sees them, with all calls inlined.
 //!
-//! Drivers ask of a value what its operands are, and of these in turn, by recursion: Mesa's range
-//! analysis takes up to 150 bytes of stack for each operation on the way. So a chain of nodes
-//! overflows the stack of whoever compiles it, however it was split into functions.
+//! Drivers visit the operands of a value, and theirs in turn, by recursion: Mesa's range analysis
+//! takes up to 150 bytes of stack for each operation on the way. So a long chain of nodes overflows
+//! the stack of a program that compiles it, however it was split into functions.
 
 use std::rc::Rc;
 
@@ -11,12 +11,13 @@ use naga::{BinaryOperator, Block, Expression, Function, Handle, MathFunction, Mo
 
 use super::operations::Operations;
 
-/// A shader with more operations, calls inlined, is not walked: its depth is told as their number.
+/// Number of operations, calls inlined, beyond which a shader is not walked: its depth is given as
+/// their number.
 const MAX_WALKED: u64 = 4_000_000;
-/// Functions that call one another as deep as this are not walked further.
+/// Depth of calls beyond which functions are not walked.
 const MAX_CALL_DEPTH: usize = 600;
 
-/// The most operations of any entry point that follow from one another. Loops count as one round.
+/// Length of the longest chain of operations of any entry point. Loops count as one round.
 pub fn depth_of_entry_points(module: &Module) -> u64 {
     let operations = Operations::of(module).of_entry_points(module);
     if operations > MAX_WALKED {
@@ -30,13 +31,13 @@ pub fn depth_of_entry_points(module: &Module) -> u64 {
     module.entry_points.iter().map(|entry| deepest(&entry.function)).max().unwrap_or_default()
 }
 
-/// The depth of a value.
+/// Depth of a value.
 #[derive(Clone, Debug)]
 enum Depth {
-    /// Of all of it.
+    /// Depth of the whole value.
     Whole(u64),
-    /// Of each member: what a part of a look gives are values that have nothing to do with one
-    /// another.
+    /// Depth of each member: the results of a part of a look are values that have nothing to do
+    /// with one another.
     Members(Rc<[u64]>),
 }
 
@@ -59,27 +60,28 @@ impl Depth {
 struct Walk<'a> {
     module: &'a Module,
     deepest: u64,
-    /// Calls under way.
+    /// Number of calls under way.
     calls: usize,
-    /// The most that was stored in a private variable.
+    /// Greatest depth that was stored in a private variable.
     private: u64,
 }
 
-/// A call under way.
+/// Call under way.
 struct Frame<'a> {
     function: &'a Function,
     arguments: &'a [Depth],
-    /// Of each expression, once it is known.
+    /// Depth of each expression, once it is known.
     values: Vec<Option<Depth>>,
-    /// Of each local variable.
+    /// Depth of each local variable.
     locals: Vec<u64>,
-    /// The most that was stored through a pointer that the caller gave.
+    /// Greatest depth that was stored through a pointer that the caller gave.
     handed_back: u64,
     result: Option<Depth>,
 }
 
 impl Walk<'_> {
-    /// The depth of a function's result, and the most that it stored through its caller's pointers.
+    /// Depth of a function's result, and the greatest depth that it stored through its caller's
+    /// pointers.
     fn function(&mut self, function: &Function, arguments: &[Depth]) -> (Depth, u64) {
         let mut frame = Frame {
             function,
@@ -93,7 +95,7 @@ impl Walk<'_> {
         (frame.result.unwrap_or(Depth::Whole(0)), frame.handed_back)
     }
 
-    /// Statements in their order. Blocks stand in one another at most 127 deep in WGSL.
+    /// Walks statements in their order. WGSL allows blocks within blocks at most 127 deep.
     fn block(&mut self, block: &Block, frame: &mut Frame<'_>) {
         for statement in block {
             match statement {
@@ -154,7 +156,8 @@ impl Walk<'_> {
         }
     }
 
-    /// Notes what is stored where a pointer leads; nothing, where an expression is no pointer.
+    /// Notes the depth of a value stored through a pointer; nothing, where an expression is no
+    /// pointer.
     fn store(&mut self, pointer: Handle<Expression>, depth: u64, frame: &mut Frame<'_>) {
         self.deepest = self.deepest.max(depth);
         match frame.function.expressions[base_of(frame.function, pointer)] {
@@ -209,7 +212,7 @@ impl From<Vec<u64>> for Depth {
     }
 }
 
-/// The variable or argument that a pointer leads into.
+/// Variable or argument that a pointer leads into.
 fn base_of(function: &Function, pointer: Handle<Expression>) -> Handle<Expression> {
     let mut at = pointer;
     while let Expression::Access { base, .. } | Expression::AccessIndex { base, .. } =
@@ -220,7 +223,7 @@ fn base_of(function: &Function, pointer: Handle<Expression>) -> Handle<Expressio
     at
 }
 
-/// What an expression is computed from.
+/// Operands that an expression is computed from.
 fn operands(expression: &Expression) -> impl Iterator<Item = Handle<Expression>> {
     let found = match *expression {
         Expression::Access { base, index } => [Some(base), Some(index), None, None],
@@ -246,7 +249,7 @@ fn operands(expression: &Expression) -> impl Iterator<Item = Handle<Expression>>
     found.into_iter().flatten()
 }
 
-/// As many instructions of a driver as an expression is deep.
+/// Own depth of an expression, in instructions of a driver.
 fn own_depth(expression: &Expression) -> u64 {
     match expression {
         Expression::Binary { op: BinaryOperator::Modulo, .. } => 4,
@@ -259,7 +262,7 @@ fn own_depth(expression: &Expression) -> u64 {
         | Expression::ImageSample { .. }
         | Expression::ImageLoad { .. } => 1,
         Expression::Math { fun, .. } => match fun {
-            // Polynomials of the driver's own.
+            // These functions are polynomials in the driver.
             MathFunction::Asin | MathFunction::Acos | MathFunction::Atan | MathFunction::Atan2 => {
                 24
             }

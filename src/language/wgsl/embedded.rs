@@ -1,9 +1,9 @@
-//! The files that the crate carries, found by `build.rs`.
+//! Files embedded in the crate, found by `build.rs`.
 
 include!(concat!(env!("OUT_DIR"), "/shader_library.rs"));
 include!(concat!(env!("OUT_DIR"), "/passes.rs"));
 
-/// The nodes that Chiaro ships, which a crate above this one carries: their paths and texts.
+/// Paths and texts of the nodes that Chiaro ships, which a crate above this one embeds.
 #[cfg(test)]
 pub fn shipped_nodes() -> Vec<(String, String)> {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../nodes");

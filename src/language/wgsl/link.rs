@@ -1,4 +1,4 @@
-//! Resolves `import chiaro::name;` lines.
+//! Linker: resolves `import chiaro::name;` lines.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -7,22 +7,22 @@ use super::embedded::SHADER_LIBRARY;
 use super::scan::{Scan, scan};
 use crate::diag::{Diagnostic, LineColumn};
 
-/// The root of the shared library in import paths.
+/// Root of the shared library in import paths.
 const ROOT: &str = "chiaro::";
 
-/// A named text.
+/// Named text.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
-    /// The file, as messages name it.
+    /// File name, as messages give it.
     pub name: &'a str,
-    /// Its text.
+    /// Text of the file.
     pub text: &'a str,
 }
 
 /// Sources with their imports resolved: plain WGSL.
 #[derive(Clone, Debug, Default)]
 pub struct Linked {
-    /// The text, ready for naga.
+    /// Text, ready for naga.
     pub text: String,
     parts: Vec<Part>,
 }
@@ -34,7 +34,7 @@ struct Part {
 }
 
 impl Linked {
-    /// The file that a byte of the text came from, and the place in it.
+    /// File that a byte of the text came from, and the place in it.
     pub fn locate(&self, offset: usize) -> Option<(&str, LineColumn)> {
         let part =
             self.parts.iter().find(|part| part.span.contains(&offset)).or(self.parts.last())?;
@@ -42,7 +42,7 @@ impl Linked {
         Some((&part.name, LineColumn::of(text, offset.saturating_sub(part.span.start))))
     }
 
-    /// The bytes that came from the last source, which nothing imports.
+    /// Byte range of the last source, which nothing imports.
     pub fn last_source(&self) -> Range<usize> {
         self.parts.last().map_or(0..0, |part| part.span.clone())
     }
@@ -64,7 +64,7 @@ impl Linked {
     }
 }
 
-/// The shared library's file that `import` names.
+/// File of the shared library that `import` names.
 fn library_file(import: &str) -> Option<Source<'static>> {
     let name = import.strip_prefix(ROOT)?;
     let (path, text) = SHADER_LIBRARY.iter().find(|(path, _)| file_stem(path) == name)?;
@@ -76,10 +76,10 @@ fn file_stem(path: &str) -> &str {
     name.strip_suffix(".wgsl").unwrap_or(name)
 }
 
-/// Puts what `sources` import before them, each file once, and joins it all.
+/// Joins `sources`, with the files that they import before them, each file once.
 ///
 /// # Errors
-/// Names every import that is not in the library, with its file and line.
+/// A diagnostic for every import that is not in the library, with its file and line.
 pub fn link(sources: &[Source<'_>]) -> Result<Linked, Vec<Diagnostic>> {
     let mut linked = Linked::default();
     let mut done = HashSet::new();
@@ -92,7 +92,8 @@ pub fn link(sources: &[Source<'_>]) -> Result<Linked, Vec<Diagnostic>> {
     if problems.is_empty() { Ok(linked) } else { Err(problems) }
 }
 
-/// Depth is bounded: every library file is entered at most once.
+/// Adds the files that a source imports. The depth of the recursion is bounded: every library file
+/// is entered at most once.
 fn add_imports(
     source: &Source<'_>,
     scanned: &Scan,

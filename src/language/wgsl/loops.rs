@@ -1,13 +1,13 @@
-//! Every loop of code that people write ends.
+//! Counters for the loops of code that people write, so that every loop ends.
 //!
 //! A GPU that loops forever hangs the whole machine, and Mesa's software Vulkan ends the loops of a
-//! shader after 65,535 rounds in all, without a word. So a loop whose end cannot be seen is given a
+//! shader after 65,535 rounds in all, without a word. So a loop whose end cannot be proved gets a
 //! counter, in the text itself: the shader, every export, the interpreter and the reference then
 //! agree about the last round.
 //!
-//! The end of a `for` is seen where it counts whole numbers that stand in the code, and its body
-//! leaves the counted variable alone. The counter of a function counts the rounds of all its other
-//! loops together, nested ones included:
+//! The end of a `for` is proved where it counts with whole numbers that are written in the code,
+//! and its body leaves the counted variable alone. The counter of a function counts the rounds of
+//! all its other loops together, nested ones included:
 //!
 //! ```wgsl
 //! fn escape(x: f32) -> f32 {
@@ -29,17 +29,18 @@ use super::embedded::SHADER_LIBRARY;
 use super::scan::{DeclarationKind, Scan, Token, TokenKind, scan, tokenize};
 use super::validate::WgslError;
 
-/// The most rounds of all loops of one call of a function whose end cannot be seen.
+/// Greatest number of rounds of all loops of one call of a function whose ends are not proved.
 ///
 /// Even where eight or sixteen fragments loop in step, each as long as the longest, one such call
-/// stays within what software Vulkan runs.
+/// stays within the limit of software Vulkan.
 pub const MAX_ROUNDS: u64 = 4096;
-/// The most rounds of one call of a function, with those of what it calls in them.
+/// Greatest number of rounds of one call of a function, with those of the functions that it calls.
 pub const MAX_CALL_ROUNDS: u64 = 1 << 20;
-/// What a call of the library's own functions is taken to loop: eight octaves of eight corners.
+/// Number of rounds assumed for a call of the library's own functions: eight octaves of eight
+/// corners.
 const LIBRARY_ROUNDS: u64 = 64;
 
-/// What may be imported.
+/// Functions that may be imported.
 static LIBRARY_FUNCTIONS: LazyLock<HashSet<String>> = LazyLock::new(|| {
     let declarations = SHADER_LIBRARY.iter().flat_map(|(_, text)| scan(text).declarations);
     declarations
@@ -48,27 +49,27 @@ static LIBRARY_FUNCTIONS: LazyLock<HashSet<String>> = LazyLock::new(|| {
         .collect()
 });
 
-/// Code whose loops end.
+/// Code whose loops all end.
 #[derive(Clone, Debug, Default)]
 pub struct BoundedLoops {
-    /// The code with counters; as it was where all ends are seen.
+    /// Code with counters; unchanged where all ends are proved.
     pub text: String,
-    /// The loops that are counted, in order.
+    /// Loops that are counted, in order.
     pub counted: Vec<CountedLoop>,
-    /// Functions that loop too long in each round of a loop.
+    /// Errors of functions that loop too long in each round of a loop.
     pub beyond: Vec<WgslError>,
 }
 
-/// A loop that a counter ends.
+/// Loop that a counter ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CountedLoop {
-    /// The bytes of its keyword in the code.
+    /// Byte range of the loop's keyword in the code.
     pub span: Range<usize>,
-    /// Its rounds, where they are seen and too many.
+    /// Number of rounds, where it is proved and too large.
     pub rounds: Option<u64>,
 }
 
-/// Gives every loop of `source` whose end cannot be seen a counter.
+/// Adds a counter to every loop of `source` whose end is not proved.
 pub fn bound_loops(source: &str) -> BoundedLoops {
     let mut bounded = BoundedLoops { text: source.to_owned(), ..BoundedLoops::default() };
     let code = Code::new(source);
@@ -101,20 +102,20 @@ pub fn bound_loops(source: &str) -> BoundedLoops {
     bounded
 }
 
-/// A loop, as its tokens tell.
+/// Loop, as read from its tokens.
 #[derive(Debug)]
 struct Loop {
-    /// Of its keyword.
+    /// Byte range of the keyword.
     span: Range<usize>,
-    /// The byte after the brace that opens its body.
+    /// Byte after the brace that opens the body.
     body: usize,
-    /// The loop around it.
+    /// Index of the loop around this one.
     parent: Option<usize>,
-    /// As many rounds as its head says.
+    /// Number of rounds that the head gives, if it does.
     rounds: Option<u64>,
-    /// The functions that it calls, but not in loops within it.
+    /// Functions that the loop calls, but not in loops within it.
     calls: Vec<usize>,
-    /// How often it calls what is imported.
+    /// Number of calls of imported functions.
     library_calls: u64,
 }
 
@@ -127,16 +128,16 @@ impl Loop {
 #[derive(Debug)]
 struct FunctionLoops {
     name: String,
-    /// Of its name.
+    /// Byte range of the name.
     span: Range<usize>,
-    /// The byte after the brace that opens its body.
+    /// Byte after the brace that opens the body.
     body: usize,
     loops: Vec<Loop>,
-    /// The functions that it calls outside loops.
+    /// Functions that the function calls outside loops.
     calls: Vec<usize>,
 }
 
-/// Rounds of calls, each function found once.
+/// Numbers of rounds of calls, each function computed once.
 struct Rounds<'a> {
     functions: &'a [FunctionLoops],
     known: HashMap<usize, u64>,
@@ -144,12 +145,13 @@ struct Rounds<'a> {
 }
 
 impl Rounds<'_> {
-    /// The most rounds of one call. As deep as functions call one another, whose number is bounded.
+    /// Greatest number of rounds of one call. The recursion is as deep as functions call one
+    /// another, whose number is bounded.
     fn of(&mut self, index: usize) -> u64 {
         if let Some(&known) = self.known.get(&index) {
             return known;
         }
-        // A ring of calls is naga's to refuse.
+        // naga refuses rings of calls.
         if !self.open.insert(index) {
             return 0;
         }
@@ -167,7 +169,7 @@ impl Rounds<'_> {
                 .fold(library, |sum, &callee| sum.saturating_add(self.of(callee)));
             let a_round = calls.saturating_add(within[at]).saturating_add(1);
             if found.is_counted() {
-                // One counter ends them all, whichever of them takes the rounds.
+                // One counter ends all counted loops, whichever of them takes the rounds.
                 counted = counted.max(MAX_ROUNDS.saturating_mul(a_round));
                 continue;
             }
@@ -184,16 +186,16 @@ impl Rounds<'_> {
     }
 }
 
-/// Code as tokens.
+/// Code with its tokens.
 struct Code<'a> {
     source: &'a str,
     tokens: Vec<Token>,
     scan: Scan,
-    /// The values of constants that are whole numbers.
+    /// Values of constants that are whole numbers.
     constants: HashMap<&'a str, Whole>,
 }
 
-/// A whole number, and whether its type has no sign.
+/// Whole number, and whether its type is unsigned.
 #[derive(Clone, Copy, Debug)]
 struct Whole {
     value: i64,
@@ -213,12 +215,12 @@ impl<'a> Code<'a> {
         self.tokens.get(index).map_or("", |token| &self.source[token.span.clone()])
     }
 
-    /// Whether these texts follow one another from a token on.
+    /// True if these texts follow one another from a token on.
     fn is(&self, from: usize, texts: &[&str]) -> bool {
         texts.iter().enumerate().all(|(offset, text)| self.text(from + offset) == *text)
     }
 
-    /// The constants outside functions that are whole numbers, and whose names mean nothing else
+    /// Constants outside functions that are whole numbers, and whose names mean nothing else
     /// anywhere.
     fn whole_constants(&self) -> HashMap<&'a str, Whole> {
         let mut declared: HashMap<&str, usize> = HashMap::new();
@@ -250,7 +252,7 @@ impl<'a> Code<'a> {
         constants
     }
 
-    /// The whole number at a token, and the token after it.
+    /// Whole number at a token, and the index of the next token.
     fn whole(&self, at: usize) -> Option<(Whole, usize)> {
         let (sign, at) = if self.text(at) == "-" { (-1, at + 1) } else { (1, at) };
         let text = self.text(at);
@@ -263,7 +265,7 @@ impl<'a> Code<'a> {
             None => digits.parse().ok()?,
         };
         let is_number = self.tokens.get(at).is_some_and(|token| token.kind == TokenKind::Number);
-        // Beyond 32 bits there is no such number in WGSL, and no sum of two overflows here.
+        // WGSL has no whole numbers beyond 32 bits, and within them no sum of two overflows here.
         let is_in_range = value <= i64::from(u32::MAX);
         (is_number && is_in_range)
             .then_some((Whole { value: sign * value, is_unsigned: text.ends_with('u') }, at + 1))
@@ -301,8 +303,8 @@ impl<'a> Code<'a> {
             loops: Vec::new(),
             calls: Vec::new(),
         };
-        // The loop that each open brace begins, if it is a loop's, and the one that the next brace
-        // will begin.
+        // `braces`: the loop that each open brace begins, if it is a loop's. `next`: the loop that
+        // the next brace will begin.
         let mut braces: Vec<Option<usize>> = Vec::new();
         let mut next: Option<usize> = None;
         for index in open..tokens.end {
@@ -345,12 +347,12 @@ impl<'a> Code<'a> {
         function
     }
 
-    /// Whether a word is that of an imported function.
+    /// True for the name of an imported function.
     fn is_imported(&self, word: &str) -> bool {
         !self.scan.imports.is_empty() && LIBRARY_FUNCTIONS.contains(word)
     }
 
-    /// As many rounds as the head of a `for` says, if it says so; `body` begins with the brace of
+    /// Number of rounds that the head of a `for` gives, if it does; `body` begins with the brace of
     /// its body.
     fn rounds(&self, keyword: usize, body: Range<usize>) -> Option<u64> {
         if !self.is(keyword, &["for", "(", "var"]) {
@@ -389,7 +391,7 @@ impl<'a> Code<'a> {
             }
             _ => return None,
         };
-        // What wraps around at the end of its type begins anew.
+        // A variable that wraps around at the end of its type begins anew.
         let least = if is_unsigned { 0 } else { i64::from(i32::MIN) };
         if beyond < least || beyond > i64::from(i32::MAX) {
             return None;
@@ -398,7 +400,7 @@ impl<'a> Code<'a> {
         Some(rounds)
     }
 
-    /// What the third part of a `for` adds, from the token after the name on.
+    /// Number that the third part of a `for` adds, from the token after the name on.
     fn step(&self, at: usize) -> Option<(Whole, usize)> {
         let one = Whole { value: 1, is_unsigned: false };
         match (self.text(at), self.text(at + 1)) {
@@ -412,7 +414,7 @@ impl<'a> Code<'a> {
         }
     }
 
-    /// Whether a block, which begins at a brace, may change a variable: by assigning to it, or
+    /// True if a block, which begins at a brace, may change a variable: by assigning to it, or
     /// through a pointer.
     fn changes(&self, name: &str, block: Range<usize>) -> bool {
         let mut depth = 0usize;
@@ -443,7 +445,7 @@ impl<'a> Code<'a> {
         false
     }
 
-    /// The code with a counter in each function that has loops to count.
+    /// Code with a counter in each function that has loops to count.
     fn with_counters(&self, functions: &[FunctionLoops]) -> String {
         let counter = self.unused_name("rounds");
         let mut inserted: Vec<(usize, String)> = Vec::new();
@@ -470,8 +472,8 @@ impl<'a> Code<'a> {
         text
     }
 
-    /// What goes before a statement that is inserted after a brace: a line of its own where others
-    /// have theirs.
+    /// White space before a statement that is inserted after a brace: a line of its own where the
+    /// others have theirs.
     fn indentation(&self, brace: usize) -> String {
         let rest = &self.source[brace..];
         let after = rest.trim_start_matches([' ', '\t', '\r']);
@@ -480,7 +482,7 @@ impl<'a> Code<'a> {
         format!("\n{}", &next[..blank])
     }
 
-    /// A name that stands nowhere in the code.
+    /// Name that occurs nowhere in the code.
     fn unused_name(&self, wanted: &str) -> String {
         let words: HashSet<&str> = (0..self.tokens.len()).map(|index| self.text(index)).collect();
         let numbered = (2..).map(|number| format!("{wanted}_{number}"));
@@ -536,7 +538,7 @@ mod tests {
             "for (var i = 0; i < 8; i++) { let p = &i; *p = 0; }",
             "for (var i = 0; i < 8; i--) { }",
             "for (var i = 0; i < 8; i += 0) { }",
-            // Without a sign there is nothing below 0, and nothing above the largest number.
+            // An unsigned number is never below 0, and no number is above the largest.
             "for (var i = 7u; i >= 0u; i--) { }",
             "for (var i = 0; i <= 2147483647; i++) { }",
             "for (var i = 0; i < 100000; i++) { }",

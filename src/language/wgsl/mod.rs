@@ -1,9 +1,9 @@
-//! WGSL sources: what is embedded, how imports are resolved, and the only caller of naga's front
+//! WGSL sources: the embedded files, the resolution of imports, and the only caller of naga's front
 //! end and validator.
 //!
 //! A source may begin with lines `import chiaro::name;`, each naming a file of `shaders/lib/`.
-//! [`link`] puts what is imported before the source, each file once; the result is plain WGSL, and
-//! [`Linked::locate`] finds the way back to the file and line that a byte of it came from.
+//! [`link`] puts the imported files before the source, each file once; the result is plain WGSL,
+//! and [`Linked::locate`] finds the file and line that a byte of the result came from.
 
 use crate::diag::Diagnostic;
 
@@ -35,10 +35,11 @@ pub use scan::{
 };
 pub use validate::{Valid, WgslError, parse, validate};
 
-/// `shaders/passes/NAME.wgsl` with what it imports, some of its constants set to other numbers.
+/// Source of a pass: `shaders/passes/NAME.wgsl` with its imports, and with some of its constants
+/// set to other numbers.
 ///
 /// # Errors
-/// That there is no such pass or constant, or what it imports in vain.
+/// A diagnostic for a missing pass, constant or import.
 pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<Linked, Vec<Diagnostic>> {
     let is_it = |path: &str| {
         path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name)
@@ -59,7 +60,7 @@ pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<Linked, Vec<Diagnos
     link(&[Source { name: path, text: &text }])
 }
 
-/// `text` with the number of its line `const NAME = NUMBER;` replaced.
+/// Replaces the number of the line `const NAME = NUMBER;` of `text`; `None` without such a line.
 fn with_constant(text: &str, name: &str, number: i32) -> Option<String> {
     let begin = format!("const {name} = ");
     let line = text.lines().find(|line| line.starts_with(&begin))?;

@@ -1,18 +1,17 @@
-//! How many operations a function asks for, counted in naga's IR: what there is to do before any
-//! back end makes it less.
+//! Number of operations of a function, counted in naga's IR, before any back end reduces them.
 
 use std::ops::Range;
 
 use naga::{Expression, Function, Handle, Module};
 
-/// Operations of every function of a module, those of what it calls included.
+/// Numbers of operations of every function of a module, those of called functions included.
 ///
 /// Each expression that computes or fetches counts once: so do both sides of a branch, and the body
-/// of a loop however often it runs. Literals, names and the taking apart of vectors and structs
+/// of a loop however often it runs. Literals, names, and access to parts of vectors and structs
 /// count nothing.
 #[derive(Clone, Debug, Default)]
 pub struct Operations {
-    /// In the order of the module's functions.
+    /// Counts in the order of the module's functions.
     functions: Vec<u64>,
 }
 
@@ -20,7 +19,7 @@ impl Operations {
     /// Counts all functions of a module.
     pub fn of(module: &Module) -> Self {
         let mut counted = Self::default();
-        // naga has a function stand after all that it calls.
+        // naga lists a function after all that it calls.
         for (_, function) in module.functions.iter() {
             let count = counted.within(function);
             counted.functions.push(count);
@@ -28,21 +27,21 @@ impl Operations {
         counted
     }
 
-    /// The operations of a function by its name; 0 where there is none.
+    /// Number of operations of a function by its name; 0 where there is none.
     pub fn of_function(&self, module: &Module, name: &str) -> u64 {
         let found =
             module.functions.iter().find(|(_, function)| function.name.as_deref() == Some(name));
         found.map_or(0, |(handle, _)| self.called(handle))
     }
 
-    /// The operations of a module's entry points.
+    /// Number of operations of a module's entry points.
     pub fn of_entry_points(&self, module: &Module) -> u64 {
         let counts = module.entry_points.iter().map(|entry| self.within(&entry.function));
         counts.fold(0, u64::saturating_add)
     }
 
-    /// Gives every stretch of the source that an operation of a function or entry point was written
-    /// in, with the operations it asks for.
+    /// Calls `tell` with the source range of every operation of a function or entry point, and with
+    /// its number of operations.
     pub fn for_each(&self, module: &Module, mut tell: impl FnMut(Range<usize>, u64)) {
         let entry_points = module.entry_points.iter().map(|entry| &entry.function);
         for function in module.functions.iter().map(|(_, function)| function).chain(entry_points) {
@@ -58,7 +57,8 @@ impl Operations {
     }
 
     fn within(&self, function: &Function) -> u64 {
-        // Functions that call others twice, and these again, soon ask for more than a number holds.
+        // The sum saturates: functions that call others twice, and these again, soon exceed the
+        // range of numbers.
         let counts =
             function.expressions.iter().map(|(_, expression)| self.of_expression(expression));
         counts.fold(0, u64::saturating_add)

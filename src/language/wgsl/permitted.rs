@@ -1,5 +1,5 @@
-//! What the code of a node may hold: functions that a look calls, structs, constants and small
-//! variables.
+//! Rules for the code of a node, which may hold functions that a look calls, structs, constants and
+//! small variables.
 //!
 //! A node has no bindings, no pipeline constants and no workgroup of its own, so resources,
 //! overrides, entry points and barriers have no meaning in it; and drivers keep variables in
@@ -12,24 +12,24 @@ use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement,
 use super::operations::Operations;
 use super::validate::{Valid, WgslError};
 
-/// The most bytes of all variables of a node's code, private ones included.
+/// Greatest size of all variables of a node's code, private ones included, in bytes.
 ///
 /// Mesa's software Vulkan keeps arrays in registers and compiles them in quadratic time: 2 KiB in 1
 /// s, 4 KiB in 6 s, 8 KiB in 29 s.
 pub const MAX_VARIABLE_BYTES: u64 = 2048;
-/// The most bytes of a type, and of all arrays that one function takes elements of by a number that
-/// varies.
+/// Greatest size of a type, and of all arrays of one function that are indexed by a variable
+/// number, in bytes.
 ///
-/// naga copies an array that is no variable into one for that. 512 vectors of 4 floats take
-/// software Vulkan 2 s.
+/// naga copies an array that is no variable into one for such an index. 512 vectors of 4 floats
+/// take software Vulkan 2 s.
 pub const MAX_TABLE_BYTES: u64 = 8192;
-/// The most elements of such an array; 1,024 floats take software Vulkan 7 s.
+/// Greatest number of elements of such an array; 1,024 floats take software Vulkan 7 s.
 pub const MAX_TABLE_LENGTH: u64 = 512;
-/// The most operations of one function, those of what it calls included. Functions that call one
-/// another twice double them. 16,000 take software Vulkan 40 s.
+/// Greatest number of operations of one function, those of called functions included. Functions
+/// that call one another twice double them. 16,000 take software Vulkan 40 s.
 pub const MAX_CODE_OPERATIONS: u64 = 10_000;
 
-/// Everything that the part `own` of a module's text must not hold, with its place.
+/// Errors of everything in the part `own` of a module's text that is not permitted, with places.
 pub fn refusals(valid: &Valid, own: &Range<usize>) -> Vec<WgslError> {
     let mut refused = Refusals { valid, own, told: Vec::new() };
     refused.overrides();
@@ -55,8 +55,7 @@ impl<'a> Refusals<'a> {
         self.told.push(WgslError { message, span: span.to_range() });
     }
 
-    /// Whether a declaration stands in the node's own code; what is imported was written by whoever
-    /// writes Chiaro.
+    /// True for a declaration in the node's own code; imported code belongs to Chiaro.
     fn is_own(&self, span: naga::Span) -> bool {
         span.to_range().is_none_or(|span| self.own.start <= span.start)
     }
@@ -107,7 +106,7 @@ impl<'a> Refusals<'a> {
         }
     }
 
-    /// Tells of the first variable with which there is too much.
+    /// Reports the first variable that exceeds the bound.
     fn variable_bytes(&mut self, bytes: u64, name: &str, span: naga::Span) {
         let is_told =
             self.told.iter().any(|error| error.message.contains("variables of this code"));
@@ -144,7 +143,8 @@ impl<'a> Refusals<'a> {
         }
     }
 
-    /// Types of values that are too large; where a variable is told of, its type is no news.
+    /// Reports types of values that are too large; none where another problem is reported, as a too
+    /// large variable's type is no news.
     fn types(&mut self) {
         if !self.told.is_empty() {
             return;
@@ -186,13 +186,13 @@ impl<'a> Refusals<'a> {
                      {MAX_CODE_OPERATIONS} are compiled in good time"
                 );
                 self.tell(span, message);
-                // Whatever calls it has at least as many.
+                // The callers of this function have at least as many operations.
                 return;
             }
         }
     }
 
-    /// Arrays that are no variables and whose elements are taken by a number that varies.
+    /// Reports arrays that are no variables and are indexed by a variable number.
     fn tables(&mut self, handle: Handle<Function>, function: &Function) {
         let info = &self.valid.info[handle];
         let mut bytes = 0;
@@ -224,7 +224,7 @@ impl<'a> Refusals<'a> {
         }
     }
 
-    /// Functions of passes that are imported and read what only passes are given.
+    /// Reports imported functions of passes, which read resources that only passes have.
     fn imported_resources(&mut self, handle: Handle<Function>, name: &str, span: naga::Span) {
         let uses = &self.valid.info[handle];
         let is_foreign = |global: Handle<naga::GlobalVariable>| {
@@ -251,7 +251,7 @@ fn stage(stage: naga::ShaderStage) -> &'static str {
     }
 }
 
-/// Where a block has a barrier, at any depth.
+/// Place of a barrier in a block, at any depth.
 fn barrier(body: &Block) -> Option<naga::Span> {
     let mut blocks = vec![body];
     while let Some(block) = blocks.pop() {

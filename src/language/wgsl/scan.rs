@@ -1,5 +1,4 @@
-//! A scanner over WGSL text: top-level declarations with their docs, signatures and the names they
-//! use.
+//! Scanner of WGSL text: top-level declarations with their docs, signatures and the names they use.
 //!
 //! naga drops argument comments, alias names and the spans of whole declarations, and a node's
 //! ports are read from exactly these. The scanner knows tokens and brackets, not grammar: naga
@@ -7,7 +6,7 @@
 
 use std::ops::Range;
 
-/// What a top-level declaration is.
+/// Kind of a top-level declaration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DeclarationKind {
     /// `fn`
@@ -22,55 +21,55 @@ pub enum DeclarationKind {
     Variable,
 }
 
-/// A function's parameter or a struct's member, with its type as written.
+/// Parameter of a function or member of a struct, with its type as written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
-    /// Its name.
+    /// Name of the field.
     pub name: String,
-    /// Its type as written, without spaces: `vec3f`, `texture_2d<f32>`.
+    /// Type as written, without spaces: `vec3f`, `texture_2d<f32>`.
     pub ty: String,
-    /// The lines of its own doc comment (struct members only).
+    /// Lines of the field's own doc comment (struct members only).
     pub doc: Vec<String>,
 }
 
-/// A top-level declaration.
+/// Top-level declaration.
 #[derive(Clone, Debug)]
 pub struct Declaration {
-    /// What it is.
+    /// Kind of the declaration.
     pub kind: DeclarationKind,
-    /// Its name.
+    /// Name of the declaration.
     pub name: String,
-    /// Its bytes in the source, from the first doc line to the closing brace or semicolon.
+    /// Byte range in the source, from the first doc line to the closing brace or semicolon.
     pub span: Range<usize>,
-    /// Its bytes without the docs.
+    /// Byte range without the docs.
     pub body: Range<usize>,
-    /// The lines of its doc comment, without `///` and one space.
+    /// Lines of the doc comment, without `///` and one space.
     pub doc: Vec<String>,
     /// Parameters or members.
     pub fields: Vec<Field>,
-    /// A function's result type as written.
+    /// Result type of a function as written.
     pub result: Option<String>,
-    /// Every identifier in it but its own name; a superset of the declarations it uses.
+    /// All identifiers in the declaration but its own name; a superset of the declarations it uses.
     pub uses: Vec<String>,
 }
 
-/// An `import chiaro::name;` line.
+/// Import: a line `import chiaro::name;`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Import {
-    /// The path as written, without spaces: `chiaro::profile`.
+    /// Path as written, without spaces: `chiaro::profile`.
     pub path: String,
-    /// Its bytes in the source.
+    /// Byte range in the source.
     pub span: Range<usize>,
 }
 
-/// A scanned source.
+/// Scanned source.
 #[derive(Clone, Debug, Default)]
 pub struct Scan {
-    /// The lines of the `//!` comment at the top.
+    /// Lines of the `//!` comment at the top.
     pub doc: Vec<String>,
-    /// In order.
+    /// Imports, in order.
     pub imports: Vec<Import>,
-    /// In order.
+    /// Declarations, in order.
     pub declarations: Vec<Declaration>,
 }
 
@@ -158,8 +157,8 @@ fn end_of_block_comment(bytes: &[u8], start: usize) -> usize {
     bytes.len()
 }
 
-/// Scans a whole source. Text that is no WGSL gives whatever declarations can be made out; naga
-/// reports the rest.
+/// Scans a whole source. Invalid text gives the declarations that can be made out; naga reports the
+/// rest.
 pub fn scan(source: &str) -> Scan {
     let tokens = tokenize(source);
     let mut scanner = Scanner { source, tokens: &tokens, at: 0 };
@@ -176,13 +175,13 @@ pub fn scan(source: &str) -> Scan {
     scan
 }
 
-/// The identifiers of `text`, in order.
+/// Identifiers of `text`, in order.
 pub fn identifiers(text: &str) -> Vec<String> {
     let words = tokenize(text).into_iter().filter(|token| token.kind == TokenKind::Word);
     words.map(|token| text[token.span].to_owned()).collect()
 }
 
-/// `text` with every identifier that `renamed` knows replaced. Members after a `.` are left alone.
+/// Replaces every identifier of `text` that `renamed` knows. Members after a `.` are left alone.
 pub fn rename_identifiers(text: &str, renamed: impl Fn(&str) -> Option<String>) -> String {
     let mut result = String::with_capacity(text.len());
     let mut at = 0;
@@ -227,7 +226,7 @@ impl<'a> Scanner<'a> {
         self.peek().map_or("", |token| self.text(token))
     }
 
-    /// One top-level item: docs, attributes, then everything to its closing `}` or `;`.
+    /// Scans one top-level item: docs, attributes, then everything to its closing `}` or `;`.
     fn item(&mut self, scan: &mut Scan) {
         let first = self.at;
         let mut doc = Vec::new();
@@ -268,8 +267,8 @@ impl<'a> Scanner<'a> {
         });
     }
 
-    /// The identifiers that may name other declarations: not members, and not locals unless they
-    /// are called.
+    /// Identifiers that may name other declarations: not members, and not locals unless they are
+    /// called.
     fn uses(&self, tokens: &[Token], name: &str, fields: &[Field]) -> Vec<String> {
         let mut locals: Vec<&str> = fields.iter().map(|field| field.name.as_str()).collect();
         for pair in tokens.windows(2) {
@@ -396,7 +395,7 @@ impl<'a> Scanner<'a> {
         (fields, if kind == DeclarationKind::Function { result } else { None })
     }
 
-    /// `@attr(..) name : type`
+    /// Reads a field: `@attr(..) name : type`.
     fn field(&self, tokens: &[&Token]) -> Option<Field> {
         let doc = tokens
             .iter()

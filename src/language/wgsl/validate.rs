@@ -4,29 +4,29 @@ use std::ops::Range;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-/// A module that naga accepts, with what its validator learnt.
+/// Module that naga accepts, with the results of its validator.
 #[derive(Debug)]
 pub struct Valid {
-    /// The IR.
+    /// IR of the module.
     pub module: naga::Module,
-    /// The validator's side tables.
+    /// Side tables of the validator.
     pub info: ModuleInfo,
 }
 
-/// Why a text is refused, by naga or before it.
+/// Error of a text that is refused, by naga or before it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct WgslError {
-    /// What is wrong, in naga's words where it is naga that refuses.
+    /// Description of the error, in naga's words where naga refuses the text.
     pub message: String,
-    /// The bytes that the message speaks of, where they are known.
+    /// Byte range that the message is about, where it is known.
     pub span: Option<Range<usize>>,
 }
 
 /// Parses and validates `source`.
 ///
 /// # Errors
-/// What naga says, with the place.
+/// The error that naga reports, with the place.
 pub fn parse(source: &str) -> Result<Valid, WgslError> {
     #[expect(clippy::disallowed_methods, reason = "the one place that calls naga's front end")]
     let module = naga::front::wgsl::parse_str(source).map_err(|error| WgslError {
@@ -39,15 +39,15 @@ pub fn parse(source: &str) -> Result<Valid, WgslError> {
 /// Validates a module.
 ///
 /// # Errors
-/// What naga says, with the place and every cause below it.
+/// The error that naga reports, with the place and every cause below it.
 pub fn validate(module: naga::Module) -> Result<Valid, WgslError> {
     #[expect(clippy::disallowed_methods, reason = "the one place that calls naga's validator")]
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
     match validator.validate(&module) {
         Ok(info) => Ok(Valid { module, info }),
         Err(error) => {
-            // naga tells of the function and of what is inside it; the innermost place is the one
-            // to mend.
+            // naga reports the function and the parts inside it; the innermost place is the one to
+            // mend.
             let spans = error.spans().filter_map(|(span, _)| span.to_range());
             let span = spans.min_by_key(ExactSizeIterator::len);
             let mut message = error.as_inner().to_string();

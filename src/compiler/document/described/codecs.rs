@@ -1,18 +1,19 @@
-//! Rows that are read and written in a way of their own.
+//! Codecs of rows that are read and written in a way of their own.
 
 use super::{Codec, Described, Part};
 use crate::document::json::Writer;
 use crate::document::read::reader::{Fields, Reader};
 use crate::document::{ColorSpace, Unknown};
 
-/// As the value's type has it.
+/// Codec of the value's type ([`Part`]).
 pub(in crate::document) struct Plain;
 
 impl<T: Part> Codec<T> for Plain {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T> {
         let mut extras = Unknown::new();
         let value = r.field(fields, name, |r, at, kind| T::read(r, at, kind, &mut extras));
-        // What could not be read is not written either, and nor is what it held beside.
+        // A value that could not be read is not written either, and nor are the unknown fields
+        // beside it.
         if value.is_some() {
             fields.shadow(name, extras);
         }
@@ -28,7 +29,7 @@ impl<T: Part> Codec<T> for Plain {
     }
 }
 
-/// Fields that lie among those of the object around them.
+/// Codec of an object whose fields lie among those of the object around it.
 pub(in crate::document) struct Flat;
 
 impl<T: Described> Codec<T> for Flat {
@@ -55,7 +56,7 @@ impl<T: Described> Codec<T> for Flat {
     }
 }
 
-/// What colors of the document mean, which decides how those after it are read.
+/// Codec of the document's color space, which decides how the colors after it are read.
 pub(in crate::document) struct DocumentSpace;
 
 impl Codec<ColorSpace> for DocumentSpace {
@@ -73,7 +74,7 @@ impl Codec<ColorSpace> for DocumentSpace {
     }
 }
 
-/// A color of the look, with alpha or without, as its kind says.
+/// Codec of a color of the look, with alpha or without, as its kind says.
 pub(in crate::document) struct Color;
 
 impl Codec<Vec<f64>> for Color {
@@ -90,8 +91,8 @@ impl Codec<Vec<f64>> for Color {
     }
 }
 
-/// A color of the canvas. It is part of the editor and not of the picture, so it is always as
-/// shown.
+/// Codec of a color of the canvas. Such a color is part of the editor and not of the picture, so
+/// its numbers are always as shown.
 pub(in crate::document) struct CanvasColor;
 
 impl Codec<Vec<f64>> for CanvasColor {

@@ -1,4 +1,4 @@
-//! What may be there or not, lists, and objects of things by their ids.
+//! Optional values, lists, and maps by id, as parts of documents.
 
 use std::hash::Hash;
 
@@ -11,7 +11,7 @@ use crate::document::read::reader::Reader;
 use crate::document::shape::Kind;
 use crate::ids::is_slug;
 
-/// A field that is unset where it is left out.
+/// Optional field: `None` where it is left out.
 impl<T: Part> Part for Option<T> {
     fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
         T::read(r, at, kind, extras).map(Some)
@@ -33,7 +33,7 @@ impl<T: Part> Part for Option<T> {
     }
 }
 
-/// The items that could be read. Their unknown fields lie under what tells them apart.
+/// List of the items that could be read. Unknown fields of an item are kept under its identity.
 impl<T: Part> Part for Vec<T> {
     fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
         let Kind::List(item_kind, _) = kind else { return None };
@@ -66,7 +66,7 @@ impl<T: Part> Part for Vec<T> {
     }
 }
 
-/// The members of an object whose names are ids.
+/// Members of an object whose names are ids.
 impl<K, T: Part> Part for IndexMap<K, T>
 where
     K: From<String> + AsRef<str> + Hash + Eq,

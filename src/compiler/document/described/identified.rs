@@ -1,4 +1,4 @@
-//! Nodes and objects: lists in files, in which who gives no id gets one.
+//! Nodes and objects: lists in files, in which an item without an id gets one.
 
 use std::collections::HashSet;
 
@@ -12,7 +12,7 @@ use crate::document::shape::Kind;
 use crate::document::{Node, Object, Unknown};
 use crate::ids::{NodeId, ObjectId, is_slug, make_slug};
 
-/// The nodes by id; who gives no id gets that of its kind.
+/// Codec of the nodes by id; a node without an id gets that of its kind.
 pub(in crate::document) struct Nodes;
 
 impl Codec<IndexMap<NodeId, Node>> for Nodes {
@@ -37,7 +37,7 @@ impl Codec<IndexMap<NodeId, Node>> for Nodes {
     }
 }
 
-/// The objects by id; who gives no id gets one from its mesh.
+/// Codec of the objects by id; an object without an id gets one from its mesh.
 pub(in crate::document) struct Objects;
 
 impl Codec<IndexMap<ObjectId, Object>> for Objects {
@@ -70,7 +70,7 @@ fn write_with_id<T: Described>(w: &mut Writer, id: &str, item: &T) {
     });
 }
 
-/// The nodes by id; who gives no id gets that of its kind.
+/// Reads nodes by id; a node without an id gets that of its kind.
 fn nodes(r: &mut Reader<'_>, at: At, kind: &'static Kind) -> Option<IndexMap<NodeId, Node>> {
     let found = r.list_at(at, kind, |r, at| node(r, at).map(|(id, node)| (at, id, node)))?;
     let given: HashSet<NodeId> = found.iter().filter_map(|(_, (_, id, _))| id.clone()).collect();
@@ -109,15 +109,15 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
     let mut fields = r.object(at, Node::shape())?;
     let id: Option<NodeId> = Plain::read(r, &mut fields, "id");
     let node = Node::from_fields(r, &mut fields)?;
-    // A node whose id is broken has none; one without a kind can be told by its id until it gets
-    // one.
+    // A node with a broken id is dropped; a node without a kind can be named by its id until it
+    // gets a kind.
     let has_broken_id = id.is_none() && fields.get("id").is_some();
     let given_kind = fields.get("kind").and_then(|at| r.tree.string(at));
     let has_kind = given_kind.is_some_and(|given| given == node.kind);
     (!has_broken_id && (id.is_some() || has_kind)).then_some((id, node))
 }
 
-/// The objects by id; who gives no id gets one from its mesh.
+/// Reads objects by id; an object without an id gets one from its mesh.
 fn objects(r: &mut Reader<'_>, at: At, kind: &'static Kind) -> Option<IndexMap<ObjectId, Object>> {
     let found = r.list_at(at, kind, |r, at| object(r, at).map(|(id, object)| (at, id, object)))?;
     let mut taken: HashSet<ObjectId> =
@@ -146,7 +146,7 @@ fn objects(r: &mut Reader<'_>, at: At, kind: &'static Kind) -> Option<IndexMap<O
     Some(objects)
 }
 
-/// `sphere` of `shape:sphere`, `bunny` of `meshes/bunny.obj`.
+/// Name of a mesh: `sphere` of `shape:sphere`, `bunny` of `meshes/bunny.obj`.
 fn mesh_name(mesh: &str) -> &str {
     let file = mesh.rsplit(['/', '\\', ':']).next().unwrap_or(mesh);
     file.split_once('.').map_or(file, |(stem, _)| stem)

@@ -1,4 +1,4 @@
-//! What decides between direction keys, and where each key lies.
+//! Direction or drivers that decide between direction keys, and the place of each key.
 
 use indexmap::IndexMap;
 
@@ -10,7 +10,8 @@ use crate::document::shape;
 use crate::document::{Driver, KeyDirection, OutputPort, Target, Unknown, Value};
 use crate::ids::{ObjectId, is_slug};
 
-/// What decides between the keys of a set, and so how the places of the keys after it are read.
+/// Codec of the direction or the drivers that decide between the keys of a set, and so how the
+/// places of the keys after it are read.
 pub(in crate::document) struct DecidedBy;
 
 impl Codec<KeyDirection> for DecidedBy {
@@ -50,7 +51,7 @@ impl Codec<KeyDirection> for DecidedBy {
     }
 }
 
-/// Where a key lies: a direction, or the numbers of as many drivers as decide.
+/// Codec of a key's place: a direction, or one number for each deciding driver.
 pub(in crate::document) struct KeyPlace;
 
 impl Codec<[f64; 3]> for KeyPlace {
@@ -182,7 +183,7 @@ fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
     None
 }
 
-/// An output of a node, through groups.
+/// Reads an output of a node, with the groups around it.
 fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
     let text = r.tree.string(at).unwrap_or_default();
     let is_port = |port: &str| port.is_empty() || is_slug(port);
@@ -214,7 +215,7 @@ fn write_driver(w: &mut Writer, driver: &Driver) {
     }
 }
 
-/// The values of a key, by target.
+/// Codec of a key's values, by target.
 pub(in crate::document) struct TargetValues;
 
 impl Codec<IndexMap<Target, Value>> for TargetValues {

@@ -1,10 +1,10 @@
-//! One description of each object of a document.
+//! Descriptions of the objects of a document, one for each.
 //!
 //! [`described!`] takes the rows of an object and makes of them the type with its default, the
 //! [`Shape`] from which the JSON Schemas and docs/format.md are made, the reader with its
-//! diagnostics, the writer of the canonical form, and the image that journals keep. A new field is a
-//! row. How a row's value is read and written is its type's business ([`Part`]), unless the row
-//! names a [`Codec`] of its own (`by`).
+//! diagnostics, the writer of the canonical form, and the image that journals keep. A new field is
+//! a row. The type of a row's value decides how the value is read and written ([`Part`]), unless
+//! the row names a [`Codec`] of its own (`by`).
 //!
 //! ```text
 //! described! {
@@ -18,16 +18,16 @@
 //!         mesh: String = "shape:sphere".to_owned(), Text(4096), always;
 //!         /// The default in words, where JSON does not say it.
 //!         tier: Option<Tier> = None, Word(Tier::WORDS), words "the look's";
-//!         /// Without it there is no object.
+//!         /// Without this field there is no object.
 //!         target: Target, Kind::Target, required;
-//!         /// Without it the object has this, and an error is told.
+//!         /// Without this field the object has this value, and an error is reported.
 //!         kind: String = String::new(), Text(64), required;
-//!         /// A field that is called otherwise in files, and read in a way of its own.
+//!         /// A field with another name in files, and a codec of its own.
 //!         position as "at": [f64; 2] = [0.0; 2], Numbers(2, 2, FAR), by Place;
-//!         /// A field of files that the type does not hold.
+//!         /// A field in files that the type does not hold.
 //!         "id": Slug, words "made from the kind";
 //!         ..graph: Graph;         // an object whose fields lie among those of this one
-//!         unknown;                // keeps the fields that no row knows, else the object around does
+//!         unknown;                // keeps fields that no row knows, or the object around does
 //!     }
 //! }
 //! ```
@@ -49,43 +49,45 @@ pub(super) use identified::{Nodes, Objects};
 pub(super) use keys::{DecidedBy, KeyPlace, TargetValues};
 pub(super) use scene::{Backdrop, Looks, Scale};
 
-/// What a field of a document may hold.
+/// Type of a field of a document.
 pub(super) trait Part: Sized {
-    /// How a list or an object of several is laid out.
+    /// Layout of a list or an object of several such values.
     const LISTED: Layout = Layout::Inline;
 
-    /// Reads it, and tells what is wrong. Unknown fields go to `extras`, unless it keeps them.
+    /// Reads a value and reports its problems. Unknown fields go to `extras`, unless the value
+    /// keeps them.
     fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self>;
 
-    /// Writes it with its `unknown` fields, which what it lies in kept for it.
+    /// Writes the value with its `unknown` fields, which the part around it kept for it.
     fn write(&self, w: &mut Writer, unknown: Option<&Unknown>);
 
-    /// Whether two are written alike, to the last bit of numbers.
+    /// True if two values are written alike, to the last bit of numbers.
     fn is_same(&self, other: &Self) -> bool;
 
-    /// Whether a field need not be written that has this default.
+    /// True if a field with this default need not be written.
     fn is_left_out(&self, default: &Self, _unknown: Option<&Unknown>) -> bool {
         self.is_same(default)
     }
 
-    /// What tells it from its like in a list: under this its unknown fields are kept.
+    /// Key of the value in a list, under which its unknown fields are kept.
     fn identity(&self, index: usize) -> String {
         index.to_string()
     }
 }
 
-/// How a row is read and written.
+/// Reader and writer of a row.
 pub(super) trait Codec<T> {
-    /// The field's value, where it is there and can be read.
+    /// Reads the field's value, where it is there and can be read.
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T>;
 
-    /// The value alone.
+    /// Writes the value alone.
     fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>);
 
-    /// Whether a field need not be written that has this default.
+    /// True if a field with this default need not be written.
     fn is_left_out(value: &T, default: &T, unknown: Option<&Unknown>) -> bool;
 
-    /// The member, unless it has its default; `unknown` are the fields that the object keeps.
+    /// Writes the member, unless it has its default; `unknown` are the fields that the object
+    /// keeps.
     fn member(
         w: &mut Writer,
         name: &str,
@@ -100,12 +102,12 @@ pub(super) trait Codec<T> {
     }
 }
 
-/// An object with rows; [`described!`] implements it.
+/// Object with rows; [`described!`] implements this trait.
 pub(super) trait Described: Sized {
-    /// How it is laid out itself, and several of its like.
+    /// Layout of the object itself, and layout of several such objects.
     const LAYOUT: (Layout, Layout);
 
-    /// What the schema and docs/format.md say of it.
+    /// Shape of the object, for the schema and docs/format.md.
     fn shape() -> &'static Shape;
 
     /// Reads the rows from the members of an object.
@@ -114,15 +116,15 @@ pub(super) trait Described: Sized {
     /// Writes the rows as members of the object that is open.
     fn write_members(&self, w: &mut Writer, unknown: Option<&Unknown>);
 
-    /// As [`Part::is_same`].
+    /// True if two objects are written alike; see [`Part::is_same`].
     fn has_same_rows(&self, other: &Self) -> bool;
 
-    /// The unknown fields that it keeps itself.
+    /// Unknown fields that the object keeps itself.
     fn own_unknown(&self) -> Option<&Unknown> {
         None
     }
 
-    /// As [`Part::identity`].
+    /// Key of the object in a list; see [`Part::identity`].
     fn name_in_list(&self, index: usize) -> String {
         index.to_string()
     }
@@ -163,19 +165,19 @@ impl<T: Described> Part for T {
     }
 }
 
-/// The unknown fields that are kept for a part under its name; see [`Unknown`].
+/// Unknown fields that are kept for a part under its name; see [`Unknown`].
 pub(super) fn part<'u>(unknown: Option<&'u Unknown>, name: &str) -> Option<&'u Unknown> {
     unknown?.get(name)?.as_object()
 }
 
-/// A default as JSON, for the schema and docs/format.md.
+/// Default as JSON, for the schema and docs/format.md.
 pub(super) fn default_json<T, C: Codec<T>>(default: &T) -> String {
     let mut writer = Writer::new();
     C::write(&mut writer, default, None);
     writer.finish().trim_end().to_owned()
 }
 
-/// Makes a type of a document from its rows; the head of this file says how.
+/// Makes a type of a document from its rows; the head of this file documents the syntax.
 macro_rules! described {
     (
         $(#[doc = $help:literal])+
@@ -192,7 +194,7 @@ macro_rules! described {
         }
     };
 
-    // Left out where it has its default.
+    // Row that is left out where it has its default.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
@@ -213,7 +215,7 @@ macro_rules! described {
             [] $($rest)*
         }
     };
-    // Written even then.
+    // Row that is always written, even with its default.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
@@ -234,7 +236,7 @@ macro_rules! described {
             [] $($rest)*
         }
     };
-    // A default that words tell.
+    // Row with a default that words describe.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
@@ -251,7 +253,7 @@ macro_rules! described {
             [] $($rest)*
         }
     };
-    // Required, and has this where an error is told.
+    // Required row with a value for the case that it is missing, which is reported as an error.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
@@ -268,7 +270,7 @@ macro_rules! described {
             [] $($rest)*
         }
     };
-    // Required.
+    // Required row.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
@@ -285,7 +287,7 @@ macro_rules! described {
             [] $($rest)*
         }
     };
-    // Required where words say so: without it there is no object.
+    // Row that is required under conditions given in words: without it there is no object.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $(#[serde($($serde:tt)*)])?
@@ -302,7 +304,7 @@ macro_rules! described {
             [] $($rest)*
         }
     };
-    // In files alone.
+    // Row in files alone, which the type does not hold.
     (
         @rows $head:tt $members:tt [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $file:literal: $kind:expr, words $words:literal; $($rest:tt)*
@@ -321,7 +323,7 @@ macro_rules! described {
             [$($shape)* { [$($help)+] [none $file] [$kind] [json $json] }] [] $($rest)*
         }
     };
-    // An object whose fields lie among those of this one.
+    // Object whose fields lie among those of this one.
     (
         @rows $head:tt [$($members:tt)*] [$($shape:tt)*] []
         $(#[doc = $help:literal])+ ..$field:ident: $ty:ty; $($rest:tt)*

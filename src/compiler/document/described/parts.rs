@@ -11,7 +11,7 @@ use crate::document::{
 };
 use crate::ids::{NodeId, ObjectId, PortName};
 
-/// Whether numbers are the same to the last bit, the sign of 0 included: it is written too.
+/// True if numbers are the same to the last bit, the sign of 0 included: the sign is written too.
 pub(in crate::document) fn same(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
@@ -53,7 +53,7 @@ impl Part for f64 {
     }
 }
 
-/// A whole number that its kind bounds.
+/// Whole number within the bounds of its kind.
 impl Part for u8 {
     fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
         <f64 as Part>::read(r, at, kind, extras).map(|number| number as Self)
@@ -68,7 +68,7 @@ impl Part for u8 {
     }
 }
 
-/// Numbers, a direction, a color without alpha or a rotation.
+/// Fixed count of numbers: a vector, a direction, a color without alpha or a rotation.
 impl<const N: usize> Part for [f64; N] {
     fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
         match kind {
@@ -158,7 +158,7 @@ macro_rules! ids {
 
 ids!(NodeId, ObjectId, PortName);
 
-/// One end of a wire.
+/// End of a wire.
 impl Part for Endpoint {
     fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
         r.endpoint_at(at, matches!(kind, Kind::Input))
@@ -173,7 +173,7 @@ impl Part for Endpoint {
     }
 }
 
-/// What a key or an exposed parameter sets.
+/// Target of a key or an exposed parameter.
 impl Part for Target {
     fn read(r: &mut Reader<'_>, at: At, _kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
         let text = r.text_at(at, 10_000)?;
@@ -189,7 +189,7 @@ impl Part for Target {
     }
 }
 
-/// The value of an input, whatever of.
+/// Value of any input.
 impl Part for Value {
     fn read(
         r: &mut Reader<'_>,

@@ -1,4 +1,4 @@
-//! What scenes have and looks do not.
+//! Codecs of fields that only scenes have.
 
 use indexmap::IndexMap;
 
@@ -9,7 +9,7 @@ use crate::document::read::reader::{Fields, Reader};
 use crate::document::shape::{self, MAX_PATH};
 use crate::document::{Unknown, parse_hex};
 
-/// What is behind the objects: a color, or nothing.
+/// Codec of the backdrop behind the objects: a color, or none.
 pub(in crate::document) struct Backdrop;
 
 impl Codec<Option<[f64; 4]>> for Backdrop {
@@ -34,7 +34,7 @@ impl Codec<Option<[f64; 4]>> for Backdrop {
     }
 }
 
-/// The looks of an object: a path for everything, or paths by material.
+/// Codec of an object's looks: a path for all materials, or paths by material.
 pub(in crate::document) struct Looks;
 
 impl Codec<IndexMap<String, String>> for Looks {
@@ -66,7 +66,7 @@ impl Codec<IndexMap<String, String>> for Looks {
     }
 }
 
-/// A scale, which leaves something of the mesh.
+/// Codec of a scale. No axis may be 0, which would flatten the mesh.
 pub(in crate::document) struct Scale;
 
 impl Codec<[f64; 3]> for Scale {

@@ -65,7 +65,7 @@ pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> Applie
     group(look, edits, true)
 }
 
-/// The edits that remove what exposes or keys these targets.
+/// Edits that remove the exposed parameters and keys of these targets.
 pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) -> Vec<Edit> {
     let mut edits = Vec::new();
     for (index, keys) in
@@ -92,26 +92,26 @@ pub(super) fn drop_targets(look: &Look, drops: impl Fn(&Look, &Target) -> bool) 
     edits
 }
 
-/// The edits that remove keys which an output of these nodes drives.
+/// Edits that remove direction keys which an output of these nodes drives.
 fn drop_driven(look: &Look, drops: impl Fn(&NodePath) -> bool) -> Vec<Edit> {
     let is_driven = |keys: &DirectionKeys| keys.by.outputs().any(|output| drops(&output.node));
     let driven = look.direction_keys.iter().enumerate().rev().filter(|(_, keys)| is_driven(keys));
     driven.map(|(index, _)| Edit::RemoveDirectionKeys { index }).collect()
 }
 
-/// Whether a target is an input of this node or lies in the group that it is.
+/// True if a target is an input of this node or lies in the group that the node is.
 fn leads_through(look: &Look, target: &Target, graph: &GraphId, id: &NodeId) -> bool {
     let Target::Input { node, .. } = target else { return false };
     steps(look, node).any(|(of, step)| of == *graph && step == *id)
 }
 
-/// Whether a path leads into the group that this node is.
+/// True if a path leads into the group that this node is.
 fn leads_into(look: &Look, path: &NodePath, graph: &GraphId, id: &NodeId) -> bool {
     let mut steps = steps(look, path);
     steps.any(|(of, step)| of == *graph && step == *id) && steps.next().is_some()
 }
 
-/// The nodes on the way to a node, each with the graph it lies in, as far as this document knows.
+/// Nodes along a path, each with the graph it lies in, as far as this document holds them.
 fn steps<'l>(look: &'l Look, path: &'l NodePath) -> impl Iterator<Item = (GraphId, NodeId)> + 'l {
     let mut graph = Some(GraphId::Look);
     path.ids().iter().map_while(move |id| {
@@ -137,7 +137,8 @@ pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String
     if edits.is_empty() {
         return Ok(Edit::SetKind { graph, id, kind: old });
     }
-    // The targets go first, so that they come back last, when there is again what they name.
+    // Targets are removed first, so that undoing restores them last, when the inputs they name
+    // exist again.
     node_mut(look, &graph, &id)?.kind = old;
     let mut edits = edits;
     edits.push(Edit::SetKind { graph, id, kind });

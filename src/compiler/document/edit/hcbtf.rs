@@ -10,23 +10,22 @@ use super::{Applied, Editable, all_or_none, impossible};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
 
-/// A change of an HCBTF.
+/// Edit of an HCBTF.
 ///
-/// Steps of undo hold what changed and no more: painting over a tile is kept as a [`Patch`], a tile
-/// that goes away as itself, shared with whoever else has it.
+/// Undo steps hold only the changed data: painting over a tile is kept as a [`Patch`], and a
+/// removed tile as itself, shared with all its other owners.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "edit", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the fields are named after what they set")]
 pub enum HcbtfEdit {
     /// Several edits as one: all or none.
     Group { edits: Vec<HcbtfEdit> },
-    /// Puts another HCBTF in the place of the whole one, as when its file was changed by others.
+    /// Replaces the whole HCBTF, as when another program changed its file.
     Replace {
         #[serde(with = "crate::document::image::of_hcbtf")]
         hcbtf: Box<Hcbtf>,
     },
-    /// Paints a sample, in place of what was painted of it, as pasting does; `None` leaves it to
-    /// the rules again.
+    /// Paints a sample anew, as pasting does; `None` leaves the sample to the rules again.
     SetTile {
         address: Address,
         #[serde(with = "crate::document::image::of_tile")]
@@ -48,16 +47,16 @@ pub enum HcbtfEdit {
     RemoveRule { index: usize },
     /// Moves a rule to where it is number `to` of all.
     MoveRule { from: usize, to: usize },
-    /// Says whether the tile repeats without a seam.
+    /// Sets whether the tile repeats without a seam.
     SetTiling { is_tiling: bool },
-    /// Divides it otherwise. Nothing is resampled: painted samples whose address or size is none
-    /// any more go away, and rules that name such an address too; undo brings them back.
+    /// Changes the grid. Nothing is resampled: painted samples whose address or size does not fit
+    /// any more are removed, and rules that name such an address too; undo brings them back.
     SetGrid { grid: Grid },
 }
 
 impl HcbtfEdit {
-    /// What makes a sample look like `tile`, as at the end of a stroke: only what changed, where it
-    /// was painted before.
+    /// Edit that makes a sample look like `tile`, as at the end of a stroke: a patch of the changed
+    /// texels, where the sample was painted before.
     pub fn paint(hcbtf: &Hcbtf, address: Address, tile: Tile) -> Self {
         match hcbtf.painted(address).filter(|before| before.size() == tile.size()) {
             Some(before) => match Patch::between(before, &tile) {
@@ -68,7 +67,7 @@ impl HcbtfEdit {
         }
     }
 
-    /// What undo calls it.
+    /// Label of the edit for undo.
     pub fn label(&self) -> String {
         match self {
             Self::Group { edits } => {
@@ -98,8 +97,9 @@ impl Hcbtf {
     /// Applies an edit and returns the one that takes it back.
     ///
     /// # Errors
-    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no
-    /// HCBTF holds, such as a tile of another size than the grid's. The HCBTF is then as it was.
+    /// A diagnostic where the edit is impossible: it names a part that does not exist, or sets a
+    /// value that no HCBTF holds, such as a tile of another size than the grid's. The HCBTF is then
+    /// as it was.
     pub fn apply(&mut self, edit: HcbtfEdit) -> Applied<HcbtfEdit> {
         self.edit(edit, false)
     }
@@ -165,7 +165,7 @@ impl Editable for Hcbtf {
         matches!(edit, HcbtfEdit::Group { edits } if edits.is_empty())
     }
 
-    /// Patches never do: each leads back one stroke, and no further.
+    /// Patches cover nothing: each leads back one stroke, and no further.
     fn covers(older: &HcbtfEdit, newer: &HcbtfEdit) -> bool {
         match (older, newer) {
             (HcbtfEdit::SetTile { address: a, .. }, HcbtfEdit::SetTile { address: b, .. }) => {
@@ -208,7 +208,7 @@ fn patch_tile(hcbtf: &mut Hcbtf, address: Address, patch: &Patch) -> Applied<Hcb
     let tile = hcbtf.painted.get_mut(&address.canonical()).ok_or_else(|| unpainted(address))?;
     let other =
         || impossible(format!("the sample at {address} is not what the stroke was painted on"));
-    // Before a tile that others share is copied.
+    // The patch is checked before a shared tile is copied.
     if !patch.applies_to(tile) {
         return Err(other());
     }
@@ -236,7 +236,7 @@ fn set_grid(hcbtf: &mut Hcbtf, grid: Grid) -> HcbtfEdit {
     }
 }
 
-/// Whether an edit sets what an HCBTF can hold, groups aside.
+/// Checks that an edit sets values that an HCBTF can hold, groups aside.
 fn check(hcbtf: &Hcbtf, edit: &HcbtfEdit) -> Result<(), Box<Diagnostic>> {
     match edit {
         HcbtfEdit::Replace { hcbtf } => {
@@ -287,7 +287,7 @@ fn check_tile(
     }
 }
 
-/// Rules beside so many others.
+/// Checks rules that are added to `others` existing ones.
 fn check_rules(grid: &Grid, rules: &[Rule], others: usize) -> Result<(), Box<Diagnostic>> {
     if rules.len() + others > Hcbtf::MAX_RULES {
         return Err(impossible(format!("there can be at most {} rules", Hcbtf::MAX_RULES)));

@@ -1,12 +1,12 @@
-//! The one way in which documents change: edits that know their inverses.
+//! Edits, the one way in which documents change; each edit has an inverse.
 //!
-//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that takes it back; scenes
-//! and HCBTFs have edits of their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document
-//! and keeps those, so that everything can be undone; serialized edits are what a journal holds.
+//! [`Look::apply`] checks an [`Edit`], applies it and returns the edit that undoes it; scenes and
+//! HCBTFs have edits of their own ([`SceneEdit`], [`HcbtfEdit`]). [`History`] owns a document and
+//! keeps the inverses, so that every edit can be undone; a journal holds serialized edits.
 //!
-//! An edit that takes away what other parts name (a node with its wires, a light with its keys) is
-//! first spelled out as a group of single edits, so that its inverse restores all of it in its old
-//! order.
+//! An edit that removes a part which other parts name (a node with its wires, a light with its
+//! keys) is first spelled out as a group of single edits, so that its inverse restores all of them
+//! in their old order.
 
 mod graph;
 mod hcbtf;
@@ -31,53 +31,54 @@ pub use history::{Editable, History, HistoryNumbers, Step};
 pub use patch::Patch;
 pub use scene::SceneEdit;
 
-/// What an edit comes to: the edit that takes it back.
+/// Result of an edit: the edit that undoes it.
 pub type Applied<E> = Result<E, Box<Diagnostic>>;
 
-/// A change of a look. Edits of nodes, wires and frames name the graph; without one it is the
-/// look's own.
+/// Edit of a look. Edits of nodes, wires and frames name the graph; by default it is the look's
+/// own.
 ///
-/// An `index` says where something new lies among its like; without one it comes last.
+/// An `index` is the position of a new part among its like; without one the part comes last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "edit", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the fields are named after what they set")]
 pub enum Edit {
     /// Several edits as one: all or none.
     Group { edits: Vec<Edit> },
-    /// Puts another look in the place of the whole one, as when its file was changed by others.
+    /// Replaces the whole look, as when another program changed its file.
     Replace { look: Box<Look> },
     /// Names the look.
     SetLookName { name: String },
-    /// Says what the look shows and how it is built.
+    /// Sets the text on what the look shows and how it is built.
     SetLookAbout { about: String },
-    /// Says what colors mean.
+    /// Sets the color space.
     SetColorSpace { color_space: ColorSpace },
-    /// Asks for another implementation of nodes that do not say their own.
+    /// Sets the tier of all nodes without a tier of their own.
     SetLookTier { tier: Tier },
 
     /// Adds a node under a new id.
     AddNode { graph: GraphId, id: NodeId, node: Node, index: Option<usize> },
-    /// Removes a node with its wires, its place in frames, and what exposes or keys its inputs.
+    /// Removes a node with its wires, its place in frames, and the exposed parameters and keys of
+    /// its inputs.
     RemoveNode { graph: GraphId, id: NodeId },
     /// Gives a node the artist's name; the id stays.
     SetName { graph: GraphId, id: NodeId, name: String },
-    /// Makes a node another kind; values and wires stay. What is exposed or keyed in a group that
-    /// goes away goes too.
+    /// Changes a node's kind; values and wires stay. Where a group goes away, the exposed
+    /// parameters and keys of inputs in it go too.
     SetKind { graph: GraphId, id: NodeId, kind: String },
-    /// Asks for another implementation of a node, or for that of what it lies in.
+    /// Sets a node's tier; `None` for the tier of the group or look around it.
     SetTier { graph: GraphId, id: NodeId, tier: Option<Tier> },
-    /// Leaves a node out, or takes it in again.
+    /// Mutes a node, or takes it in again.
     SetMuted { graph: GraphId, id: NodeId, muted: bool },
-    /// Shows no more of a node than its title, or all of it.
+    /// Collapses a node to its title, or expands it.
     SetCollapsed { graph: GraphId, id: NodeId, collapsed: bool },
     /// Moves nodes on the canvas, to these places.
     MoveNodes { graph: GraphId, positions: IndexMap<NodeId, [f64; 2]> },
-    /// Gives an input a value.
+    /// Sets the value of an input.
     SetValue { graph: GraphId, id: NodeId, port: PortName, value: Value, index: Option<usize> },
-    /// Takes an input's value away, so that it has its default.
+    /// Removes an input's value, so that the input has its default.
     ClearValue { graph: GraphId, id: NodeId, port: PortName },
 
-    /// Adds a wire in place of what fed its input; with an index, to an input that nothing feeds.
+    /// Adds a wire in place of any other into its input; with an index, to an input without a wire.
     AddWire { graph: GraphId, wire: Wire, index: Option<usize> },
     /// Removes a wire.
     RemoveWire { graph: GraphId, wire: Wire },
@@ -95,19 +96,19 @@ pub enum Edit {
     SetNote { graph: GraphId, id: NoteId, note: Note },
     /// Removes a note.
     RemoveNote { graph: GraphId, id: NoteId },
-    /// Changes the views that keys bring back.
+    /// Sets the bookmarks: views that keys bring back.
     SetBookmarks { graph: GraphId, bookmarks: Vec<Bookmark> },
 
     /// Adds a light under a new id.
     AddLight { id: LightId, light: Light, index: Option<usize> },
     /// Changes a light.
     SetLight { id: LightId, light: Light },
-    /// Removes a light and what exposes or keys it. Nodes that name it stay.
+    /// Removes a light with its exposed parameters and keys. Nodes that name the light stay.
     RemoveLight { id: LightId },
 
     /// Adds a group definition under a new id.
     AddDefinition { id: DefinitionId, definition: Definition, index: Option<usize> },
-    /// Changes what a group is called and its inputs and outputs; its graph stays.
+    /// Changes a group's label, help, inputs and outputs; its graph stays.
     SetInterface {
         id: DefinitionId,
         label: String,
@@ -141,7 +142,7 @@ pub enum Edit {
 }
 
 impl Edit {
-    /// What undo calls it, e.g. `add rim`.
+    /// Label of the edit for undo, e.g. `add rim`.
     pub fn label(&self) -> String {
         match self {
             Self::Group { edits } => {
@@ -195,11 +196,11 @@ impl Edit {
 }
 
 impl Look {
-    /// Applies an edit and returns the one that takes it back.
+    /// Applies an edit and returns the edit that undoes it.
     ///
     /// # Errors
-    /// A diagnostic where the edit is impossible: it names what does not exist, or sets what no
-    /// document holds. The look is then as it was.
+    /// A diagnostic where the edit is impossible: it names a part that does not exist, or sets a
+    /// value that no document holds. The look is then as it was.
     pub fn apply(&mut self, edit: Edit) -> Applied<Edit> {
         apply(self, edit, false)
     }
@@ -250,7 +251,7 @@ impl Editable for Look {
     }
 }
 
-/// Applies one edit. What is known to be good, because it takes back or repeats an edit, is not
+/// Applies one edit. An edit that is known to be good, because it undoes or repeats another, is not
 /// checked: a document that was broken before an edit is as broken after its undoing.
 fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
     if !is_known_good {
@@ -314,13 +315,13 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
     }
 }
 
-/// All edits, or none of them.
+/// Applies all edits, or none of them.
 fn group(look: &mut Look, edits: Vec<Edit>, is_known_good: bool) -> Applied<Edit> {
     all_or_none(look, edits, is_known_good).map(|edits| Edit::Group { edits })
 }
 
-/// Applies edits in order; where one fails, those before it are taken back. Returns the inverses in
-/// the order in which they are to be applied.
+/// Applies edits in order; where one fails, those before it are undone. Returns the inverses in the
+/// order in which they are to be applied.
 fn all_or_none<D: Editable>(
     document: &mut D,
     edits: Vec<D::Edit>,
@@ -347,17 +348,17 @@ fn all_or_none<D: Editable>(
     Err(problem)
 }
 
-/// What an edit that changes nothing is taken back by.
+/// Inverse of an edit that changes nothing.
 fn nothing() -> Edit {
     Edit::Group { edits: Vec::new() }
 }
 
-/// An edit names something that is not there.
+/// Diagnostic of an edit that names a part that does not exist.
 fn missing(what: &str, name: impl std::fmt::Display) -> Box<Diagnostic> {
     Box::new(Diagnostic::error("impossible-edit", format!("there is no {what} `{name}`")))
 }
 
-/// An edit cannot be applied.
+/// Diagnostic of an edit that cannot be applied.
 fn impossible(message: impl Into<String>) -> Box<Diagnostic> {
     Box::new(Diagnostic::error("impossible-edit", message))
 }

@@ -1,10 +1,10 @@
-//! What a stroke changed of a tile.
+//! Patches: the changes of a tile by a stroke.
 //!
-//! It is kept as the exclusive or of before and after, over the rectangle around what changed, and
-//! packed: texels that are equal are zeros, of which thousands pack into a few bytes, so that a
-//! thin stroke across a whole tile is small, and one that goes around a seam is as well. The same
-//! bytes lead back and forth, so undoing and redoing share them. Hashes of the rectangle see to it
-//! that a patch is laid only on the texels that it was made of.
+//! A patch is kept as the exclusive or of before and after, over the rectangle around the changes,
+//! and packed: equal texels are zeros, of which thousands pack into a few bytes, so that a thin
+//! stroke across a whole tile is small, and one that goes around a seam is as well. The same bytes
+//! lead back and forth, so undoing and redoing share them. Hashes of the rectangle ensure that a
+//! patch is applied only to the texels that it was made of.
 //!
 //! A stroke takes about as much memory as its changed texels do packed, and hardly more than 4
 //! bytes for each: measured across a tile of 512 x 512, a hard stroke of 32 texels over one color
@@ -17,21 +17,21 @@ use crate::document::Tile;
 use crate::document::hcbtf::hash;
 use crate::document::packed::Bytes;
 
-/// The difference between two tiles of one size, in either direction.
+/// Difference between two tiles of one size, in either direction.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Patch {
-    /// `[x, y, width, height]` in texels.
+    /// Rectangle `[x, y, width, height]` of the changes, in texels.
     place: [u32; 4],
-    /// The hash of the texels there before.
+    /// Hash of the rectangle's texels before.
     from: u64,
-    /// The hash of the texels there afterwards.
+    /// Hash of the rectangle's texels afterwards.
     to: u64,
-    /// Before and after by exclusive or, row by row.
+    /// Exclusive or of the texels before and after, row by row.
     texels: Bytes,
 }
 
 impl Patch {
-    /// What makes `after` of `before`. `None` where they are equal, or not of one size.
+    /// Patch that makes `after` of `before`. `None` where they are equal, or not of one size.
     pub fn between(before: &Tile, after: &Tile) -> Option<Self> {
         let place = changed(before, after)?;
         let (was, is) = (cut(before, place)?, cut(after, place)?);
@@ -39,23 +39,23 @@ impl Patch {
         Some(Self { place, from: hash(&was), to: hash(&is), texels: Bytes::pack(&texels) })
     }
 
-    /// Where it changes something: `[x, y, width, height]` in texels.
+    /// Rectangle `[x, y, width, height]` of the changes, in texels.
     pub fn place(&self) -> [u32; 4] {
         self.place
     }
 
-    /// How many bytes of memory it takes, nearly.
+    /// Memory of the patch, nearly, in bytes.
     pub fn memory(&self) -> usize {
         size_of::<Self>() + self.texels.count()
     }
 
-    /// Whether it changes this tile.
+    /// True if the patch applies to this tile.
     pub(super) fn applies_to(&self, tile: &Tile) -> bool {
         cut(tile, self.place).is_some_and(|texels| hash(&texels) == self.from)
     }
 
-    /// Changes the tile and returns what takes that back; `None` where it was made for other
-    /// texels, which stay.
+    /// Applies the patch to the tile and returns the patch that undoes it; `None` where the patch
+    /// was made for other texels, which stay.
     pub(super) fn apply(&self, tile: &mut Tile) -> Option<Self> {
         let was = cut(tile, self.place).filter(|texels| hash(texels) == self.from)?;
         let change = self.texels.unpack(was.len())?;
@@ -72,7 +72,7 @@ impl Patch {
     }
 }
 
-/// The rectangle around all texels that differ.
+/// Rectangle around all texels that differ.
 fn changed(before: &Tile, after: &Tile) -> Option<[u32; 4]> {
     if before.size() != after.size() {
         return None;
@@ -90,7 +90,7 @@ fn changed(before: &Tile, after: &Tile) -> Option<[u32; 4]> {
     Some([left, top, right + 1 - left, bottom + 1 - top].map(|number| number as u32))
 }
 
-/// The bytes of a rectangle, row by row; `None` where it is empty or not on the tile.
+/// Bytes of a rectangle, row by row; `None` where it is empty or not on the tile.
 fn cut(tile: &Tile, [x, y, width, height]: [u32; 4]) -> Option<Vec<u8>> {
     let size = tile.size();
     let is_in = |start: u32, count: u32, side: u32| {

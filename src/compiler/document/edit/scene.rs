@@ -7,20 +7,20 @@ use super::{Applied, Editable, all_or_none, missing, trial};
 use crate::document::{Camera, Light, Object, Scene, TimeRange};
 use crate::ids::{LightId, ObjectId};
 
-/// A change of a scene.
+/// Edit of a scene.
 ///
-/// An `index` says where something new lies among its like; without one it comes last.
+/// An `index` is the position of a new part among its like; without one the part comes last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "edit", rename_all = "snake_case")]
 #[allow(missing_docs, reason = "the fields are named after what they set")]
 pub enum SceneEdit {
     /// Several edits as one: all or none.
     Group { edits: Vec<SceneEdit> },
-    /// Puts another scene in the place of the whole one, as when its file was changed by others.
+    /// Replaces the whole scene, as when another program changed its file.
     Replace { scene: Box<Scene> },
     /// Names the scene.
     SetSceneName { name: String },
-    /// Says what the scene shows and how it is built.
+    /// Sets the text on what the scene shows and how it is built.
     SetSceneAbout { about: String },
     /// Adds an object under a new id.
     AddObject { id: ObjectId, object: Object, index: Option<usize> },
@@ -34,18 +34,18 @@ pub enum SceneEdit {
     SetLight { id: LightId, light: Light },
     /// Removes a light.
     RemoveLight { id: LightId },
-    /// Turns the illumination frame: a unit quaternion `[x, y, z, w]`.
+    /// Sets the rotation of the illumination frame: a unit quaternion `[x, y, z, w]`.
     SetIllumination { rotation: [f64; 4] },
     /// Moves the camera.
     SetCamera { camera: Camera },
     /// Changes the backdrop; `None` for transparent.
     SetBackdrop { color: Option<[f64; 4]> },
-    /// Changes the times.
+    /// Changes the time range.
     SetTime { time: TimeRange },
 }
 
 impl Scene {
-    /// Applies an edit and returns the one that takes it back.
+    /// Applies an edit and returns the edit that undoes it.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; the scene is then as it was.

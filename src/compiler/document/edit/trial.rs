@@ -1,8 +1,8 @@
-//! Whether an edit may be applied: what it sets must be something that a document can hold, and it
-//! must name things that exist.
+//! Checks of edits before they are applied: the new values must be ones that a document can hold,
+//! and the names must exist.
 //!
-//! The first is tried rather than written down again: a small document with nothing but the new
-//! part is written and read, so that an edit obeys every bound of the reader.
+//! The first check is a trial rather than a second set of rules: a small document with nothing but
+//! the new part is written and read, so that an edit obeys every bound of the reader.
 
 use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
@@ -108,7 +108,7 @@ pub(super) fn check_scene(edit: &SceneEdit) -> Check {
     first_error(Scene::read(&trial.to_trial_text(), "").diagnostics)
 }
 
-/// Whether a look with nothing but this part is read without an error.
+/// Checks that a look with nothing but this part is read without an error.
 fn readable(part: impl FnOnce(&mut Look)) -> Check {
     let mut trial = Look::default();
     part(&mut trial);
@@ -119,14 +119,14 @@ fn readable_node(node: Node) -> Check {
     readable(|trial| drop(trial.graph.nodes.insert("trial".into(), node)))
 }
 
-/// As [`readable`], but for parts that name others, which are not in the trial.
+/// Check as [`readable`], but for parts that name others, which are not in the trial.
 fn readable_alone(part: impl FnOnce(&mut Look)) -> Check {
     let mut trial = Look::default();
     part(&mut trial);
     first_error(Look::read_alone(&trial.to_trial_text()))
 }
 
-/// The first error, without its place in the trial.
+/// First error, without its place in the trial.
 fn first_error(diagnostics: Vec<Diagnostic>) -> Check {
     match diagnostics.into_iter().find(Diagnostic::is_error) {
         None => Ok(()),
@@ -178,8 +178,9 @@ fn check_frame(look: &Look, graph: &GraphId, frame: &Frame) -> Check {
     readable_alone(|trial| drop(trial.graph.frames.insert("trial".into(), frame.clone())))
 }
 
-/// A group that is used stays. Taking back that one was added, which may stand before the library's
-/// of the same name, leaves its nodes to that; so inverses are not asked.
+/// Checks that a group is unused before it is removed. Undoing the addition of a group, which may
+/// stand before the library's of the same name, leaves its nodes to the latter; so inverses are not
+/// checked.
 fn check_unused(look: &Look, id: &DefinitionId) -> Check {
     let uses = |graph: &Graph| {
         graph.nodes.iter().find(|(_, node)| node.kind == id.as_str()).map(|(id, _)| id.clone())
@@ -196,7 +197,8 @@ fn check_unused(look: &Look, id: &DefinitionId) -> Check {
     }
 }
 
-/// A definition may not take targets away from a group of the library of the same name.
+/// Checks that a definition does not take targets away from a group of the library of the same
+/// name.
 fn keeps_targets(look: &Look, id: &DefinitionId, graph: &Graph) -> Check {
     let targets = look.exposed.iter().map(|exposed| &exposed.target);
     let targets = targets.chain(look.time_keys.iter().map(|keys| &keys.target));

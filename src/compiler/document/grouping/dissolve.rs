@@ -1,4 +1,4 @@
-//! A group's node replaced by what is in the group.
+//! Dissolving of groups: a group's node is replaced by the nodes in the group.
 
 use std::collections::HashMap;
 
@@ -11,21 +11,22 @@ use crate::ids::{
     DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NoteId, PortName, make_slug,
 };
 
-/// A group that is to be dissolved.
+/// Result of dissolving a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dissolved {
-    /// What dissolves it.
+    /// Edit that dissolves the group.
     pub edit: Edit,
-    /// The nodes that take its place.
+    /// Nodes that take the place of the group's node.
     pub nodes: Vec<NodeId>,
 }
 
 /// Replaces a node by the nodes of its `definition` (of the document or of the library). Values,
-/// keys and what is exposed go along. A definition of the document that nothing uses any more goes
-/// too.
+/// keys and exposed parameters follow. A definition of the document that no node uses any more is
+/// removed too.
 ///
 /// # Errors
-/// A diagnostic where there is no such node, or where it is muted, as then it is not what is in it.
+/// A diagnostic where there is no such node, or where it is muted: a muted group gives another
+/// result than the nodes in it.
 pub fn dissolve(
     look: &Look,
     graph: &GraphId,
@@ -56,7 +57,7 @@ pub fn dissolve(
 
 type Ids<'l> = indexmap::IndexMap<&'l NodeId, NodeId>;
 
-/// The ids that inner nodes get outside: their own where those are free.
+/// Ids that inner nodes get outside: their own where those are free.
 fn new_ids<'l>(of: &Graph, definition: &'l Definition) -> Ids<'l> {
     let mut ids = Ids::new();
     let mut taken: std::collections::HashSet<NodeId> = of.nodes.keys().cloned().collect();
@@ -73,7 +74,7 @@ fn new_ids<'l>(of: &Graph, definition: &'l Definition) -> Ids<'l> {
     ids
 }
 
-/// A group's node with what is in it.
+/// Group's node together with its definition.
 struct Opened<'l> {
     of: &'l Graph,
     graph: &'l GraphId,
@@ -84,14 +85,14 @@ struct Opened<'l> {
 }
 
 impl Opened<'_> {
-    /// The value that an interface input has while nothing feeds it.
+    /// Value of an interface input while nothing feeds it.
     fn value(&self, port: &PortName) -> Option<&Value> {
         let default =
             || self.definition.inputs.iter().find(|known| known.name == *port)?.default.as_ref();
         self.node.values.get(port).or_else(default)
     }
 
-    /// What feeds an interface input from outside.
+    /// Output outside the group that feeds an interface input.
     fn source(&self, port: &PortName) -> Option<&Endpoint> {
         self.of.wire_into(self.id, port).map(|wire| &wire.from)
     }
@@ -120,7 +121,7 @@ impl Opened<'_> {
         inner.nodes.iter().map(add).collect()
     }
 
-    /// From the group's own places to around its node.
+    /// Translation from the group's own positions to positions around its node.
     fn shift(&self) -> [f64; 2] {
         let nodes = &self.definition.graph.nodes;
         let of = |axis: usize| {
@@ -136,7 +137,7 @@ impl Opened<'_> {
         [of(0), of(1)]
     }
 
-    /// An inner end of a wire, outside; for interface inputs, what feeds them.
+    /// Outer equivalent of an inner wire's start; for interface inputs, the output that feeds them.
     fn outside(&self, from: &Endpoint) -> Option<Endpoint> {
         if from.node.as_str() == GROUP_INPUTS {
             return self.source(&from.port).cloned();
@@ -166,7 +167,7 @@ impl Opened<'_> {
             let Some(inner) = inner.iter().find(is_it) else { continue };
             match self.outside(&inner.from) {
                 Some(from) => edits.push(add(from, wire.to.clone())),
-                // What only came through as a value is the value of who took it.
+                // A value of the interface becomes the value of the input behind it.
                 None => edits.extend(self.value(&inner.from.port).map(|value| Edit::SetValue {
                     graph: self.graph.clone(),
                     id: wire.to.node.clone(),
@@ -179,7 +180,7 @@ impl Opened<'_> {
         edits
     }
 
-    /// What a target in the group, or on the group's own inputs, becomes.
+    /// Targets outside that replace a target in the group, or on the group's own inputs.
     fn target(
         &self,
         look: &Look,
@@ -204,7 +205,7 @@ impl Opened<'_> {
         Some(self.definition.graph.wires.iter().filter(is_it).filter_map(target).collect())
     }
 
-    /// What an output in the group, or one of the group's own, becomes.
+    /// Output outside that replaces an output in the group, or one of the group's own.
     fn output(&self, look: &Look, output: &OutputPort) -> Option<OutputPort> {
         let ids = output.node.ids();
         let step = step_in(look, &output.node, self.graph).filter(|&step| ids[step] == *self.id)?;
@@ -224,7 +225,7 @@ impl Opened<'_> {
         outside(end.node, &[], &end.port)
     }
 
-    /// Frames and notes of the group, and the frame that the group lies in.
+    /// Edits of the frames and notes of the group, and of the frame that the group lies in.
     fn frames(&self) -> Vec<Edit> {
         let mut edits = Vec::new();
         let inner = &self.definition.graph;
@@ -270,7 +271,7 @@ impl Opened<'_> {
     }
 }
 
-/// Removes the definition of a node that goes away, where it was the only one.
+/// Edit that removes the definition of a removed node, where that node was the last to use it.
 fn unused(look: &Look, graph: &GraphId, id: &NodeId, node: &Node) -> Option<Edit> {
     let own = DefinitionId::from(node.kind.as_str());
     look.definitions.get(&own)?;

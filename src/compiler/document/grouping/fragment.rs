@@ -1,4 +1,5 @@
-//! Parts of a graph as text: a small look, so that it can be read, mended and mailed as any other.
+//! Fragments: parts of a graph as text, in the form of a small look, so that they can be read,
+//! mended and mailed as any other look.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,18 +9,18 @@ use crate::diag::Diagnostic;
 use crate::document::{Definition, Edit, Endpoint, Graph, GraphId, Look, Value, Wire};
 use crate::ids::{DefinitionId, FrameId, NodeId, NoteId, make_slug};
 
-/// What a text adds to a graph.
+/// Result of pasting a text into a graph.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pasted {
-    /// What adds it.
+    /// Edit that adds the fragment.
     pub edit: Edit,
-    /// The new nodes.
+    /// Ids of the new nodes.
     pub nodes: Vec<NodeId>,
-    /// The new notes.
+    /// Ids of the new notes.
     pub notes: Vec<NoteId>,
 }
 
-/// Nodes and notes of a graph as text: with the wires between them, the frames that hold none but
+/// Text of nodes and notes of a graph: with the wires between them, the frames that hold none but
 /// them, and the groups and lights that they name.
 pub fn copy_text(look: &Look, graph: &Graph, nodes: &[NodeId], notes: &[NoteId]) -> String {
     let chosen: HashSet<&NodeId> = nodes.iter().collect();
@@ -49,7 +50,7 @@ pub fn copy_text(look: &Look, graph: &Graph, nodes: &[NodeId], notes: &[NoteId])
     part.to_text()
 }
 
-/// The groups of a document that a graph uses, and those that they use.
+/// Groups of a document that a graph uses, directly or through other groups.
 fn definitions(look: &Look, graph: &Graph) -> IndexMap<DefinitionId, Definition> {
     let mut used: HashSet<&str> = HashSet::new();
     let mut open: Vec<&Graph> = vec![graph];
@@ -66,12 +67,12 @@ fn definitions(look: &Look, graph: &Graph) -> IndexMap<DefinitionId, Definition>
     definitions.map(|(id, definition)| (id.clone(), definition.clone())).collect()
 }
 
-/// Adds what [`copy_text`] wrote, or any other look's nodes, to a graph, with its middle at `at`
-/// or, without one, a little off its own place. Groups and lights that the document has already are
-/// used; others come along.
+/// Adds a fragment that [`copy_text`] wrote, or any other look's nodes, to a graph, with its middle
+/// at `at` or, without one, a little off its own position. Groups and lights that the document has
+/// already are used; others come along.
 ///
 /// # Errors
-/// A diagnostic where the text is no look, or where there is nothing in it to add.
+/// A diagnostic where the text is no look, or holds nothing to add.
 pub fn paste_text(
     look: &Look,
     graph: &GraphId,
@@ -89,7 +90,7 @@ pub fn paste_text(
     let part =
         if text.trim_start().starts_with('{') { Look::read(text, "clipboard").value } else { None };
     let mut part = part.ok_or_else(nothing)?;
-    // There is one output, and it is the look's.
+    // A look has one output node, and groups have none.
     let has_output = *graph != GraphId::Look || of.nodes.values().any(|node| node.kind == OUTPUT);
     part.graph.nodes.retain(|_, node| !(has_output && node.kind == OUTPUT));
     if part.graph.nodes.is_empty() && part.graph.notes.is_empty() {
@@ -109,10 +110,10 @@ pub fn paste_text(
     Ok(Pasted { edit: Edit::Group { edits }, nodes: ids.into_values().collect(), notes })
 }
 
-/// The kind of the node that is what a look comes to.
+/// Kind of the node that is the result of a look.
 const OUTPUT: &str = "output";
 
-/// Adds the groups that the document lacks. Returns the kinds that have another name here.
+/// Adds the groups that the document lacks. Returns the kinds that are renamed here.
 fn add_definitions(look: &Look, part: &Look, edits: &mut Vec<Edit>) -> HashMap<String, String> {
     let mut kinds = HashMap::new();
     let mut taken: HashSet<String> = look.definitions.keys().map(ToString::to_string).collect();
@@ -142,8 +143,8 @@ fn add_definitions(look: &Look, part: &Look, edits: &mut Vec<Edit>) -> HashMap<S
     kinds
 }
 
-/// Groups before those that use them, so that undoing, which goes the other way, never takes away
-/// what is in use.
+/// Groups, each before those that use it, so that undoing, which goes the other way, never removes
+/// a group in use.
 fn inner_first(all: &IndexMap<DefinitionId, Definition>) -> Vec<(&DefinitionId, &Definition)> {
     let mut rest: Vec<_> = all.iter().collect();
     let mut sorted: Vec<(&DefinitionId, &Definition)> = Vec::with_capacity(rest.len());
@@ -155,7 +156,7 @@ fn inner_first(all: &IndexMap<DefinitionId, Definition>) -> Vec<(&DefinitionId, 
         let (ready, others): (Vec<_>, Vec<_>) =
             rest.iter().copied().partition(|(_, definition)| is_ready(definition));
         if ready.is_empty() {
-            // A ring, which the compiler tells of.
+            // The rest is a ring, which the compiler reports.
             sorted.extend(others);
             break;
         }
@@ -165,9 +166,9 @@ fn inner_first(all: &IndexMap<DefinitionId, Definition>) -> Vec<(&DefinitionId, 
     sorted
 }
 
-/// How far everything moves.
+/// Translation of the fragment, in points.
 fn shift(part: &Graph, at: Option<[f64; 2]>) -> [f64; 2] {
-    /// How far a copy lies from what it was made of.
+    /// Distance of a copy from its original, in points.
     const COPY_OFFSET: f64 = 32.0;
     let Some(at) = at else { return [COPY_OFFSET; 2] };
     let nodes = part.nodes.values().map(|node| node.position);
@@ -190,7 +191,7 @@ struct Adder<'a> {
 
 impl<'a> Adder<'a> {
     fn shifted(&self, place: [f64; 2]) -> [f64; 2] {
-        // What a document may hold.
+        // Greatest coordinate that a document may hold.
         const FAR: f64 = 1e9;
         [0, 1].map(|axis| (place[axis] + self.shift[axis]).clamp(-FAR, FAR))
     }

@@ -1,4 +1,4 @@
-//! A group made of nodes of a graph.
+//! Making of groups from nodes of a graph.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,23 +11,23 @@ use crate::ids::{
     DefinitionId, FrameId, GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName, make_slug,
 };
 
-/// A group that is to be made.
+/// Result of making a group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grouped {
-    /// What makes it.
+    /// Edit that makes the group.
     pub edit: Edit,
-    /// The new node, in place of the nodes.
+    /// Id of the new node, in place of the grouped nodes.
     pub node: NodeId,
-    /// What it is of.
+    /// Id of the group's definition.
     pub definition: DefinitionId,
 }
 
-/// Makes a group of nodes of a graph. Every output outside that feeds them becomes an input of the
-/// group, every output of theirs that is used outside becomes an output; values, places, frames and
-/// what is keyed or exposed go along.
+/// Makes a group of nodes of a graph. Every outer output that feeds them becomes an input of the
+/// group, every output of theirs that is used outside becomes an output; values, positions, frames,
+/// keys and exposed parameters follow.
 ///
-/// `taken` says which kinds there are already; `first_output` names a node's first output, for
-/// wires that do not. `None` where none of `nodes` exists.
+/// `taken` tells whether a kind exists already; `first_output` names a node's first output, for
+/// wires that name no port. `None` where none of `nodes` exists.
 pub fn group(
     look: &Look,
     graph: &GraphId,
@@ -102,7 +102,7 @@ pub fn group(
         |output| Some(OutputPort { node: inside(&output.node)?, port: output.port.clone() }),
     ));
     edits.extend(frames);
-    // In the order of the document, so that undoing puts each back where it was.
+    // Nodes are removed in the order of the document, so that undoing puts each back where it was.
     let removed = of.nodes.keys().filter(|id| moved.contains(id));
     edits.extend(removed.map(|id| Edit::RemoveNode { graph: graph.clone(), id: id.clone() }));
     edits.extend(outer.into_iter().map(|wire| Edit::AddWire {
@@ -117,7 +117,7 @@ fn is_group_end(id: &str) -> bool {
     matches!(id, GROUP_INPUTS | GROUP_OUTPUTS)
 }
 
-/// A wire's start, with the name of its port.
+/// Start of a wire, with the name of its port.
 fn with_port(
     of: &Graph,
     from: &Endpoint,
@@ -130,18 +130,18 @@ fn with_port(
     Endpoint { node: from.node.clone(), port }
 }
 
-/// What a group comes to consist of.
+/// Parts of a group that is being made.
 #[derive(Default)]
 struct Parts {
     graph: Graph,
     inputs: Vec<InterfacePort>,
     outputs: Vec<InterfacePort>,
-    /// The interface's ports by the output that feeds them.
+    /// Ports of the interface by the output that feeds them; true for outputs of the group.
     ports: HashMap<(bool, Endpoint), PortName>,
 }
 
 impl Parts {
-    /// The input that this outer output feeds.
+    /// Interface input that this outer output feeds.
     fn input(&mut self, from: &Endpoint, to: &Endpoint) -> PortName {
         let key = (false, from.clone());
         if let Some(known) = self.ports.get(&key) {
@@ -153,7 +153,7 @@ impl Parts {
         name
     }
 
-    /// The output that this inner output becomes.
+    /// Interface output that this inner output becomes.
     fn output(&mut self, from: &Endpoint) -> PortName {
         let key = (true, from.clone());
         if let Some(known) = self.ports.get(&key) {
@@ -168,7 +168,7 @@ impl Parts {
     }
 }
 
-/// The port's own name, or else with that of its node.
+/// Name for a new port: the port's own, or else with that of its node.
 fn free_name(ports: &[InterfacePort], port: &PortName, node: &NodeId) -> PortName {
     let is_taken = |slug: &str| ports.iter().any(|known| known.name.as_str() == slug);
     let own = if port.as_str().is_empty() { "value" } else { port.as_str() };
@@ -178,7 +178,7 @@ fn free_name(ports: &[InterfacePort], port: &PortName, node: &NodeId) -> PortNam
     PortName::new(make_slug(&format!("{node}_{own}"), is_taken))
 }
 
-/// The middle of where nodes lie, in whole points.
+/// Middle of the nodes' positions, in whole points.
 fn middle(graph: &Graph) -> [f64; 2] {
     let of = |axis: usize| {
         let places = || graph.nodes.values().map(|node| node.position[axis]);
@@ -188,8 +188,8 @@ fn middle(graph: &Graph) -> [f64; 2] {
     [of(0), of(1)]
 }
 
-/// Frames whose nodes all move go along; of others the moved nodes leave, and the group takes their
-/// place where one frame held all of them.
+/// Edits of frames. Frames whose nodes all move go along; moved nodes leave other frames, and the
+/// group takes their place where one frame held all of them.
 fn frames(
     of: &Graph,
     moved: &HashSet<&NodeId>,

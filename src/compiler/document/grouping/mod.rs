@@ -1,8 +1,8 @@
-//! Groups made of nodes and dissolved again, and parts of a graph as text for the clipboard: each
-//! as one edit.
+//! Grouping: groups are made of nodes and dissolved again, and parts of a graph become text for the
+//! clipboard, each as one edit.
 //!
-//! All of it is said in [`Edit`](super::Edit)s, so that it is undone, journalled and checked as
-//! everything else is. What exposes or keys an input follows it into a group and out of it.
+//! Every change is made of [`Edit`](super::Edit)s, so that it is undone, journaled and checked as
+//! any other. Keys and exposed parameters follow their inputs into a group and out of it.
 
 mod dissolve;
 mod fragment;

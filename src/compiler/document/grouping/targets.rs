@@ -1,9 +1,9 @@
-//! What exposes or keys inputs, when nodes move into a group or out of it.
+//! Keys and exposed parameters of nodes that move into a group or out of it.
 
 use crate::document::{Driver, Edit, GraphId, KeyDirection, Look, OutputPort, Target};
 use crate::ids::{DefinitionId, NodeId, NodePath, PortName};
 
-/// The step of a target's path that lies in `graph`, if one does.
+/// Step of a target's path that lies in `graph`, if one does.
 pub(super) fn step_in(look: &Look, node: &NodePath, graph: &GraphId) -> Option<usize> {
     let mut here = GraphId::Look;
     for (step, id) in node.ids().iter().enumerate() {
@@ -16,14 +16,14 @@ pub(super) fn step_in(look: &Look, node: &NodePath, graph: &GraphId) -> Option<u
     None
 }
 
-/// A path of ids; there is at least one.
+/// Path of ids; `None` without ids.
 pub(super) fn path_of(ids: &[NodeId]) -> Option<NodePath> {
     let (first, rest) = ids.split_first()?;
     Some(rest.iter().fold(NodePath::root(first.clone()), |path, id| path.join(id.clone())))
 }
 
-/// The edits that let everything that is exposed or keyed follow `moved`, which gives every input
-/// that a target becomes, and what drives keys `moved_output`; `None` leaves a target or an output
+/// Edits that let all keys and exposed parameters follow: `moved` gives the new targets of a
+/// target, and `moved_output` the new output of a driver; `None` leaves a target or an output
 /// alone.
 pub(super) fn follow(
     look: &Look,

@@ -1,4 +1,4 @@
-//! A hand-painted 6D texture: what is painted of it, and the rules that fill the rest.
+//! Hand-painted 6D texture (HCBTF): painted samples, and the rules that fill the others.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -17,31 +17,31 @@ pub use strokes::{
     Strokes,
 };
 
-/// The most texels along a side of a tile.
+/// Greatest number of texels along a side of a tile.
 pub const MAX_TILE_SIDE: u32 = 4095;
-/// The most steps of an angle.
+/// Greatest number of steps of an angle.
 pub const MAX_ANGLE_STEPS: u32 = 255;
 
-/// How many directions there are over the hemisphere: rings from the normal down to the horizon,
-/// and steps around it.
+/// Grid of directions over the hemisphere: rings from the normal down to the horizon, and steps
+/// around it.
 ///
 /// Ring `theta` of `n` lies `theta / (n - 1)` of a quarter turn from the normal (thesis 10.2: 6
 /// rings, 18 degrees apart); step `phi` of `n` lies `phi / n` of a turn from v toward u.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Directions {
-    /// Rings: 1 is the normal alone.
+    /// Number of rings: 1 is the normal alone.
     pub theta: u32,
-    /// Steps around each ring.
+    /// Number of steps around each ring.
     pub phi: u32,
 }
 
 impl Directions {
-    /// How many directions, the normal once for each step around it.
+    /// Number of directions, with the normal once for each step around it.
     pub fn count(self) -> usize {
         self.theta as usize * self.phi as usize
     }
 
-    /// All of them that differ: the normal only once.
+    /// Distinct directions: the normal only once.
     pub fn distinct(self) -> impl Iterator<Item = Direction> {
         let ring = move |theta| {
             (0..if theta == 0 { 1 } else { self.phi }).map(move |phi| Direction { theta, phi })
@@ -49,12 +49,12 @@ impl Directions {
         (0..self.theta).flat_map(ring)
     }
 
-    /// How many differ: the normal is one direction, whatever the step around it.
+    /// Number of distinct directions: the normal is one direction, whatever the step around it.
     pub fn distinct_count(self) -> u64 {
         1 + u64::from(self.theta.max(1) - 1) * u64::from(self.phi)
     }
 
-    /// Where a direction stands in [`Self::distinct`].
+    /// Index of a direction in [`Self::distinct`].
     pub fn index(self, direction: Direction) -> u64 {
         match direction.canonical() {
             Direction { theta: 0, .. } => 0,
@@ -64,12 +64,12 @@ impl Directions {
         }
     }
 
-    /// Whether a direction is one of these.
+    /// True if the grid has a direction.
     pub fn contains(self, direction: Direction) -> bool {
         direction.theta < self.theta && direction.phi < self.phi
     }
 
-    /// A direction's angles in radians: from the normal, and around it from v toward u.
+    /// Angles of a direction, from the normal, and around it from v toward u; in radians.
     pub fn angles(self, direction: Direction) -> [f64; 2] {
         let rings = f64::from(self.theta.max(2) - 1);
         let quarter = std::f64::consts::FRAC_PI_2;
@@ -79,17 +79,17 @@ impl Directions {
         ]
     }
 
-    /// The unit vector of a direction: along u, along v, along the normal.
+    /// Unit vector of a direction: along u, along v, along the normal.
     pub fn vector(self, direction: Direction) -> glam::DVec3 {
         let [theta, phi] = self.angles(direction);
         glam::DVec3::new(theta.sin() * phi.sin(), theta.sin() * phi.cos(), theta.cos())
     }
 }
 
-/// How finely an HCBTF is divided.
+/// Grid of an HCBTF: the sizes of its six dimensions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Grid {
-    /// Texels of a tile: along u and along v; rows go down from where v is largest.
+    /// Texels of a tile along u and along v; rows go down from where v is largest.
     pub size: [u32; 2],
     /// Directions toward the light.
     pub light: Directions,
@@ -98,23 +98,23 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// The thesis's own: 32 x 32 texels, 6 x 10 lights, 6 x 10 views (thesis 10.2).
+    /// Grid of the thesis: 32 x 32 texels, 6 x 10 lights, 6 x 10 views (thesis 10.2).
     pub const THESIS: Self = {
         let directions = Directions { theta: 6, phi: 10 };
         Self { size: [32, 32], light: directions, view: directions }
     };
 
-    /// Texels of a tile.
+    /// Number of texels of a tile.
     pub fn texels(&self) -> usize {
         self.size[0] as usize * self.size[1] as usize
     }
 
-    /// Whether the sample exists.
+    /// True if the grid has a sample.
     pub fn contains(&self, address: Address) -> bool {
         self.light.contains(address.light) && self.view.contains(address.view)
     }
 
-    /// Every sample that differs from the others by its directions, by view and then by light.
+    /// Addresses of the distinct samples, by view and then by light.
     pub fn addresses(&self) -> impl Iterator<Item = Address> {
         let light = self.light;
         self.view
@@ -122,12 +122,12 @@ impl Grid {
             .flat_map(move |view| light.distinct().map(move |light| Address { light, view }))
     }
 
-    /// How many samples [`Self::addresses`] gives.
+    /// Number of samples that [`Self::addresses`] gives.
     pub fn sample_count(&self) -> u64 {
         self.view.distinct_count() * self.light.distinct_count()
     }
 
-    /// Where a sample stands in [`Self::addresses`]; `None` outside the grid.
+    /// Index of a sample in [`Self::addresses`]; `None` outside the grid.
     pub fn index(&self, address: Address) -> Option<u64> {
         let index = || {
             self.view.index(address.view) * self.light.distinct_count()
@@ -136,10 +136,10 @@ impl Grid {
         self.contains(address).then(index)
     }
 
-    /// What is wrong with its numbers, said to whoever gave them.
+    /// Checks the numbers of the grid.
     ///
     /// # Errors
-    /// Which number, and what it may be.
+    /// A message that names the invalid number and its bounds.
     pub fn check(&self) -> Result<(), String> {
         let sides = [("width", self.size[0]), ("height", self.size[1])];
         let angles = [
@@ -159,17 +159,17 @@ impl Grid {
     }
 }
 
-/// One direction of a grid.
+/// Direction of a grid.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Direction {
-    /// The ring, 0 at the normal.
+    /// Ring, 0 at the normal.
     pub theta: u32,
-    /// The step around the ring.
+    /// Step around the ring.
     pub phi: u32,
 }
 
 impl Direction {
-    /// The same direction as everybody writes it: there is no way around the normal itself.
+    /// Canonical form of the direction: the normal itself has no angle around it.
     pub fn canonical(self) -> Self {
         if self.theta == 0 { Self::default() } else { self }
     }
@@ -181,24 +181,24 @@ impl fmt::Display for Direction {
     }
 }
 
-/// One sample: how the tile looks for a light and an eye.
+/// Address of a sample: a tile as it looks under one light for one eye.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Address {
-    /// Toward the eye.
+    /// Direction toward the eye.
     pub view: Direction,
-    /// Toward the light.
+    /// Direction toward the light.
     pub light: Direction,
 }
 
 impl Address {
-    /// The sample for a light and a view, each by ring and step.
+    /// Address of the sample for a light and a view, each by ring and step.
     pub fn new(light: [u32; 2], view: [u32; 2]) -> Self {
         let direction = |[theta, phi]: [u32; 2]| Direction { theta, phi };
         Self { light: direction(light), view: direction(view) }.canonical()
     }
 
-    /// The address by which the sample is kept: at the normal there is one sample, whatever the
-    /// step around it.
+    /// Address by which the sample is kept: at the normal there is one sample, whatever the step
+    /// around it.
     pub fn canonical(self) -> Self {
         Self { view: self.view.canonical(), light: self.light.canonical() }
     }
@@ -210,7 +210,7 @@ impl fmt::Display for Address {
     }
 }
 
-/// The texels of a tile: straight RGBA, 8 bits a channel, rows from the top.
+/// Texels of a tile: straight RGBA, 8 bits a channel, rows from the top.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Tile {
     size: [u32; 2],
@@ -224,35 +224,35 @@ impl fmt::Debug for Tile {
 }
 
 impl Tile {
-    /// A tile from its bytes; `None` where there are not four for every texel.
+    /// Tile from its bytes; `None` where there are not four for every texel.
     pub fn new(size: [u32; 2], rgba: Vec<u8>) -> Option<Self> {
         let count = size[0] as usize * size[1] as usize * 4;
         (rgba.len() == count && count > 0).then_some(Self { size, rgba })
     }
 
-    /// A tile of one color.
+    /// Tile of one color.
     pub fn filled(size: [u32; 2], color: [u8; 4]) -> Self {
         let size = size.map(|side| side.max(1));
         Self { size, rgba: color.repeat(size[0] as usize * size[1] as usize) }
     }
 
-    /// Width and height in texels.
+    /// Width and height, in texels.
     pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
-    /// Four bytes a texel.
+    /// Bytes of the texels, four for each.
     pub fn bytes(&self) -> &[u8] {
         &self.rgba
     }
 
-    /// Four bytes a texel, to be painted on.
+    /// Bytes of the texels, four for each, to be painted on.
     pub fn bytes_mut(&mut self) -> &mut [u8] {
         &mut self.rgba
     }
 
-    /// The smallest rectangle (x, y, width, height) around the texels that another tile has
-    /// otherwise; `None` where it has all of them alike. All of it where that has another size.
+    /// Smallest rectangle (x, y, width, height) around the texels that differ from another tile's;
+    /// `None` where all are equal. The whole tile where the other has another size.
     pub fn difference(&self, other: &Self) -> Option<[u32; 4]> {
         let [width, height] = self.size;
         if self.size != other.size {
@@ -272,9 +272,9 @@ impl Tile {
         Some([left, top, right + 1 - left, bottom + 1 - top].map(|n| n as u32))
     }
 
-    /// A hash of what is seen: of two tiles that differ in it the texels differ, too, and of others
-    /// but for an accident not. It is the same on every machine, and takes no notice of the color
-    /// of what is transparent, which programs change as they like.
+    /// Hash of the visible content: tiles with different hashes differ in texels, and tiles with
+    /// equal hashes are equal but for an accident. The hash is the same on every machine, and
+    /// ignores the color of transparent texels, which programs change as they like.
     pub fn digest(&self) -> u64 {
         let seen: Vec<u8> = self
             .rgba
@@ -286,7 +286,7 @@ impl Tile {
         hash(&seen)
     }
 
-    /// The texel at x and y, wrapped around the tile.
+    /// Texel at x and y, wrapped around the tile.
     pub fn texel(&self, x: i64, y: i64) -> [u8; 4] {
         let [width, height] = self.size.map(i64::from);
         let at = 4 * (y.rem_euclid(height) * width + x.rem_euclid(width)) as usize;
@@ -294,8 +294,8 @@ impl Tile {
     }
 }
 
-/// A hash that tells any two rows of texels apart that differ in one texel, and others but for an
-/// accident. It is the same on every machine.
+/// Hash that tells any two rows of texels apart that differ in one texel, and others but for an
+/// accident. The hash is the same on every machine.
 pub(super) fn hash(texels: &[u8]) -> u64 {
     let (texels, _) = texels.as_chunks::<4>();
     texels.iter().fold(0, |hash: u64, texel| {
@@ -304,47 +304,47 @@ pub(super) fn hash(texels: &[u8]) -> u64 {
     })
 }
 
-/// Which of a direction's angles something is about.
+/// Angle of a sample's light or view direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Angle {
-    /// How far the light is from the normal.
+    /// Angle of the light from the normal.
     LightTheta,
-    /// Where around the normal the light is.
+    /// Angle of the light around the normal.
     LightPhi,
-    /// How far the eye is from the normal.
+    /// Angle of the eye from the normal.
     ViewTheta,
-    /// Where around the normal the eye is.
+    /// Angle of the eye around the normal.
     ViewPhi,
 }
 
-/// A hand-painted 6D texture.
+/// Hand-painted 6D texture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hcbtf {
-    /// How finely it is divided.
+    /// Grid of the samples.
     pub grid: Grid,
-    /// Whether the tile repeats without a seam; painting then goes across its edges.
+    /// True if the tile repeats without a seam; painting then goes across its edges.
     pub is_tiling: bool,
-    /// What is painted, by canonical address; every tile has the grid's size.
+    /// Painted samples, by canonical address; every tile has the grid's size.
     pub painted: BTreeMap<Address, Arc<Tile>>,
-    /// How the rest comes about.
+    /// Rules that fill the other samples.
     pub rules: Vec<Rule>,
 }
 
 impl Hcbtf {
-    /// The most bytes that painted samples may take, four a texel.
+    /// Greatest size of all painted samples, four bytes a texel, in bytes.
     pub const MAX_PAINTED_BYTES: u64 = 1 << 30;
-    /// The most painted samples: a plain zip has no more entries.
+    /// Greatest number of painted samples: a plain zip has no more entries.
     pub const MAX_PAINTED: usize = 65_000;
-    /// The most rules.
+    /// Greatest number of rules.
     pub const MAX_RULES: usize = 1000;
 
-    /// One that nothing is painted of.
+    /// HCBTF without painted samples and rules.
     pub fn new(grid: Grid) -> Self {
         Self { grid, is_tiling: true, painted: BTreeMap::new(), rules: Vec::new() }
     }
 
-    /// The painted tile of a sample.
+    /// Painted tile of a sample; `None` where the sample is not painted.
     pub fn painted(&self, address: Address) -> Option<&Arc<Tile>> {
         self.painted.get(&address.canonical())
     }
@@ -376,7 +376,7 @@ impl<'de> Deserialize<'de> for Address {
     }
 }
 
-/// How files write an address.
+/// Form of an address in files.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Address", deny_unknown_fields)]
 struct AddressText {

@@ -1,8 +1,8 @@
-//! A JSON parser that tells every mistake and goes on behind it, so that an editor can open what is
-//! left.
+//! JSON parser that reports every mistake and continues behind it, so that an editor can open the
+//! rest.
 //!
-//! It keeps its own stack of open lists and objects, so nesting costs no call stack, and it stops
-//! at stated bounds.
+//! The parser keeps its own stack of open lists and objects, so that nesting costs no call stack,
+//! and stops at stated bounds.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -13,16 +13,16 @@ use crate::diag::{Diagnostic, LineColumn};
 use crate::document::problems::{Lines, Problems};
 use crate::document::source::member_path;
 
-/// The largest document, in bytes.
+/// Greatest size of a document, in bytes.
 pub(in crate::document) const MAX_BYTES: usize = 64 << 20;
-/// How many lists and objects may lie in each other.
+/// Greatest depth of nested lists and objects.
 pub(in crate::document) const MAX_DEPTH: usize = 64;
-/// How many values a document may have, every number counted.
+/// Greatest number of values in a document, every number counted.
 pub(in crate::document) const MAX_VALUES: usize = 8_000_000;
-/// After this many mistakes of spelling the rest is not looked at.
+/// Number of syntax errors after which the rest is not read.
 const MAX_MISTAKES: usize = 100;
 
-/// Parses a text; what is wrong goes to `problems`.
+/// Parses a text; its problems go to `problems`.
 pub(in crate::document) fn parse(text: &Arc<str>, lines: &Lines, problems: &mut Problems) -> Tree {
     let mut tree = Tree { text: text.clone(), items: Vec::new(), cut: true };
     if text.len() > MAX_BYTES {
@@ -52,21 +52,21 @@ pub(in crate::document) fn parse(text: &Arc<str>, lines: &Lines, problems: &mut 
     tree
 }
 
-/// A list or an object whose end is not seen yet.
+/// List or object whose end is not read yet.
 struct Open {
     item: usize,
     is_object: bool,
     expects: Expects,
-    /// How many items or members it has by now.
+    /// Number of items or members so far.
     count: usize,
 }
 
-/// What may come next in a list or an object, besides its end.
+/// Token that may come next in a list or an object, besides its end.
 #[derive(Clone, Copy, PartialEq)]
 enum Expects {
     First,
     Comma,
-    /// There was a comma at this byte.
+    /// Item after a comma at this byte.
     AfterComma(usize),
 }
 
@@ -78,12 +78,12 @@ pub(super) struct Parser<'t> {
     items: Vec<Item>,
     open: Vec<Open>,
     mistakes: usize,
-    /// The name of the member whose value is being read; empty in lists.
+    /// Span of the name of the member whose value is being read; empty in lists.
     reading: Option<Range<usize>>,
 }
 
 impl<'t> Parser<'t> {
-    /// Parses everything; false where the end was not reached in good order.
+    /// Parses the whole text; false where the end was not reached in good order.
     fn document(&mut self) -> bool {
         if self.text.starts_with('\u{feff}') {
             self.at = 3;
@@ -135,7 +135,8 @@ impl<'t> Parser<'t> {
         true
     }
 
-    /// One member, item, comma or end of what is open; false where nothing more can be read.
+    /// Parses one member, item, comma or end of the innermost open list or object; false where
+    /// nothing more can be read.
     fn step(&mut self) -> bool {
         self.space();
         let is_name_in_list = self.is_name_in_list();
@@ -171,7 +172,7 @@ impl<'t> Parser<'t> {
         true
     }
 
-    /// An item of a list, or a member of an object; false where nothing more can be read.
+    /// Parses an item of a list, or a member of an object; false where nothing more can be read.
     fn item(&mut self) -> bool {
         let Some(open) = self.open.last_mut() else { return true };
         if !open.is_object {
@@ -194,7 +195,7 @@ impl<'t> Parser<'t> {
         self.member(key_start..self.at)
     }
 
-    /// What follows the name of a member; false where nothing more can be read.
+    /// Parses a member after its name; false where nothing more can be read.
     fn member(&mut self, key: Range<usize>) -> bool {
         if let Some(open) = self.open.last_mut() {
             open.expects = Expects::Comma;
@@ -234,7 +235,7 @@ impl<'t> Parser<'t> {
         self.value(key)
     }
 
-    /// Whether a list's last string is followed by `:`, so that it is the next name of the object
+    /// True if a list's last string is followed by `:`, so that it is the next name of the object
     /// around the list.
     fn is_name_in_list(&self) -> bool {
         let [.., around, list] = &self.open[..] else { return false };
@@ -246,7 +247,7 @@ impl<'t> Parser<'t> {
             })
     }
 
-    /// Closes a list that somebody forgot to close, and goes on with the member after it.
+    /// Closes a list without a closing bracket, and goes on with the member after it.
     fn name_in_list(&mut self) -> bool {
         let (Some(name), Some(list)) = (self.items.pop(), self.open.pop()) else { return false };
         let key = name.start as usize..name.end as usize;
@@ -257,7 +258,7 @@ impl<'t> Parser<'t> {
         self.member(key)
     }
 
-    /// A value; false where nesting is too deep to go on.
+    /// Parses a value; false where nesting is too deep to go on.
     fn value(&mut self, key: Range<usize>) -> bool {
         let start = self.at;
         if let Some(open) = self.open.last_mut() {
@@ -300,7 +301,7 @@ impl<'t> Parser<'t> {
         true
     }
 
-    /// Ends a list or an object, and whatever was left open in it.
+    /// Ends a list or an object, and all that were left open in it.
     fn close(&mut self) {
         let is_object = self.text.as_bytes()[self.at] == b'}';
         let Some(depth) = self.open.iter().rposition(|open| open.is_object == is_object) else {
@@ -373,11 +374,12 @@ impl<'t> Parser<'t> {
         }
     }
 
-    /// Reports a problem with the value that is being read, or else with what is open.
+    /// Reports a problem with the value that is being read, or else with the innermost open list or
+    /// object.
     pub(super) fn problem(&mut self, at: usize, problem: Diagnostic) {
         if !self.problems.takes(&problem) {
             self.problems.push(at, problem);
-            return; // It is only counted.
+            return; // The problem is only counted.
         }
         let names = self.open.iter().skip(1).map(|open| {
             let item = &self.items[open.item];
@@ -394,7 +396,7 @@ impl<'t> Parser<'t> {
         self.problems.push(at, if path.is_empty() { problem } else { problem.json_path(path) });
     }
 
-    /// Whether a list or an object is open.
+    /// True while a list or an object is open.
     pub(super) fn is_inside(&self) -> bool {
         !self.open.is_empty()
     }
@@ -420,7 +422,7 @@ fn not_json(text: &str, at: usize) -> Diagnostic {
     Diagnostic::error("not-json", message).hint("a document is JSON and begins with `{`")
 }
 
-/// The beginning of a text that may be long.
+/// Beginning of a text that may be long.
 pub(super) fn short(text: &str) -> String {
     let shown: String = text.chars().take(40).collect();
     if shown.len() < text.len() { shown + "…" } else { shown }

@@ -1,9 +1,9 @@
-//! Strings and numbers as JSON spells them.
+//! Strings and numbers in the syntax of JSON.
 
 use std::borrow::Cow;
 
-/// The text of a string literal, without its quotes; mistakes become U+FFFD. A bare word is taken
-/// as it is.
+/// Text of a string literal, without its quotes; mistakes become U+FFFD. A bare word is taken as it
+/// is.
 pub(super) fn unquote(raw: &str) -> Cow<'_, str> {
     let Some(quote) = raw.chars().next().filter(|c| matches!(c, '"' | '\'')) else {
         return Cow::Borrowed(raw);
@@ -25,7 +25,7 @@ pub(super) fn unquote(raw: &str) -> Cow<'_, str> {
     Cow::Owned(text)
 }
 
-/// The character that an escape at the beginning of `text` stands for, and the escape's length in
+/// Character that an escape at the beginning of `text` stands for, and the escape's length in
 /// bytes.
 pub(super) fn escape(text: &str) -> Option<(char, usize)> {
     let c = match text.as_bytes().get(1)? {
@@ -43,7 +43,7 @@ pub(super) fn escape(text: &str) -> Option<(char, usize)> {
     Some((c, 2))
 }
 
-/// `\uXXXX`, or two of them that make a surrogate pair.
+/// Reads `\uXXXX`, or two of them that make a surrogate pair.
 fn unicode_escape(text: &str) -> Option<(char, usize)> {
     let unit = |text: &str| {
         let digits = text.strip_prefix("\\u")?.get(..4)?;
@@ -63,8 +63,8 @@ fn unicode_escape(text: &str) -> Option<(char, usize)> {
     is_pair.then(|| char::from_u32(code).map(|c| (c, 12))).flatten()
 }
 
-/// Whether the text is a number as JSON spells it: no leading `+`, `.` or `0`, digits on both sides
-/// of a point.
+/// True for a number in the syntax of JSON: no leading `+`, `.` or `0`, digits on both sides of a
+/// point.
 pub(super) fn is_json_number(text: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
     let text = text.strip_prefix('-').unwrap_or(text);
@@ -83,7 +83,7 @@ pub(super) fn is_json_number(text: &str) -> bool {
             .is_none_or(|exponent| digits(exponent.strip_prefix(['+', '-']).unwrap_or(exponent)))
 }
 
-/// A number as serde_json holds it: whole ones of up to 64 bits stay whole.
+/// Number as serde_json holds it: whole numbers of up to 64 bits stay whole.
 pub(super) fn json_number(raw: &str) -> serde_json::Value {
     if raw != "-0" {
         if let Ok(whole) = raw.parse::<u64>() {
@@ -96,7 +96,7 @@ pub(super) fn json_number(raw: &str) -> serde_json::Value {
     raw.parse::<f64>().unwrap_or(0.0).into()
 }
 
-/// The shortest text that reads back as the same number: `1`, `0.35`, `1e-7`.
+/// Shortest text that reads back as the same number: `1`, `0.35`, `1e-7`.
 pub(super) fn format_number(number: f64) -> String {
     let magnitude = number.abs();
     if magnitude == 0.0 || (1e-5..1e16).contains(&magnitude) {

@@ -13,7 +13,7 @@ fn parsed(text: &str) -> (Tree, Vec<Diagnostic>) {
     (tree, problems.finish("", text, &lines))
 }
 
-/// The messages of what is wrong, with line and column.
+/// Messages of the problems, with line and column.
 fn told(text: &str) -> Vec<String> {
     let at = |d: &Diagnostic| {
         d.place.at.map_or_else(String::new, |at| format!("{}:{} ", at.line, at.column))
@@ -22,7 +22,7 @@ fn told(text: &str) -> Vec<String> {
 }
 
 proptest! {
-    /// serde_json is another reader of the same language.
+    /// The comparison is with serde_json, another reader of the same language.
     #[test]
     fn what_is_json_is_what_serde_json_takes(
         text in concat!(
@@ -39,8 +39,7 @@ proptest! {
         }
     }
 
-    /// Whatever the text, the items make a tree: children lie in their parents, one after the
-    /// other.
+    /// Items make a tree, whatever the text: children lie in their parents, one after the other.
     #[test]
     fn items_make_a_tree(text in r#"(\{|\}|\[|\]|,|:|"a"|'b|"|1|x|/\*|//|\n|é){0,40}"#) {
         let (tree, _) = parsed(&text);
@@ -103,7 +102,7 @@ fn depth_and_mistakes_are_bounded() {
     assert_eq!(parsed(&deep(MAX_DEPTH)).1, []);
     let (_, problems) = parsed(&deep(MAX_DEPTH + 1));
     assert_eq!(problems[0].code, "too-deep");
-    // As much as a stranger may send, which must not end the program.
+    // Texts as long as a stranger may send must not end the program.
     assert_eq!(parsed(&"[".repeat(5_000_000)).1[0].code, "too-deep");
     assert_eq!(parsed(&"{\"a\":".repeat(1_000_000)).1[0].code, "too-deep");
 

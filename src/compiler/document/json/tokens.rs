@@ -1,5 +1,5 @@
-//! What the parser reads without looking at what is open: strings, numbers, words, white space, and
-//! what is none of them.
+//! Tokens that the parser reads without regard to open lists and objects: strings, numbers, words,
+//! white space, and unexpected text.
 
 use super::Kind;
 use super::parser::{Parser, short};
@@ -7,7 +7,7 @@ use super::scan::{escape, format_number, is_json_number};
 use crate::diag::Diagnostic;
 
 impl<'t> Parser<'t> {
-    /// A string, quotes and all; false where its end is missing.
+    /// Reads a string with its quotes; false where its end is missing.
     pub(super) fn string(&mut self) -> bool {
         let bytes = self.text.as_bytes();
         let start = self.at;
@@ -53,7 +53,7 @@ impl<'t> Parser<'t> {
     fn bad_escape(&mut self) {
         let rest = &self.text[self.at + 1..];
         if rest.len() < "uD83D\\uDE00".len() && !rest.contains(['"', '\'', '\n']) {
-            self.at = self.text.len(); // The file ends in it.
+            self.at = self.text.len(); // The file ends in the escape.
             return;
         }
         match rest.chars().next() {
@@ -82,7 +82,7 @@ impl<'t> Parser<'t> {
         self.at = end.map_or(self.text.len(), |end| start + end);
         let text = &self.text[start..self.at];
         if self.at == self.text.len() && self.is_inside() {
-            return Kind::Bad; // Cut off, so nobody knows its last digits.
+            return Kind::Bad; // The number is cut off.
         }
         if !is_json_number(text) {
             if is_not_finite(text.trim_start_matches(['+', '-'])) {
@@ -112,7 +112,7 @@ impl<'t> Parser<'t> {
         );
     }
 
-    /// `true`, `false`, `null`, or a word that is none of them.
+    /// Reads `true`, `false`, `null`, or any other word, which is a mistake.
     pub(super) fn literal(&mut self) -> Kind {
         let start = self.at;
         let word = self.word();
@@ -136,7 +136,7 @@ impl<'t> Parser<'t> {
         Kind::Bad
     }
 
-    /// Letters, digits and what joins them.
+    /// Reads a word: letters, digits and `_-$.`.
     pub(super) fn word(&mut self) -> &'t str {
         let start = self.at;
         let end = self.text[start..].find(|c: char| !(c.is_alphanumeric() || "_-$.".contains(c)));
@@ -144,7 +144,7 @@ impl<'t> Parser<'t> {
         &self.text[start..self.at]
     }
 
-    /// Skips what cannot be understood, up to something that can.
+    /// Skips text that cannot be understood, up to a token that can.
     pub(super) fn unexpected(&mut self) {
         let start = self.at;
         let rest = &self.text[start..];
@@ -157,7 +157,7 @@ impl<'t> Parser<'t> {
         self.mistake(start, &message, "remove it");
     }
 
-    /// White space; comments too, which are mistakes.
+    /// Skips white space; comments too, which are mistakes.
     pub(super) fn space(&mut self) {
         loop {
             let rest = &self.text[self.at..];

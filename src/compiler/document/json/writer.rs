@@ -1,27 +1,27 @@
-//! Writes JSON in the canonical form.
+//! Writer of JSON in the canonical form.
 
 use super::scan::format_number;
 use crate::document::Unknown;
 use crate::document::shape::Shape;
 
-/// How an object or a list is laid out.
+/// Layout of an object or a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::document) enum Layout {
-    /// Every member or item on a line of its own.
+    /// Layout with every member or item on a line of its own.
     Lines,
-    /// All on one line.
+    /// Layout on one line.
     Inline,
 }
 
-/// Writes one document.
+/// Writer of one document.
 pub(in crate::document) struct Writer {
     text: String,
-    /// Of every object and list that is open: how it is laid out and whether something is in it.
+    /// Open objects and lists: the layout of each, and whether it has content already.
     open: Vec<(Layout, bool)>,
-    /// What numbers that are not finite become.
+    /// Text of numbers that are not finite.
     not_finite: &'static str,
-    /// How many drivers decide between the direction keys of the set that is written; `None` where
-    /// a direction does.
+    /// Number of drivers that decide between the direction keys of the set that is written; `None`
+    /// where a direction does.
     pub(in crate::document) key_axes: Option<usize>,
 }
 
@@ -30,12 +30,12 @@ impl Writer {
         Self { text: String::new(), open: Vec::new(), not_finite: "null", key_axes: None }
     }
 
-    /// A writer whose text is only read back, to see whether it can be.
+    /// Writer whose text is only read back, to see whether it can be.
     pub(in crate::document) fn trial() -> Self {
         Self { not_finite: "NaN", ..Self::new() }
     }
 
-    /// The text, with a line end at its end.
+    /// Written text, with a line end at its end.
     pub(in crate::document) fn finish(mut self) -> String {
         self.text.push('\n');
         self.text
@@ -49,7 +49,7 @@ impl Writer {
         self.text.push_str(if value { "true" } else { "false" });
     }
 
-    /// A finite number; others, which no document holds, become null.
+    /// Writes a finite number; others, which no document holds, become null, or NaN in a trial.
     pub(in crate::document) fn number(&mut self, number: f64) {
         if number.is_finite() {
             self.text.push_str(&format_number(number));
@@ -66,7 +66,7 @@ impl Writer {
         self.text.push_str(&serde_json::Value::from(text).to_string());
     }
 
-    /// Any JSON on one line.
+    /// Writes any JSON on one line.
     pub(in crate::document) fn json(&mut self, value: &serde_json::Value) {
         match value {
             serde_json::Value::Object(members) => self.object(Layout::Inline, |w| {
@@ -79,7 +79,7 @@ impl Writer {
         }
     }
 
-    /// An object; `write` writes its members.
+    /// Writes an object; `write` writes its members.
     pub(in crate::document) fn object(&mut self, layout: Layout, write: impl FnOnce(&mut Self)) {
         self.text.push('{');
         self.open.push((layout, false));
@@ -87,7 +87,7 @@ impl Writer {
         self.close('}', layout == Layout::Inline);
     }
 
-    /// A member of the object that is open.
+    /// Writes a member of the open object.
     pub(in crate::document) fn member(&mut self, name: &str, write: impl FnOnce(&mut Self)) {
         self.separate(true);
         self.string(name);
@@ -95,7 +95,7 @@ impl Writer {
         write(self);
     }
 
-    /// A list of these items.
+    /// Writes a list of these items.
     pub(in crate::document) fn list<I: IntoIterator>(
         &mut self,
         layout: Layout,
@@ -111,7 +111,7 @@ impl Writer {
         self.close(']', false);
     }
 
-    /// The members that the shape does not know, at the end of its object.
+    /// Writes the members that the shape does not know, at the end of its object.
     pub(in crate::document) fn unknown(
         &mut self,
         shape: &'static Shape,

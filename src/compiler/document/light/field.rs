@@ -1,53 +1,54 @@
-//! What a row says of a field of a light.
+//! Rows of the fields of a light.
 
 use super::{Light, LightField, LightKind};
 use crate::document::Value;
 use crate::document::described::Described as _;
 use crate::document::shape::{Bounds, Kind};
 
-/// What the value of a field is.
+/// Quantity of a field's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightQuantity {
-    /// Three numbers of which only the way that they point counts.
+    /// Direction: three numbers whose length does not matter.
     Direction,
-    /// Three numbers in scene units.
+    /// Position: three numbers, in scene units.
     Position,
-    /// Straight RGB in the look's color space.
+    /// Color: straight RGB in the look's color space.
     Color,
-    /// A factor without a unit.
+    /// Factor without a unit.
     Factor,
-    /// An angle in radians.
+    /// Angle, in radians.
     Angle,
-    /// A length in scene units; 0 switches what it bounds off.
+    /// Distance in scene units; 0 switches its effect off.
     Distance,
 }
 
-/// What is known of a field beyond its row in files.
+/// Properties of a field beyond its row in files.
 pub(super) struct LightRow {
-    /// What the window calls it.
+    /// Label in the window.
     pub(super) label: &'static str,
-    /// What the window says of it.
+    /// Help text in the window.
     pub(super) hint: &'static str,
     pub(super) quantity: LightQuantity,
-    /// The kinds of lights that have it.
+    /// Kinds of lights that have the field.
     pub(super) kinds: &'static [LightKind],
-    /// Another field that it is at most.
+    /// Another field whose value is the upper bound of this one.
     pub(super) within: Option<LightField>,
-    /// What a shader is told that asks for `light.` and the field's name; `None` where none may.
+    /// Help text for shaders that ask for `light.` and the field's name; `None` where no shader
+    /// may.
     pub(super) shader: Option<&'static str>,
 }
 
-/// Where a light has a field.
+/// Access to a field of a light.
 pub(super) struct Lens {
-    /// What files and targets call it.
+    /// Name in files and targets.
     pub(super) name: &'static str,
-    /// What node files call it.
+    /// Word in node files.
     pub(super) word: &'static str,
     pub(super) numbers: fn(&Light) -> &[f64],
     pub(super) numbers_mut: fn(&mut Light) -> &mut [f64],
 }
 
-/// The numbers of a field.
+/// Numbers of a field's type.
 pub(super) trait NumbersOf {
     fn numbers(&self) -> &[f64];
     fn numbers_mut(&mut self) -> &mut [f64];
@@ -74,53 +75,54 @@ impl<const N: usize> NumbersOf for [f64; N] {
 }
 
 impl LightField {
-    /// The field that files call `name`.
+    /// Field with a `name` in files.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|field| field.name() == name)
     }
 
-    /// All names, in the order of the window.
+    /// Names of all fields, in the order of the window.
     pub fn names() -> impl Iterator<Item = &'static str> + Clone {
         Self::ALL.into_iter().map(Self::name)
     }
 
-    /// What files and targets call it.
+    /// Name of the field in files and targets.
     pub fn name(self) -> &'static str {
         self.lens().name
     }
 
-    /// What the window calls it.
+    /// Label of the field in the window.
     pub fn label(self) -> &'static str {
         self.row().label
     }
 
-    /// What the window says of it, with its unit.
+    /// Help text of the field in the window, with its unit.
     pub fn help(self) -> &'static str {
         self.row().hint
     }
 
-    /// What its value is.
+    /// Quantity of the field's value.
     pub fn quantity(self) -> LightQuantity {
         self.row().quantity
     }
 
-    /// Another field that it is at most: the full cone lies in the whole one.
+    /// Another field whose value is the upper bound of this one: the full cone lies in the whole
+    /// one.
     pub fn within(self) -> Option<Self> {
         self.row().within
     }
 
-    /// `rad` of an angle, else nothing.
+    /// Unit of the field: `rad` of an angle, else empty.
     pub fn unit(self) -> &'static str {
         if self.quantity() == LightQuantity::Angle { "rad" } else { "" }
     }
 
-    /// The least and the greatest number that the format allows; `None` of what is no single
+    /// Least and greatest number that the format allows; `None` where the field is no single
     /// number.
     pub fn range(self) -> Option<[f64; 2]> {
         self.bounds().map(|bounds| [bounds.min, bounds.max])
     }
 
-    /// Whether the least number of [`range`](Self::range) itself is not allowed.
+    /// True if the least number of [`range`](Self::range) itself is not allowed.
     pub fn is_above_range(self) -> bool {
         self.bounds().is_some_and(|bounds| bounds.above)
     }
@@ -132,37 +134,37 @@ impl LightField {
         }
     }
 
-    /// Whether a light of this kind has it.
+    /// True if lights of this kind have the field.
     pub fn is_of(self, kind: LightKind) -> bool {
         self.row().kinds.contains(&kind)
     }
 
-    /// The fields that a light of this kind has.
+    /// Fields that a light of this kind has.
     pub fn of(kind: LightKind) -> impl Iterator<Item = Self> {
         Self::ALL.into_iter().filter(move |field| field.is_of(kind))
     }
 
-    /// What is said to a shader that asks for it; `None` where none may.
+    /// Help text for shaders that ask for the field; `None` where no shader may.
     pub(super) fn shader_help(self) -> Option<&'static str> {
         self.row().shader
     }
 
-    /// What node files call it.
+    /// Word of the field in node files.
     pub(super) fn word(self) -> &'static str {
         self.lens().word
     }
 
-    /// Its numbers: one, or three.
+    /// Numbers of the field: one, or three.
     pub fn numbers(self, light: &Light) -> &[f64] {
         (self.lens().numbers)(light)
     }
 
-    /// Its numbers, to be set.
+    /// Numbers of the field, to be set.
     pub fn numbers_mut(self, light: &mut Light) -> &mut [f64] {
         (self.lens().numbers_mut)(light)
     }
 
-    /// Its value.
+    /// Value of the field.
     pub fn get(self, light: &Light) -> Value {
         match self.numbers(light) {
             [number] => Value::Number(*number),
@@ -170,7 +172,8 @@ impl LightField {
         }
     }
 
-    /// Sets it to the first of these numbers, as many as it has; fewer change nothing.
+    /// Sets the field to the first of these numbers, as many as the field has; fewer change
+    /// nothing.
     pub fn set(self, light: &mut Light, numbers: &[f64]) {
         let slot = self.numbers_mut(light);
         if let Some(numbers) = numbers.get(..slot.len()) {

@@ -1,38 +1,38 @@
-//! What shaders may ask of a light: most fields as they are, and what is made of several.
+//! Inputs from lights: most fields of a light as they are, and values computed from several.
 
 use super::{LightField, LightQuantity};
 
-/// What a node may ask of the light that it names, in world space and ready for use: `from=light.`
-/// and the word.
+/// Input from the light that a node names, in world space and ready for use: `from=light.` and the
+/// word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LightInput {
-    /// A field whose row lets shaders ask for it.
+    /// Field whose row lets shaders ask for it.
     Field(LightField),
-    /// The direction of a directional light as the artist gave it.
+    /// Direction of a directional light as the artist gave it.
     OwnDirection,
-    /// The light's own frame.
+    /// Own frame of the light.
     OwnFromWorld,
     /// Both cones of a spot light.
     Cone,
-    /// Half distance and range.
+    /// Half distance and range of a light.
     Fading,
 }
 
-/// What is known of an input.
+/// Properties of an input.
 struct InputRow {
     word: &'static str,
     wgsl: &'static str,
     help: &'static str,
-    /// The field after which it is listed.
+    /// Field after which the input is listed.
     after: LightField,
     is_unit: bool,
 }
 
 impl LightInput {
-    /// Those that are made of several fields.
+    /// Inputs that are computed from several fields.
     const MADE: [Self; 4] = [Self::OwnDirection, Self::OwnFromWorld, Self::Cone, Self::Fading];
 
-    /// All of them.
+    /// All inputs.
     pub fn all() -> impl Iterator<Item = Self> {
         let asked = LightField::ALL.into_iter().filter(|field| field.shader_help().is_some());
         asked.map(Self::Field).chain(Self::MADE)
@@ -86,27 +86,27 @@ impl LightInput {
         }
     }
 
-    /// The word that node files use.
+    /// Word that node files use.
     pub fn word(self) -> &'static str {
         self.row().word
     }
 
-    /// Its WGSL type.
+    /// WGSL type of the input.
     pub fn wgsl_type(self) -> &'static str {
         self.row().wgsl
     }
 
-    /// What it is, with its space and unit: a phrase for docs, tooltips and exports.
+    /// Description with space and unit: a phrase for docs, tooltips and exports.
     pub fn help(self) -> &'static str {
         self.row().help
     }
 
-    /// Whether each of its numbers lies in [-1, 1].
+    /// True if each number of the input lies in [-1, 1].
     pub fn is_unit(self) -> bool {
         self.row().is_unit
     }
 
-    /// Where it is listed among its like.
+    /// Sort key of the input in lists.
     fn place(self) -> (LightField, bool) {
         (self.row().after, !matches!(self, Self::Field(_)))
     }

@@ -1,9 +1,9 @@
-//! Lights, and everything that is known of their fields.
+//! Lights, and the table of their fields.
 //!
-//! A field of a light that artists, keys, scenes and exported shaders set is one row below: its type
-//! and bounds in files, its default, the kinds of lights that have it, what the window says of it,
-//! and, where shaders may ask for it, what they are told. The reader, the writer, the schema,
-//! docs/format.md, keys, the lights panel, the host's uniforms and exports go by the row.
+//! A field of a light that artists, keys, scenes and exported shaders set is one row below: its
+//! type and bounds in files, its default, the kinds of lights that have it, its label and help in
+//! the window, and, where shaders may ask for it, their help text. The reader, the writer, the
+//! schema, docs/format.md, keys, the lights panel, the host's uniforms and exports go by the row.
 
 mod field;
 mod input;
@@ -23,11 +23,11 @@ pub use input::LightInput;
 const ANY: &[LightKind] = &[Directional, Point, Spot];
 const PLACED: &[LightKind] = &[Point, Spot];
 
-/// What a row says where it says nothing else.
+/// Defaults of the properties that a row leaves out.
 const ROW: LightRow =
     LightRow { label: "", hint: "", quantity: Factor, kinds: ANY, within: None, shader: None };
 
-/// Makes the type of lights, that of their fields, and the table of these, from the rows.
+/// Makes the type of lights, the enum of their fields, and the table of these, from the rows.
 macro_rules! light_fields {
     ($(
         $(#[doc = $help:literal])+
@@ -174,28 +174,28 @@ light_fields! {
     }
 }
 
-/// What a light is.
+/// Kind of a light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LightKind {
-    /// The same direction everywhere, as in the BADF paper.
+    /// Directional light: the same direction everywhere, as in the BADF paper.
     #[default]
     Directional,
-    /// At a position, shining everywhere.
+    /// Point light: at a position, shining everywhere.
     Point,
-    /// At a position, shining into a cone.
+    /// Spot light: at a position, shining into a cone.
     Spot,
 }
 
-/// The frame a light's vectors are given in.
+/// Frame that a light's vectors are given in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LightSpace {
-    /// The illumination frame: the BADF paper's L.
+    /// Illumination frame: the BADF paper's L.
     #[default]
     Illumination,
-    /// The world.
+    /// World frame.
     World,
-    /// The camera: x right, y up, z toward the viewer.
+    /// Camera frame: x right, y up, z toward the viewer.
     Camera,
 }

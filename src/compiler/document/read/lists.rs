@@ -1,4 +1,4 @@
-//! Items of lists, and members of objects.
+//! Reading of items of lists and members of objects.
 
 use std::hash::Hash;
 
@@ -10,7 +10,7 @@ use crate::document::json::{At, Kind};
 use crate::document::shape;
 
 impl Reader<'_> {
-    /// The items of a list that could be read, each with its index in the text.
+    /// Items of a list that could be read, each with its index in the text.
     pub(in crate::document) fn list_at<T>(
         &mut self,
         at: At,
@@ -29,15 +29,15 @@ impl Reader<'_> {
         Some(tree.children(at).take(most).enumerate().filter_map(read_item).collect())
     }
 
-    /// Remembers which items of the list where the reader is the value has, if it does not have all
-    /// before the last of them.
+    /// Remembers the indices in the text of the items that the value has of the reader's current
+    /// list, unless they are the first ones without a gap.
     pub(in crate::document) fn keep(&mut self, indices: Vec<u32>) {
         if indices.iter().enumerate().any(|(own, &index)| own as u32 != index) {
             self.kept.insert(self.json_path(), indices);
         }
     }
 
-    /// The members of an object with any names.
+    /// Members of an object with any names.
     pub(in crate::document) fn members<K: Hash + Eq, T>(
         &mut self,
         at: At,
@@ -65,7 +65,7 @@ impl Reader<'_> {
         Some(map)
     }
 
-    /// How many items are read; more are told.
+    /// Number of items that are read; more are reported.
     fn bounded(&mut self, at: At, kind: &shape::Kind) -> usize {
         let most = match kind {
             shape::Kind::List(_, most) | shape::Kind::Map(_, most) => *most,

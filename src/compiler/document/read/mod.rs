@@ -1,7 +1,7 @@
-//! Reading documents: text to value, with everything that is wrong told at once.
+//! Reading of documents: text to value, with all problems reported at once.
 //!
 //! The parser makes a tree with a place for every value, [`Reader`](reader::Reader) takes typed
-//! values out of it, and the [descriptions](super::described) of objects say which fields there are.
+//! values out of the tree, and the [descriptions](super::described) of objects give their fields.
 
 mod lists;
 pub(super) mod reader;
@@ -21,18 +21,18 @@ use crate::files::Files;
 use reader::Reader;
 pub(super) use value::AxisAngle;
 
-/// A look or a scene, whichever the file holds.
+/// Document of a file: a look or a scene.
 #[derive(Clone, Debug)]
 pub enum Document {
-    /// A look.
+    /// Look, with its source and diagnostics.
     Look(Loaded<Look>),
-    /// A scene.
+    /// Scene, with its source and diagnostics.
     Scene(Loaded<Scene>),
 }
 
 impl Document {
-    /// Reads a text that may hold either: a scene where it says so or has `objects`, otherwise a
-    /// look.
+    /// Reads a text that may hold either: a scene where the text says so or has `objects`,
+    /// otherwise a look.
     pub fn read(text: &str, file: &str) -> Self {
         let parsed = Parsed::new(text, file);
         let is_scene = parsed.kind() == Some("scene");
@@ -48,7 +48,7 @@ impl Document {
         }
     }
 
-    /// Everything that is wrong with it.
+    /// Problems of the document.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         match self {
             Self::Look(look) => &look.diagnostics,
@@ -58,12 +58,12 @@ impl Document {
 }
 
 impl Look {
-    /// Reads a look from JSON; `file` is what diagnostics call it. See docs/format.md.
+    /// Reads a look from JSON; `file` is its name in diagnostics. See docs/format.md.
     pub fn read(text: &str, file: &str) -> Loaded<Self> {
         Parsed::new(text, file).look()
     }
 
-    /// What is wrong with the text itself, whatever its parts name.
+    /// Problems of the text itself, whether or not the names in it exist.
     pub(super) fn read_alone(text: &str) -> Vec<Diagnostic> {
         Parsed::new(text, "").read::<Self>().diagnostics
     }
@@ -78,7 +78,7 @@ impl Look {
 }
 
 impl Scene {
-    /// Reads a scene from JSON; `file` is what diagnostics call it. See docs/format.md.
+    /// Reads a scene from JSON; `file` is its name in diagnostics. See docs/format.md.
     pub fn read(text: &str, file: &str) -> Loaded<Self> {
         Parsed::new(text, file).scene()
     }
@@ -92,7 +92,7 @@ impl Scene {
     }
 }
 
-/// What comes of a file that could not be read.
+/// Result for a file that could not be read.
 fn failed<T>(path: &Path, problem: Diagnostic) -> Loaded<T> {
     let file = path.display().to_string();
     let lines = Lines::new("");
@@ -101,7 +101,7 @@ fn failed<T>(path: &Path, problem: Diagnostic) -> Loaded<T> {
     Loaded { value: None, source, diagnostics: vec![problem] }
 }
 
-/// A parsed text that is no look and no scene yet.
+/// Parsed text before it becomes a look or a scene.
 struct Parsed {
     source: SourceMap,
     problems: Problems,
@@ -118,7 +118,7 @@ impl Parsed {
         }
     }
 
-    /// What the document says it is, or seems to be.
+    /// Kind that the document names, or else seems to be.
     fn kind(&self) -> Option<&'static str> {
         let tree = &self.source.tree;
         let root = tree.root()?;
@@ -158,7 +158,7 @@ impl Parsed {
         Loaded { value, source: self.source, diagnostics }
     }
 
-    /// The top of a document of the right type and a known version.
+    /// Top value of a document of the right type and a known version.
     fn root(&mut self, shape: &Shape) -> Option<At> {
         let tree = &self.source.tree;
         let root = tree.root()?;
@@ -200,7 +200,7 @@ impl Parsed {
     }
 }
 
-/// The document at the top: what it is, and its fields.
+/// Reads the document at the top: its kind, and its fields.
 fn document<T: Described>(r: &mut Reader<'_>, at: At) -> Option<T> {
     let mut fields = r.object(at, T::shape())?;
     r.field(&fields, "chiaro", |r, at, kind| match kind {
@@ -213,14 +213,14 @@ fn document<T: Described>(r: &mut Reader<'_>, at: At) -> Option<T> {
     T::from_fields(r, &mut fields)
 }
 
-/// Adds what is wrong with the document as a whole, unless parts of it are missing because the text
-/// is cut off.
+/// Adds the problems of the document as a whole, unless parts of it are missing because the text is
+/// cut off.
 fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic>) -> Loaded<T> {
     if let Some(value) = loaded.value.as_ref().filter(|_| !loaded.source.tree.cut) {
         let mut found = check(value);
         loaded.source.locate_all(&mut found);
         loaded.diagnostics.extend(found);
-        // What has no place, such as the number of problems left out, comes last.
+        // A problem without a place, such as the number of problems left out, comes last.
         loaded.diagnostics.sort_by_key(|problem| (problem.place.at.is_none(), problem.place.at));
     }
     loaded

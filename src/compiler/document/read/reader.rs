@@ -1,5 +1,5 @@
-//! Typed access to the fields of a parsed document. Whatever is wrong is told with its place and
-//! left out.
+//! Typed access to the fields of a parsed document. Invalid values are reported with their places
+//! and left out.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ use crate::document::source::member_path;
 use crate::document::{ColorSpace, Unknown};
 use crate::ids::{is_slug, make_slug};
 
-/// A step from a value to one in it.
+/// Step from a value to a value in it.
 #[derive(Clone, Copy)]
 pub(in crate::document) enum Step {
     Field(&'static str),
@@ -21,38 +21,38 @@ pub(in crate::document) enum Step {
     Index(u32),
 }
 
-/// Reads one document.
+/// Reader of one document.
 pub(in crate::document) struct Reader<'t> {
     pub(in crate::document) tree: &'t Tree,
     problems: &'t mut Problems,
     pub(in crate::document) path: Vec<Step>,
-    /// See [`SourceMap`](crate::document::source::SourceMap).
+    /// Indices of the items kept in lists; see [`SourceMap`](crate::document::source::SourceMap).
     pub(in crate::document) kept: BTreeMap<String, Vec<u32>>,
-    /// What colors are; decides what `#rrggbb` becomes.
+    /// Color space of the document, which decides how `#rrggbb` is decoded.
     pub(in crate::document) color_space: ColorSpace,
-    /// How many drivers decide between the direction keys of the set that is read; `None` where a
-    /// direction does.
+    /// Number of drivers that decide between the direction keys of the set that is read; `None`
+    /// where a direction does.
     pub(in crate::document) key_axes: Option<usize>,
 }
 
-/// The members of one object, by the fields of its shape.
+/// Members of one object, by the fields of its shape.
 pub(in crate::document) struct Fields {
     shape: &'static Shape,
     at: At,
     found: [Option<At>; 24],
-    /// What the shape does not know. Unknown fields of a field's own parts lie here too, under the
-    /// field's name and the part's id, so that each part's type need not hold them.
+    /// Members that the shape does not know. Unknown fields of a field's own parts lie here too,
+    /// under the field's name and the part's id, so that each part's type need not hold them.
     pub(in crate::document) unknown: Unknown,
 }
 
 impl Fields {
-    /// The value of a field, if it is there.
+    /// Value of a field, if it is there.
     pub(in crate::document) fn get(&self, name: &str) -> Option<At> {
         let (index, _) = self.shape.field(name).expect("a field of the shape");
         self.found[index]
     }
 
-    /// The object itself.
+    /// Place of the object itself.
     pub(in crate::document) fn at(&self) -> At {
         self.at
     }
@@ -85,8 +85,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Reports a problem at a value. Where the end of a list or an object is missing, that is what
-    /// is wrong with it.
+    /// Reports a problem at a value. A list or object without its end gets no further report: the
+    /// missing end is its problem.
     pub(in crate::document) fn report(&mut self, at: At, problem: Diagnostic) {
         if self.tree.is_cut(at) {
             return;
@@ -96,7 +96,7 @@ impl<'t> Reader<'t> {
         self.problems.push(self.tree.start(at), problem);
     }
 
-    /// Where the reader is, e.g. `nodes[3].values.offset`.
+    /// JSON path of the reader's place, e.g. `nodes[3].values.offset`.
     pub(in crate::document) fn json_path(&self) -> String {
         self.path.iter().fold(String::new(), |path, step| match step {
             Step::Field(name) => member_path(&path, name),
@@ -119,7 +119,7 @@ impl<'t> Reader<'t> {
     pub(in crate::document) fn wrong_type(&mut self, at: At, expected: &str) {
         let kind = self.tree.kind(at);
         if kind == Kind::Bad {
-            return; // The parser has told it.
+            return; // The parser has reported it.
         }
         let mut problem =
             Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
@@ -134,7 +134,7 @@ impl<'t> Reader<'t> {
         self.report(at, problem);
     }
 
-    /// The members of an object; what the shape does not know is warned about and kept.
+    /// Members of an object; the unknown ones are warned about and kept.
     pub(in crate::document) fn object(&mut self, at: At, shape: &'static Shape) -> Option<Fields> {
         if self.tree.kind(at) != Kind::Object {
             self.wrong_type(at, &format!("{} (an object)", with_article(shape.name)));
@@ -176,7 +176,7 @@ impl<'t> Reader<'t> {
         self.path.pop();
     }
 
-    /// Goes to a field's value, if there is one; a missing field that is required is told.
+    /// Reads a field's value, if there is one; a missing field that is required is reported.
     pub(in crate::document) fn field<T>(
         &mut self,
         fields: &Fields,
@@ -225,7 +225,7 @@ impl<'t> Reader<'t> {
         self.numbers_at(at, N, N, bounds)?.try_into().ok()
     }
 
-    /// From `least` to `most` numbers.
+    /// Reads a list of `least` to `most` numbers.
     pub(in crate::document) fn numbers_at(
         &mut self,
         at: At,
@@ -251,7 +251,7 @@ impl<'t> Reader<'t> {
             );
             return None;
         }
-        // Every number is looked at, so that all that are wrong are told.
+        // Every number is read, so that all invalid ones are reported.
         let numbers: Vec<_> = tree
             .children(at)
             .enumerate()
@@ -260,7 +260,7 @@ impl<'t> Reader<'t> {
         numbers.into_iter().collect()
     }
 
-    /// Does something one step further down, in an item of a list.
+    /// Calls `read` one step further down, in an item of a list.
     pub(in crate::document) fn at_index<T>(
         &mut self,
         index: usize,
@@ -272,7 +272,7 @@ impl<'t> Reader<'t> {
         value
     }
 
-    /// Whether it is not of length 0.
+    /// True for a direction whose length is not 0; a zero direction is reported.
     pub(in crate::document) fn is_direction(&mut self, at: At, direction: &[f64]) -> bool {
         let is_zero = direction.iter().all(|x| x.abs() < 1e-12);
         if is_zero {
@@ -319,7 +319,7 @@ impl<'t> Reader<'t> {
         Diagnostic::error("bad-id", message).hint(hint)
     }
 
-    /// One of these words.
+    /// Reads one of these words.
     pub(in crate::document) fn word_at(
         &mut self,
         at: At,
@@ -336,7 +336,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// A color of three numbers, or of three or four.
+    /// Reads a color of three numbers, or with `alpha` of three or four.
     pub(in crate::document) fn color_at(&mut self, at: At, alpha: bool) -> Option<Vec<f64>> {
         if let Some(text) = self.tree.string(at) {
             let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
@@ -361,7 +361,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// A name with `a` or `an` before it.
+/// Name with `a` or `an` before it.
 pub(in crate::document) fn with_article(name: &str) -> String {
     let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {name}")

@@ -1,4 +1,4 @@
-//! Reading values, targets, endpoints and rotations.
+//! Reading of values, targets, endpoints and rotations.
 
 use super::reader::Reader;
 use crate::diag::Diagnostic;
@@ -52,7 +52,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether there is something, and each is greater than the one before it.
+    /// Checks that there is at least one place, and that each is greater than the one before it.
     fn in_order(&mut self, at: At, what: &str, places: impl Iterator<Item = f64>) -> Option<()> {
         let places: Vec<f64> = places.collect();
         if places.is_empty() {
@@ -71,7 +71,7 @@ impl Reader<'_> {
         Some(())
     }
 
-    /// One end of a wire; that at an input needs a port.
+    /// Reads an end of a wire; the end at an input needs a port.
     pub(in crate::document) fn endpoint_at(
         &mut self,
         at: At,
@@ -120,7 +120,7 @@ impl Reader<'_> {
         target
     }
 
-    /// A rotation as a unit quaternion.
+    /// Reads a rotation as a unit quaternion.
     pub(in crate::document) fn rotation_at(&mut self, at: At) -> Option<[f64; 4]> {
         let found = match self.tree.kind(at) {
             Kind::Object => self.axis_angle(at)?,

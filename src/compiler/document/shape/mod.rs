@@ -1,5 +1,5 @@
-//! What fields a document has, as [`described!`](super::described) tells the reader, the JSON Schemas
-//! and docs/format.md.
+//! Shapes of documents: the fields that [`described!`](super::described) gives to the reader, the
+//! JSON Schemas and docs/format.md.
 
 mod schema;
 mod tables;
@@ -7,121 +7,121 @@ mod tables;
 pub use schema::{look_schema, scene_schema};
 pub use tables::field_tables;
 
-/// An object of a document.
+/// Shape of an object of a document.
 pub(super) struct Shape {
-    /// As messages and the schema call it, e.g. `light`.
+    /// Name of the object in messages and the schema, e.g. `light`.
     pub(super) name: &'static str,
-    /// What it is, in a phrase.
+    /// Description of the object, in a phrase.
     pub(super) help: &'static str,
-    /// In the order in which they are written.
+    /// Rows, in the order in which they are written.
     pub(super) rows: &'static [Row],
 }
 
-/// A row of a [`Shape`].
+/// Row of a [`Shape`].
 pub(super) enum Row {
-    /// A field.
+    /// Single field.
     Field(Field),
-    /// The fields of another object, which lie among those of this one.
+    /// Fields of another object, which lie among those of this one.
     Flat(fn() -> &'static Shape),
 }
 
-/// A field of a [`Shape`].
+/// Field of a [`Shape`].
 pub(super) struct Field {
     pub(super) name: &'static str,
     pub(super) kind: Kind,
     pub(super) default: Default,
-    /// What it is, with unit and space.
+    /// Description of the field, with unit and space.
     pub(super) help: &'static str,
 }
 
-/// What holds where a field is left out.
+/// Default of a field that is left out.
 pub(super) enum Default {
-    /// It may not be left out.
+    /// No default: the field may not be left out.
     Required,
-    /// This JSON.
+    /// Default as JSON.
     Json(fn() -> String),
-    /// Told in words.
+    /// Default described in words.
     Words(&'static str),
 }
 
-/// What a field takes.
+/// Kind of values that a field takes.
 pub(super) enum Kind {
     /// `true` or `false`.
     Bool,
-    /// A number.
+    /// Number within bounds.
     Number(Bounds),
-    /// As many numbers as this, from the first to the last count.
+    /// List of numbers within bounds: its least and greatest length.
     Numbers(usize, usize, Bounds),
-    /// Three numbers that are not all 0.
+    /// Direction: three numbers that are not all 0.
     Direction,
-    /// RGB, or RGB with an optional alpha, or `#rrggbb`.
+    /// Color: RGB, or RGB with an optional alpha, or `#rrggbb`.
     Color { alpha: bool },
-    /// RGBA, `#rrggbb` or null.
+    /// Backdrop: RGBA, `#rrggbb` or null.
     Backdrop,
-    /// A quaternion, a matrix, or an axis and an angle.
+    /// Rotation: a quaternion, a matrix, or an axis and an angle.
     Rotation,
-    /// Any text of at most so many bytes.
+    /// Any text of at most this many bytes.
     Text(usize),
-    /// An id.
+    /// Id.
     Slug,
-    /// One of some words, each with what it means.
+    /// Choice of words, each with its meaning.
     Word(&'static [(&'static str, &'static str)]),
-    /// `node.port`; the port may be left out.
+    /// Output `node.port`; the port may be left out.
     Output,
-    /// `node.port`.
+    /// Input `node.port`.
     Input,
-    /// `path/to/node.port` or `lights.light.field`.
+    /// Target `path/to/node.port` or `lights.light.field`.
     Target,
-    /// `"view"` or `{"light": id}`.
+    /// Direction that decides between keys: `"view"` or `{"light": id}`, or drivers.
     KeyDirection,
-    /// The value of an input.
+    /// Value of an input.
     Value,
-    /// A path, or an object of paths by material.
+    /// Looks: a path, or an object of paths by material.
     Looks,
-    /// An object.
+    /// Object with a shape.
     Object(fn() -> &'static Shape),
-    /// A list of at most so many.
+    /// List of at most this many items.
     List(&'static Kind, usize),
-    /// An object of at most so many, by id.
+    /// Object of at most this many members, by id.
     Map(&'static Kind, usize),
-    /// An object of values by target.
+    /// Object of values by target.
     TargetValues,
 }
 
-/// Between which numbers one lies.
+/// Bounds of a number.
 #[derive(Clone, Copy)]
 pub(super) struct Bounds {
     pub(super) min: f64,
     pub(super) max: f64,
-    /// Whether `min` itself is left out.
+    /// True if `min` itself is excluded.
     pub(super) above: bool,
-    /// Whether it is a whole number.
+    /// True for whole numbers only.
     pub(super) whole: bool,
 }
 
 impl Bounds {
-    /// From `min` to `max`, both included.
+    /// Bounds from `min` to `max`, both included.
     pub(super) const fn new(min: f64, max: f64) -> Self {
         Self { min, max, above: false, whole: false }
     }
 
-    /// Beyond `min` up to `max`.
+    /// Bounds from `min`, excluded, up to `max`.
     pub(super) const fn above(min: f64, max: f64) -> Self {
         Self { min, max, above: true, whole: false }
     }
 
-    /// Whole numbers from `min` to `max`.
+    /// Bounds of whole numbers from `min` to `max`.
     pub(super) const fn whole(min: f64, max: f64) -> Self {
         Self { min, max, above: false, whole: true }
     }
 
-    /// Whether a number keeps them.
+    /// True if a number lies within the bounds.
     pub(super) fn hold(&self, number: f64) -> bool {
         let least = if self.above { number > self.min } else { number >= self.min };
         least && number <= self.max && (!self.whole || number.fract() == 0.0)
     }
 
-    /// In words: `a number from 0 to 1000000`, or the only number there is.
+    /// Bounds in words: `a number from 0 to 1000000`, or the only number within them.
     pub(super) fn say(&self) -> String {
         if self.min == self.max {
             return say_number(self.min);
@@ -132,7 +132,7 @@ impl Bounds {
     }
 }
 
-/// A number, or its name where it has one.
+/// Text of a number, or its name where it has one.
 pub(super) fn say_number(number: f64) -> String {
     if number == std::f64::consts::PI {
         "pi".to_owned()
@@ -145,38 +145,38 @@ pub(super) fn say_number(number: f64) -> String {
     }
 }
 
-/// Lengths, colors and places: whatever is beyond is a mistake.
+/// Bounds of lengths, colors and positions: a number beyond is a mistake.
 pub(super) const FAR: Bounds = Bounds::new(-1e6, 1e6);
-/// Lengths and factors.
+/// Bounds of lengths and factors that are not negative.
 pub(super) const POSITIVE: Bounds = Bounds::new(0.0, 1e6);
-/// What a shader's 32-bit numbers hold.
+/// Bounds of a shader's 32-bit numbers.
 pub(super) const F32: Bounds = Bounds::new(-(f32::MAX as f64), f32::MAX as f64);
-/// The versions of the format that are read.
+/// Versions of the format that are read.
 pub(super) const FORMAT: Bounds = Bounds::whole(1.0, super::VERSION as f64);
-/// A path, in bytes.
+/// Greatest length of a path, in bytes.
 pub(super) const MAX_PATH: usize = 4096;
-/// A line of text.
+/// Greatest length of a line of text, in bytes.
 pub(super) const LINE: usize = 1000;
-/// A longer text: help, WGSL source.
+/// Greatest length of a longer text (help, WGSL source), in bytes.
 pub(super) const LONG: usize = 1 << 20;
-/// Nodes of one graph.
+/// Greatest number of nodes of one graph.
 pub(super) const MAX_NODES: usize = 200_000;
-/// Wires of one graph.
+/// Greatest number of wires of one graph.
 pub(super) const MAX_WIRES: usize = 1_000_000;
-/// The numbers of one value.
+/// Greatest count of numbers in one value.
 pub(super) const MAX_NUMBERS: usize = 16;
 
 impl Kind {
-    /// Whether a color may have an alpha.
+    /// True for a color that may have an alpha.
     pub(super) fn has_alpha(&self) -> bool {
         matches!(self, Self::Color { alpha: true })
     }
 }
 
 impl Shape {
-    /// The fields, in the order in which they are written.
+    /// Fields, in the order in which they are written.
     pub(super) fn fields(&'static self) -> impl Iterator<Item = &'static Field> + Clone {
-        // Rows of flat objects are all fields.
+        // Flat objects have fields only, so one level suffices.
         let rows = self.rows.iter().flat_map(|row| match row {
             Row::Field(_) => std::slice::from_ref(row),
             Row::Flat(shape) => shape().rows,
@@ -184,7 +184,7 @@ impl Shape {
         rows.filter_map(|row| if let Row::Field(field) = row { Some(field) } else { None })
     }
 
-    /// The field of that name and its index.
+    /// Field with a name, and its index.
     pub(super) fn field(&'static self, name: &str) -> Option<(usize, &'static Field)> {
         self.fields().enumerate().find(|(_, field)| field.name == name)
     }

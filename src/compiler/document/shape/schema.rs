@@ -21,12 +21,12 @@ const TARGET: &str = concat!(
     r"|[A-Za-z_][A-Za-z0-9_/-]*\.[A-Za-z_][A-Za-z0-9_-]{0,63})$"
 );
 
-/// The JSON Schema of looks, as `docs/look.schema.json` has it.
+/// JSON Schema of looks, as `docs/look.schema.json` has it.
 pub fn look_schema() -> Value {
     schema(Look::shape())
 }
 
-/// The JSON Schema of scenes, as `docs/scene.schema.json` has it.
+/// JSON Schema of scenes, as `docs/scene.schema.json` has it.
 pub fn scene_schema() -> Value {
     schema(Scene::shape())
 }
@@ -42,7 +42,7 @@ fn schema(shape: &'static Shape) -> Value {
     Value::Object(schema)
 }
 
-/// The definitions that a schema refers to, by name.
+/// Definitions that a schema refers to, by name.
 type Definitions = BTreeMap<String, Value>;
 
 fn object(shape: &'static Shape, definitions: &mut Definitions) -> Map<String, Value> {
@@ -70,7 +70,7 @@ fn object(shape: &'static Shape, definitions: &mut Definitions) -> Map<String, V
     object
 }
 
-/// A reference to a definition, which is made where it is not there yet.
+/// Reference to a definition, which is made where it does not exist yet.
 fn refer(
     name: &str,
     definitions: &mut Definitions,
@@ -78,7 +78,8 @@ fn refer(
 ) -> Value {
     let name = name.replace(' ', "_");
     if !definitions.contains_key(&name) {
-        // It is there before it is made, so that it may refer to itself.
+        // The name is taken before the definition is made, so that the definition may refer to
+        // itself.
         definitions.insert(name.clone(), Value::Null);
         let made = make(definitions);
         definitions.insert(name.clone(), made);
@@ -167,7 +168,7 @@ fn number(bounds: &Bounds) -> Value {
     json!({ "type": what, least: plain(bounds.min), "maximum": plain(bounds.max) })
 }
 
-/// A number without a needless point.
+/// JSON number without a needless point.
 fn plain(number: f64) -> Value {
     if number.fract() == 0.0 && number.abs() < 1e15 {
         (number as i64).into()
@@ -202,7 +203,7 @@ fn rotation(definitions: &mut Definitions) -> Value {
     ] })
 }
 
-/// What [`Reader`](crate::document::read) takes for a value.
+/// Schema of the values that [`Reader`](crate::document::read) takes.
 fn value(definitions: &mut Definitions) -> Value {
     json!({ "anyOf": [
         { "type": "boolean" },
@@ -214,7 +215,7 @@ fn value(definitions: &mut Definitions) -> Value {
     ] })
 }
 
-/// A number that decides between keys.
+/// Schema of a number that decides between keys.
 fn driver() -> Value {
     let named = |kind: &str| {
         json!({

@@ -1,10 +1,11 @@
-//! The tables of docs/format.md.
+//! Tables of docs/format.md.
 
 use super::{Default, Kind, Shape, say_number};
 use crate::document::described::Described as _;
 use crate::document::{Curve, LightField, Look, Ramp, Scene};
 
-/// One table in Markdown for each kind of object, by the object's name, as docs/format.md has them.
+/// Tables in Markdown, one for each kind of object, by the object's name, as docs/format.md has
+/// them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
     let mut shapes = Vec::new();
     for top in [Look::shape(), Scene::shape()] {
@@ -15,14 +16,14 @@ pub fn field_tables() -> Vec<(&'static str, String)> {
     shapes.into_iter().map(|shape| (shape.name, table(shape))).chain([rules, targets]).collect()
 }
 
-/// The targets that fields of lights are.
+/// List of the fields of lights that are targets.
 fn light_targets() -> String {
     let names: Vec<String> = LightField::names().map(|name| format!("`{name}`")).collect();
     let (last, first) = names.split_last().expect("a light has fields");
     format!("- `\"lights.key.direction\"`: a field of a light: {} or {last}.\n", first.join(", "))
 }
 
-/// The shape and those of what lies in it, each once.
+/// Collects the shape and the shapes of all objects in it, each once.
 fn collect(shape: &'static Shape, found: &mut Vec<&'static Shape>) {
     if found.iter().any(|known| known.name == shape.name) {
         return;

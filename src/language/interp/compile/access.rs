@@ -1,4 +1,4 @@
-//! Parts of composites, and what pointers point to.
+//! Access to parts of composites, and to the targets of pointers.
 
 use naga::{ArraySize, Expression, Handle, TypeInner};
 
@@ -47,7 +47,7 @@ impl FunctionCompiler<'_> {
         self.access_slot(handle, base, index)
     }
 
-    /// A part of `base` whose index is in a slot.
+    /// Accesses a part of `base` whose index is in a slot.
     fn access_slot(
         &mut self,
         handle: Handle<Expression>,
@@ -79,7 +79,7 @@ impl FunctionCompiler<'_> {
         }
     }
 
-    /// An index that is within what is bound, if that has no fixed length.
+    /// Index clamped to the bound buffer, if that has no fixed length.
     fn within_buffer(&mut self, composite: &TypeInner, place: Place, index: Slot) -> Outcome<Slot> {
         match place.buffer {
             Some(buffer) if is_unsized(composite) => {
@@ -100,7 +100,7 @@ impl FunctionCompiler<'_> {
         }
     }
 
-    /// The first of neighbours that hold what `slots` hold.
+    /// First of neighboring slots that hold the values of `slots`.
     fn gather(&mut self, slots: &[Slot]) -> Outcome<Slot> {
         if slots.is_sorted_by(|a, b| *b == *a + 1)
             && let Some(&first) = slots.first()
@@ -115,7 +115,7 @@ impl FunctionCompiler<'_> {
         Ok(first)
     }
 
-    /// A slot that holds the number of the slot at `place`.
+    /// Slot that holds the number of the slot at `place`.
     pub(super) fn pointer(&mut self, place: Place) -> Outcome<Slot> {
         match place {
             Place { pointer: None, offset, .. } => self.assembler.constant(u64::from(offset)),
@@ -140,7 +140,7 @@ impl FunctionCompiler<'_> {
 
     fn load_from(&mut self, place: Place, count: u32) -> Outcome<Vec<Slot>> {
         if let Place { buffer: Some(buffer), pointer: None, offset } = place {
-            // Nothing changes a buffer while the program runs.
+            // No instruction changes a buffer while the program runs.
             return (offset..offset + count)
                 .map(|offset| self.assembler.bound(Source::Scalar { buffer, offset }))
                 .collect();
@@ -168,7 +168,7 @@ impl FunctionCompiler<'_> {
     }
 }
 
-/// Whether it is an array of any length.
+/// True for an array of any length.
 fn is_unsized(inner: &TypeInner) -> bool {
     matches!(inner, TypeInner::Array { size: ArraySize::Dynamic, .. })
 }

@@ -1,26 +1,28 @@
-//! Evaluates the text of a constant expression over numbers, in f64 and as WGSL's types round it.
+//! Evaluator of the text of a constant expression over numbers, in f64 and as WGSL's types round
+//! it.
 //!
-//! Knows decimal and hexadecimal literals, `+ - * /`, signs, brackets, names of constants, and the
-//! functions that naga folds. What else a text may hold makes it unreadable, which is no error.
+//! The evaluator knows decimal and hexadecimal literals, `+ - * /`, signs, brackets, names of
+//! constants, and the functions that naga folds. Any other syntax makes a text unreadable, which is
+//! no error.
 
 use std::collections::HashMap;
 
-/// How deeply brackets and signs may nest.
+/// Greatest nesting of brackets and signs.
 const MAX_DEPTH: u32 = 64;
 
-/// A number at compile time.
+/// Number at compile time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Number {
     /// WGSL's `AbstractInt`.
     Int(i64),
     /// WGSL's `AbstractFloat`, an f64.
     Abstract(f64),
-    /// An f32, and what it would be had nothing been rounded.
+    /// An f32, and its value without any rounding.
     Single { single: f32, wide: f64 },
 }
 
 impl Number {
-    /// Without any rounding to f32.
+    /// Value without any rounding to f32.
     pub(super) fn wide(self) -> f64 {
         match self {
             Self::Int(x) => x as f64,
@@ -36,12 +38,12 @@ impl Number {
         }
     }
 
-    /// Converted to f32.
+    /// Number converted to f32.
     pub(super) fn single(self) -> Self {
         Self::Single { single: self.as_f32(), wide: self.wide() }
     }
 
-    /// Whether naga makes this f32 of it.
+    /// True if naga makes this f32 of the number.
     pub(super) fn agrees_with(self, single: f32) -> bool {
         self.as_f32().to_bits() == single.to_bits()
     }
@@ -96,7 +98,7 @@ impl Number {
     }
 }
 
-/// The number that a text says, given the constants that it may name.
+/// Number that a text denotes, given the constants that it may name.
 pub(super) fn evaluate(text: &str, constants: &HashMap<String, Number>) -> Option<Number> {
     let mut reader = Reader { rest: text, constants, depth: 0 };
     let number = reader.sum()?;
@@ -115,7 +117,7 @@ impl<'t> Reader<'t> {
         self.rest = self.rest.trim_start();
     }
 
-    /// The next byte that is no space.
+    /// Next byte that is no space.
     fn peek(&mut self) -> Option<u8> {
         self.skip_space();
         self.rest.bytes().next()
@@ -225,8 +227,8 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// `0x1F`, `0x1.8p3`, each with an f at the end if it is a float of WGSL's f32 (only after an
-    /// exponent).
+    /// Reads `0x1F`, `0x1.8p3`, each with an f at the end if it is a float of WGSL's f32 (only
+    /// after an exponent).
     fn hexadecimal(&mut self) -> Option<Number> {
         self.rest = &self.rest[2..];
         let whole = self.take_while(|b| b.is_ascii_hexdigit());
@@ -262,7 +264,7 @@ fn of_one(name: &str, a: Number) -> Option<Number> {
     macro_rules! float {
         ($($name:literal => $function:ident,)*) => {
             match name {
-                // A vector of equal components, as far as each of them goes.
+                // A vector of equal components is treated as its component.
                 "f32" | "vec2f" | "vec3f" | "vec4f" => Some(a.single()),
                 $($name => Some(a.with(f64::$function, f32::$function)),)*
                 _ => None,

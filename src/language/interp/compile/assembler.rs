@@ -1,4 +1,4 @@
-//! Collects instructions, constants and labels of a program.
+//! Assembler: collects the instructions, constants and labels of a program.
 
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -12,16 +12,16 @@ use crate::interp::image::Operation;
 use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
 use crate::interp::resources::Source;
 
-/// How many slots a program's memory may have: 32 MiB.
+/// Greatest number of slots of a program's memory: 32 MiB.
 pub(super) const MAX_SLOTS: u32 = 1 << 22;
 
-/// How many slots the lists of all values of a program may name together.
+/// Greatest number of slots that the lists of all values of a program may name together.
 const MAX_LISTED: usize = 1 << 25;
 
-/// How many instructions a program may have.
+/// Greatest number of instructions of a program.
 const MAX_CODE: usize = 1 << 24;
 
-/// A program in the making. Targets are labels, which [`link`](Self::link) turns into numbers of
+/// Program in the making. Targets are labels, which [`link`](Self::link) turns into numbers of
 /// instructions.
 pub(super) struct Assembler {
     code: Vec<Instruction>,
@@ -29,25 +29,25 @@ pub(super) struct Assembler {
     pure_calls: Vec<PureCall>,
     image: Vec<u64>,
     constants: HashMap<u64, Slot>,
-    /// By their bits in f64 and in f32.
+    /// Slots of constants that f32 cannot hold, by their bits in f64 and in f32.
     wide_constants: HashMap<(u64, u64), Slot>,
-    /// What they hold in f32.
+    /// Bits of those slots in f32.
     wide_slots: HashMap<Slot, u64>,
     bound_slots: HashMap<Source, Slot>,
     operations: Vec<Operation>,
     constant_slots: HashSet<Slot>,
     constant_runs: HashMap<Vec<Slot>, Slot>,
-    /// The values of the module's constant expressions.
+    /// Values of the module's constant expressions.
     pub(super) globals: HashMap<Handle<Expression>, Rc<[Slot]>>,
-    /// How many slots all lists of slots name together.
+    /// Number of slots that all lists of slots name together.
     listed: usize,
     /// Values that the source names, where they are to be read.
     pub(super) observed: Vec<Observed>,
-    /// The instruction that each label stands before.
+    /// Number of the instruction that each label stands before.
     labels: Vec<u32>,
 }
 
-/// A complete program, without its signature.
+/// Complete program, without its signature.
 pub(super) struct Linked {
     pub(super) code: Vec<Instruction>,
     pub(super) switches: Vec<Switch>,
@@ -91,7 +91,7 @@ impl Assembler {
         Ok(())
     }
 
-    /// Reserves slots that are neighbours, and gives the first.
+    /// Reserves neighboring slots, and returns the first.
     pub(super) fn reserve(&mut self, count: u32) -> Outcome<Slot> {
         let first = self.image.len() as u32;
         if count > MAX_SLOTS - first {
@@ -101,7 +101,7 @@ impl Assembler {
         Ok(first)
     }
 
-    /// A slot that holds these bits.
+    /// Slot that holds these bits.
     pub(super) fn constant(&mut self, bits: u64) -> Outcome<Slot> {
         if let Some(&slot) = self.constants.get(&bits) {
             return Ok(slot);
@@ -111,13 +111,13 @@ impl Assembler {
         Ok(slot)
     }
 
-    /// A slot that holds this float; if f32 cannot, then one that is rounded when the program runs
-    /// in f32.
+    /// Slot that holds this float; if f32 cannot, then one that is rounded when the program runs in
+    /// f32.
     pub(super) fn float(&mut self, x: f64) -> Outcome<Slot> {
         self.wide_float(x, f64::from(x as f32))
     }
 
-    /// A slot that holds `x` in f64 and `single` in f32.
+    /// Slot that holds `x` in f64 and `single` in f32.
     pub(super) fn wide_float(&mut self, x: f64, single: f64) -> Outcome<Slot> {
         let bits = (x.to_bits(), single.to_bits());
         if x.is_nan() || bits.0 == bits.1 {
@@ -132,7 +132,7 @@ impl Assembler {
         Ok(slot)
     }
 
-    /// A slot that is filled when resources are bound.
+    /// Slot that is filled when resources are bound.
     pub(super) fn bound(&mut self, source: Source) -> Outcome<Slot> {
         if let Some(&slot) = self.bound_slots.get(&source) {
             return Ok(slot);
@@ -155,7 +155,7 @@ impl Assembler {
         Ok(slot)
     }
 
-    /// The first of neighbours that hold what `slots` hold, if those are all constants.
+    /// First of neighboring slots that hold the values of `slots`, if those are all constants.
     pub(super) fn constant_run(&mut self, slots: &[Slot]) -> Outcome<Option<Slot>> {
         if let Some(&first) = self.constant_runs.get(slots) {
             return Ok(Some(first));
@@ -185,7 +185,7 @@ impl Assembler {
         }
     }
 
-    /// A new label, to be placed later.
+    /// New label, to be placed later.
     pub(super) fn label(&mut self) -> Target {
         self.labels.push(0);
         self.labels.len() as u32 - 1
@@ -208,7 +208,7 @@ impl Assembler {
         self.pure_calls.len() as u32 - 1
     }
 
-    /// How many instructions there are.
+    /// Number of instructions so far.
     pub(super) fn length(&self) -> usize {
         self.code.len()
     }

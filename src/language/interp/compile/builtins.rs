@@ -1,4 +1,4 @@
-//! WGSL's built-in functions, by the formulas of its specification.
+//! Built-in functions of WGSL, by the formulas of its specification.
 
 use naga::{Expression, Handle, MathFunction as Math, TypeInner};
 
@@ -198,7 +198,7 @@ impl FunctionCompiler<'_> {
         self.int2(min, raised, high)
     }
 
-    /// `a * (1 - t) + b * t`
+    /// Emits `a * (1 - t) + b * t`.
     fn mix(&mut self, a: Slot, b: Slot, t: Slot) -> Outcome<Slot> {
         let one = self.float_constant(1.0)?;
         let rest = self.subtract(one, t)?;
@@ -207,7 +207,7 @@ impl FunctionCompiler<'_> {
         self.add(from_a, from_b)
     }
 
-    /// `t * t * (3 - 2 * t)` with `t = clamp((x - low) / (high - low), 0, 1)`
+    /// Emits `t * t * (3 - 2 * t)` with `t = clamp((x - low) / (high - low), 0, 1)`.
     fn smoothstep(&mut self, low: Slot, high: Slot, x: Slot) -> Outcome<Slot> {
         let [zero, one, two, three] = [0.0, 1.0, 2.0, 3.0].map(|x| self.float_constant(x));
         let above = self.subtract(x, low)?;
@@ -220,8 +220,8 @@ impl FunctionCompiler<'_> {
         self.multiply(square, rest)
     }
 
-    /// With `c = normal . incident` and `k = 1 - ratio^2 (1 - c^2)`: 0 if `k < 0`, else
-    /// `ratio * incident - (ratio * c + sqrt(k)) * normal`.
+    /// Emits a refracted vector. With `c = normal . incident` and `k = 1 - ratio^2 (1 - c^2)`: 0 if
+    /// `k < 0`, else `ratio * incident - (ratio * c + sqrt(k)) * normal`.
     fn refract(&mut self, incident: &[Slot], normal: &[Slot], ratio: Slot) -> Outcome<Vec<Slot>> {
         let (zero, one) = (self.float_constant(0.0)?, self.float_constant(1.0)?);
         let cosine = self.dot(normal, incident)?;
@@ -291,7 +291,7 @@ impl FunctionCompiler<'_> {
         self.pack(&clamped)
     }
 
-    /// The low bits of each integer side by side, the first lowest.
+    /// Packs the low bits of each integer side by side, the first lowest.
     fn pack(&mut self, a: &[Slot]) -> Outcome<Slot> {
         let width = 32_u32.checked_div(a.len() as u32).unwrap_or(0);
         let count = self.int_constant(width)?;
@@ -304,7 +304,7 @@ impl FunctionCompiler<'_> {
         Ok(packed)
     }
 
-    /// The integers that [`pack`](Self::pack) put together.
+    /// Unpacks the integers that [`pack`](Self::pack) put together.
     fn unpack(&mut self, a: Slot, parts: u32, signed: bool) -> Outcome<Vec<Slot>> {
         let count = self.int_constant(32 / parts)?;
         (0..parts)

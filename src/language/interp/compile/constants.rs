@@ -10,7 +10,7 @@ use super::statements::FunctionCompiler;
 use super::unsupported::expression_name;
 use crate::interp::instruction::Slot;
 
-/// An expression of the function, or of the module.
+/// Constant expression of the function, or of the module.
 #[derive(Clone, Copy)]
 enum Constant {
     Local(Handle<Expression>),
@@ -18,12 +18,12 @@ enum Constant {
 }
 
 impl<'a> FunctionCompiler<'a> {
-    /// The slots of a constant expression of the function.
+    /// Slots of a constant expression of the function.
     pub(super) fn constant(&mut self, root: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
         self.evaluate(Constant::Local(root))
     }
 
-    /// The slots of a constant expression of the module.
+    /// Slots of a constant expression of the module.
     pub(super) fn global_constant(&mut self, root: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
         self.evaluate(Constant::Global(root))
     }
@@ -84,7 +84,7 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// What a constant is made of.
+    /// Parts that a constant is made of.
     fn parts(&self, constant: Constant, root: Constant) -> Outcome<Vec<Constant>> {
         let beside = |handle: Handle<Expression>| match constant {
             Constant::Local(_) => Constant::Local(handle),
@@ -106,7 +106,7 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// The slots of a constant whose parts are known.
+    /// Slots of a constant whose parts are known.
     fn join(&mut self, constant: Constant, parts: &[Constant]) -> Outcome<Vec<Slot>> {
         match *self.constant_expression(constant) {
             Expression::Literal(literal) => {

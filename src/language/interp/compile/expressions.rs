@@ -1,4 +1,4 @@
-//! Expressions: where their values lie, and what computes them.
+//! Expressions: the places of their values, and the instructions that compute them.
 
 use std::rc::Rc;
 
@@ -13,33 +13,33 @@ use super::{Outcome, is_constant};
 use crate::interp::instruction::{Conversion, Derivative, FloatUnary, Instruction, Slot};
 use crate::interp::{Derivatives, ScalarKind};
 
-/// What an expression is.
+/// Compiled form of an expression.
 #[derive(Clone)]
 pub(super) enum Operand {
-    /// The slots of its scalars, which nothing changes while the expression is in scope.
+    /// Slots of the expression's scalars, which nothing changes while the expression is in scope.
     Value(Rc<[Slot]>),
-    /// A pointer.
+    /// Pointer.
     Place(Place),
 }
 
-/// A place in memory, or in a buffer.
+/// Place in memory, or in a buffer.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
-    /// The number of the buffer; if none, memory.
+    /// Number of the buffer; `None` for memory.
     pub(super) buffer: Option<u32>,
-    /// The slot that holds the number of a slot; if none, 0.
+    /// Slot that holds the number of a slot; `None` for 0.
     pub(super) pointer: Option<Slot>,
-    /// What is added to that.
+    /// Offset that is added to the pointer's number.
     pub(super) offset: u32,
 }
 
 impl Place {
-    /// One that is known while compiling.
+    /// Place that is known while compiling.
     pub(super) fn fixed(slot: Slot) -> Self {
         Self { buffer: None, pointer: None, offset: slot }
     }
 
-    /// One that a slot holds the number of.
+    /// Place whose number a slot holds.
     pub(super) fn at(pointer: Slot) -> Self {
         Self { buffer: None, pointer: Some(pointer), offset: 0 }
     }
@@ -122,8 +122,8 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// What an expression has computed, as its type holds it: an f16 has less than the float that
-    /// stands for it.
+    /// Rounds the result of an expression to its type: an f16 holds less than the float that stands
+    /// for it.
     fn rounded(&mut self, handle: Handle<Expression>, slots: Vec<Slot>) -> Outcome<Vec<Slot>> {
         let is_half = self.inner(handle).scalar() == Some(naga::Scalar::F16);
         if is_half {
@@ -145,7 +145,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    /// What an expression that has been evaluated is.
+    /// Compiled form of an expression that has been evaluated.
     pub(super) fn operand(&mut self, handle: Handle<Expression>) -> Outcome<Operand> {
         if let Some(operand) = &self.operands[handle.index()] {
             return Ok(operand.clone());
@@ -159,7 +159,7 @@ impl<'a> FunctionCompiler<'a> {
         self.constant(handle).map(Operand::Value)
     }
 
-    /// The slots of a value.
+    /// Slots of a value.
     pub(super) fn value(&mut self, handle: Handle<Expression>) -> Outcome<Rc<[Slot]>> {
         match self.operand(handle)? {
             Operand::Value(slots) => Ok(slots),
@@ -167,7 +167,7 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// The slot of a scalar.
+    /// Slot of a scalar.
     pub(super) fn scalar(&mut self, handle: Handle<Expression>) -> Outcome<Slot> {
         match *self.value(handle)? {
             [slot] => Ok(slot),
@@ -175,7 +175,7 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// Where a pointer points.
+    /// Place that a pointer points to.
     pub(super) fn place(&mut self, handle: Handle<Expression>) -> Outcome<Place> {
         match self.operand(handle)? {
             Operand::Place(place) => Ok(place),
@@ -183,7 +183,7 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// Where an argument lies.
+    /// Place of an argument.
     pub(super) fn argument(&self, index: u32, handle: Handle<Expression>) -> Outcome<Operand> {
         let inner = self.inner(handle);
         let Some(&first) = self.frame.arguments.get(index as usize) else {
@@ -228,12 +228,12 @@ impl<'a> FunctionCompiler<'a> {
         derivative.map(Some)
     }
 
-    /// The type of an expression.
+    /// Type of an expression.
     pub(super) fn inner(&self, handle: Handle<Expression>) -> &'a TypeInner {
         self.types.get(handle, &self.context.module.types)
     }
 
-    /// The kind of an expression's scalars.
+    /// Kind of an expression's scalars.
     pub(super) fn kind(&self, handle: Handle<Expression>) -> Outcome<ScalarKind> {
         let scalar = self
             .inner(handle)
@@ -242,7 +242,7 @@ impl<'a> FunctionCompiler<'a> {
         self.checked(scalar.and_then(scalar_kind), handle)
     }
 
-    /// The type of an expression, or if it is a pointer, of what it points to.
+    /// Type of an expression, or if it is a pointer, of its target.
     pub(super) fn pointee(&self, handle: Handle<Expression>) -> &'a TypeInner {
         match self.inner(handle) {
             TypeInner::Pointer { base, .. } => &self.context.module.types[*base].inner,
@@ -258,7 +258,7 @@ impl<'a> FunctionCompiler<'a> {
         result.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(handle)))
     }
 
-    /// Where an expression stands in the source.
+    /// Span of an expression in the source.
     pub(super) fn span(&self, handle: Handle<Expression>) -> Span {
         self.function.expressions.get_span(handle)
     }

@@ -1,4 +1,4 @@
-//! Global variables: which a program uses, and where they lie.
+//! Global variables that a program uses, and their places.
 
 use std::collections::HashMap;
 
@@ -17,28 +17,28 @@ use crate::interp::instruction::Slot;
 use crate::interp::resources::{Resource, ResourceKind, Texel};
 use crate::interp::{Shape, TextureDimension};
 
-/// Where a global variable lies.
+/// Place of a global variable.
 #[derive(Clone, Copy)]
 enum GlobalPlace {
-    /// The first of its slots.
+    /// First slot of the variable.
     Private(Slot),
-    /// The number of the resource.
+    /// Number of the buffer among the resources.
     Buffer(u32),
-    /// The number of the resource.
+    /// Number of the texture or sampler among the resources.
     Handle(u32),
 }
 
-/// The global variables of a program.
+/// Global variables of a program.
 #[derive(Default)]
 pub(super) struct Globals {
     homes: HashMap<Handle<GlobalVariable>, GlobalPlace>,
     pub(super) resources: Vec<Resource>,
-    /// In order, with the first slot of each.
+    /// Private variables in order, with the first slot of each.
     pub(super) private: Vec<(Handle<GlobalVariable>, Slot)>,
 }
 
 impl Globals {
-    /// Finds a home for each variable that the functions use.
+    /// Finds a place for each variable that the functions use.
     pub(super) fn of<'f>(
         module: &Module,
         layouts: &Layouts,
@@ -115,8 +115,8 @@ impl Globals {
         Ok(self.resources.len() as u32 - 1)
     }
 
-    /// What an expression that names the variable is; none if the program has not been asked to use
-    /// it.
+    /// Compiled form of an expression that names the variable; `None` if the program may not use
+    /// the variable.
     pub(super) fn operand(
         &self,
         handle: Handle<GlobalVariable>,
@@ -136,7 +136,7 @@ impl Globals {
     }
 }
 
-/// What a buffer of that type takes.
+/// Resource kind of a buffer of a type.
 fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<ResourceKind, Problem> {
     let members = match &module.types[ty].inner {
         TypeInner::Array { base, size: ArraySize::Dynamic, .. } => {
@@ -165,7 +165,7 @@ fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<Resour
     Ok(ResourceKind::Buffer(layouts.shape(module, ty)?))
 }
 
-/// What a texture or sampler variable takes.
+/// Resource kind of a texture or sampler variable.
 fn opaque(inner: &TypeInner) -> Result<ResourceKind, Problem> {
     match *inner {
         TypeInner::Image { dim, arrayed, class } => Ok(ResourceKind::Texture {
@@ -193,7 +193,7 @@ fn dimension(dim: ImageDimension) -> TextureDimension {
     }
 }
 
-/// What the texels of a class of textures are read as.
+/// Type that the texels of a class of textures are read as.
 pub(super) fn texel(class: ImageClass) -> Result<Texel, Problem> {
     match class {
         ImageClass::Sampled { multi: true, .. } | ImageClass::Depth { multi: true } => {
@@ -208,7 +208,7 @@ pub(super) fn texel(class: ImageClass) -> Result<Texel, Problem> {
     }
 }
 
-/// The error that a function uses a global variable and is no stage.
+/// Error of a function that uses a global variable and is no stage.
 #[cold]
 pub(super) fn no_stage(mut error: Box<Diagnostic>) -> Box<Diagnostic> {
     error.hints.push("`Options::stage` lets it use what a stage of a pipeline has".to_owned());

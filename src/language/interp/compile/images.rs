@@ -11,7 +11,7 @@ use crate::interp::image::{Detail, Operation, OperationKind, Sample};
 use crate::interp::instruction::{Conversion, Instruction, Slot};
 use crate::interp::resources::Texel;
 
-/// The parts of `Expression::ImageSample`.
+/// Parts of `Expression::ImageSample`.
 pub(super) struct SampleParts {
     pub(super) image: Handle<Expression>,
     pub(super) sampler: Handle<Expression>,
@@ -115,7 +115,7 @@ impl FunctionCompiler<'_> {
         handle.map(|handle| self.scalar(handle)).transpose()
     }
 
-    /// A level of detail, which depth textures take as an integer.
+    /// Level of detail, which depth textures take as an integer.
     fn as_float(&mut self, handle: Handle<Expression>) -> Outcome<Slot> {
         let slot = self.scalar(handle)?;
         match self.kind(handle)? {
@@ -133,7 +133,7 @@ impl FunctionCompiler<'_> {
         texel.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(image)))
     }
 
-    /// How many numbers the size of a texture has.
+    /// Number of components of a texture's size.
     fn dimensions(&self, image: Handle<Expression>) -> usize {
         match self.inner(image) {
             TypeInner::Image { dim: naga::ImageDimension::D1, .. } => 1,

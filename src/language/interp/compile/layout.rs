@@ -1,4 +1,4 @@
-//! How many slots each type takes, and what it is made of.
+//! Layouts: the number of slots of each type, and its parts.
 
 use naga::{ArraySize, Handle, Module, Scalar, ScalarKind as Kind, Type, TypeInner, UniqueArena};
 
@@ -6,20 +6,20 @@ use super::assembler::MAX_SLOTS;
 use crate::diag::Diagnostic;
 use crate::interp::{ScalarKind, Shape};
 
-/// How many types may lie within each other.
+/// Greatest nesting of types.
 const MAX_DEPTH: u32 = 64;
 
-/// Why a type cannot be used.
+/// Reason why a type cannot be used.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Problem {
-    /// The interpreter has no such values. Names the type.
+    /// Type, here named, of which the interpreter has no values.
     Unsupported(&'static str),
-    /// It has too many scalars, or nests too deeply.
+    /// Type with too many scalars, or nested too deeply.
     TooBig,
 }
 
 impl Problem {
-    /// The error to report; `subject` is what has the type.
+    /// Diagnostic of the problem; `subject` names the value that has the type.
     pub(super) fn diagnose(self, subject: &str) -> Diagnostic {
         match self {
             Self::Unsupported(what) => {
@@ -46,11 +46,11 @@ struct Extent {
     depth: u32,
 }
 
-/// The extent of every type of a module.
+/// Extents of all types of a module.
 pub(super) struct Layouts(Vec<Result<Extent, Problem>>);
 
 impl Layouts {
-    /// Measures all types; naga orders them so that each comes after what it is made of.
+    /// Measures all types; naga orders them so that each comes after its parts.
     pub(super) fn of(module: &Module) -> Self {
         let mut layouts = Self(Vec::with_capacity(module.types.len()));
         for (_, ty) in module.types.iter() {
@@ -60,7 +60,7 @@ impl Layouts {
         layouts
     }
 
-    /// The number of slots that a value takes.
+    /// Number of slots that a value takes.
     pub(super) fn slots(&self, inner: &TypeInner) -> Result<u32, Problem> {
         Ok(self.extent(inner)?.slots)
     }
@@ -77,9 +77,9 @@ impl Layouts {
             TypeInner::Matrix { columns, rows, scalar } => {
                 scalar_kind(*scalar).map(|_| (*columns as u64 * *rows as u64, 0))?
             }
-            // The number of the slot pointed to.
+            // A pointer holds the number of its target slot.
             TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. } => (1, 0),
-            // The number of the resource.
+            // The slot holds the number of the resource.
             TypeInner::Image { .. } | TypeInner::Sampler { .. } => (1, 0),
             TypeInner::Array { base, size, .. } => {
                 let element = known(*base)?;
@@ -100,7 +100,7 @@ impl Layouts {
         if fits { Ok(Extent { slots: slots as u32, depth }) } else { Err(Problem::TooBig) }
     }
 
-    /// The shape of a type. Recursion is as deep as the type, which has been bounded.
+    /// Shape of a type. Recursion is as deep as the type, which has been bounded.
     pub(super) fn shape(&self, module: &Module, ty: Handle<Type>) -> Result<Shape, Problem> {
         let Type { name, inner } = &module.types[ty];
         self.slots(inner)?;
@@ -132,7 +132,7 @@ impl Layouts {
         })
     }
 
-    /// Where part `index` of a composite begins.
+    /// Offset of part `index` of a composite.
     pub(super) fn offset(
         &self,
         types: &UniqueArena<Type>,
@@ -170,7 +170,7 @@ impl Layouts {
         }
     }
 
-    /// How many equal parts a composite has, and how many slots each takes.
+    /// Number of equal parts of a composite, and number of slots of each.
     pub(super) fn elements(
         &self,
         types: &UniqueArena<Type>,
@@ -181,7 +181,7 @@ impl Layouts {
                 (*size as u32, 1)
             }
             TypeInner::Matrix { columns, rows, .. } => (*columns as u32, *rows as u32),
-            // Whoever indexes it compares with the length first.
+            // Code that indexes an array of any length compares with its length first.
             TypeInner::Array { base, size: ArraySize::Dynamic, .. } => {
                 (u32::MAX, self.slots(&types[*base].inner)?)
             }
@@ -193,7 +193,7 @@ impl Layouts {
     }
 }
 
-/// The kind of a scalar that the interpreter has.
+/// Kind of a scalar in the interpreter.
 pub(super) fn scalar_kind(scalar: Scalar) -> Result<ScalarKind, Problem> {
     match (scalar.kind, scalar.width) {
         (Kind::Bool, _) => Ok(ScalarKind::Bool),

@@ -1,4 +1,4 @@
-//! Emits arithmetic on scalars, vectors and matrices that are given as lists of slots.
+//! Arithmetic on scalars, vectors and matrices that are given as lists of slots.
 
 use super::Outcome;
 use super::statements::FunctionCompiler;
@@ -6,7 +6,7 @@ use crate::interp::instruction::{
     Compare, Conversion, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, Slot,
 };
 
-/// A matrix as a list of columns.
+/// Matrix as a list of columns.
 type Columns<'s> = Vec<&'s [Slot]>;
 
 impl FunctionCompiler<'_> {
@@ -93,7 +93,7 @@ impl FunctionCompiler<'_> {
             .collect()
     }
 
-    /// `a . b`, summed in order.
+    /// Emits `a . b`, summed in order.
     pub(super) fn dot(&mut self, a: &[Slot], b: &[Slot]) -> Outcome<Slot> {
         let products = self.zip(a, b, Self::multiply)?;
         self.fold(&products, Self::add)
@@ -126,7 +126,7 @@ impl FunctionCompiler<'_> {
         Ok([x, y, z])
     }
 
-    /// `a.x * b.y - a.y * b.x`
+    /// Emits `a.x * b.y - a.y * b.x`.
     fn determinant2(&mut self, a: [Slot; 2], b: [Slot; 2]) -> Outcome<Slot> {
         let down = self.multiply(a[0], b[1])?;
         let up = self.multiply(a[1], b[0])?;
@@ -158,7 +158,7 @@ impl FunctionCompiler<'_> {
         Ok(product)
     }
 
-    /// Of a square matrix.
+    /// Determinant of a square matrix.
     pub(super) fn determinant(&mut self, matrix: &[Slot], size: usize) -> Outcome<Slot> {
         let columns: Columns = matrix.chunks_exact(size.max(1)).collect();
         let cofactors = self.first_cofactors(&columns)?;
@@ -168,12 +168,12 @@ impl FunctionCompiler<'_> {
         }
     }
 
-    /// Of a square matrix: the transposed cofactors over the determinant.
+    /// Inverse of a square matrix: the transposed cofactors over the determinant.
     pub(super) fn inverse(&mut self, matrix: &[Slot], size: usize) -> Outcome<Vec<Slot>> {
         let columns: Columns = matrix.chunks_exact(size.max(1)).collect();
         let mut cofactors = Vec::new();
         for index in 0..size {
-            // With column `index` moved to the front; that takes `index` exchanges, each of which
+            // Column `index` is moved to the front; that takes `index` exchanges, each of which
             // changes the sign.
             let mut moved = columns.clone();
             moved[..=index].rotate_right(1);
@@ -190,7 +190,7 @@ impl FunctionCompiler<'_> {
         self.map(&transpose(&cofactors, size), |this, slot| this.divide(slot, determinant))
     }
 
-    /// The cofactors of the first of 2 to 4 columns.
+    /// Cofactors of the first of 2 to 4 columns.
     fn first_cofactors(&mut self, columns: &[&[Slot]]) -> Outcome<Vec<Slot>> {
         match *columns {
             [_, b] => {
@@ -203,7 +203,7 @@ impl FunctionCompiler<'_> {
         }
     }
 
-    /// The signed determinant of three columns of four without row `row`.
+    /// Signed determinant of three columns of four without row `row`.
     fn cofactor(&mut self, row: usize, columns: [&[Slot]; 3]) -> Outcome<Slot> {
         let [b, c, d] = columns.map(|column| {
             let mut rest = (0..4).filter(|&other| other != row).map(|other| column[other]);
@@ -215,12 +215,12 @@ impl FunctionCompiler<'_> {
     }
 }
 
-/// Component `index`, of which a list of one has only the first.
+/// Component `index` of a list; a list of one is repeated.
 fn component(slots: &[Slot], index: usize) -> Slot {
     if let [only] = slots { *only } else { slots[index] }
 }
 
-/// The rows of a matrix, one after the other.
+/// Rows of a matrix, one after the other.
 pub(super) fn transpose(matrix: &[Slot], columns: usize) -> Vec<Slot> {
     let rows = matrix.len().checked_div(columns).unwrap_or(0);
     (0..rows).flat_map(|row| matrix.iter().skip(row).step_by(rows).copied()).collect()

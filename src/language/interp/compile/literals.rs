@@ -1,9 +1,9 @@
-//! Reads literals at f64, which naga's front end has rounded to f32.
+//! Reader of literals at f64, which naga's front end has rounded to f32.
 //!
-//! naga keeps no number as it was written, but it keeps where it stood; and what it folded has the
-//! place of the whole expression. That text is read again and evaluated twice side by side, in f64
-//! throughout and as naga did, rounding where WGSL's types do. Only if the second gives naga's
-//! number bit for bit is the first believed. So a misreading does no harm: naga's number stands.
+//! naga keeps no number as it was written, but keeps its span; and a folded number has the span of
+//! the whole expression. That text is read again and evaluated twice side by side, in f64
+//! throughout and as naga did, rounding where WGSL's types do. Only if the second result is naga's
+//! number bit for bit is the first one used. So a misreading does no harm: naga's number stands.
 
 use std::collections::HashMap;
 
@@ -12,13 +12,13 @@ use naga::Span;
 use super::arithmetic::{Number, evaluate};
 use crate::wgsl::{DeclarationKind, scan};
 
-/// Longer texts are not read again.
+/// Length of the longest text that is read again, in bytes.
 const MAX_LENGTH: usize = 1000;
 
-/// How often the module's constants are gone through until all that name others are known.
+/// Greatest number of passes over the module's constants until all that name others are known.
 const MAX_PASSES: usize = 32;
 
-/// The text of a module, and what its constants are.
+/// Text of a module, and the values of its constants.
 pub(super) struct Literals<'s> {
     source: &'s str,
     constants: HashMap<String, Number>,
@@ -57,12 +57,12 @@ impl<'s> Literals<'s> {
         literals
     }
 
-    /// The f64 that stands where naga read `single`; none if the text does not say that number.
+    /// The f64 in the text where naga read `single`; `None` if the text denotes another number.
     pub(super) fn wide(&self, span: Span, single: f32) -> Option<f64> {
         let range = span.to_range()?;
         let mut text = self.source.get(range.clone())?;
         let rest = self.source.get(range.end..)?;
-        // Of a call, naga keeps where its name stands.
+        // For a call, naga keeps the span of its name.
         if text.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_')
             && rest.trim_start().starts_with('(')
         {
@@ -76,7 +76,7 @@ impl<'s> Literals<'s> {
     }
 }
 
-/// Where the bracket that opens `text` is closed.
+/// End of the bracket that opens `text`.
 fn end_of_call(text: &str) -> Option<usize> {
     let mut depth = 0_usize;
     for (index, byte) in text.bytes().enumerate().take(MAX_LENGTH) {
@@ -99,7 +99,7 @@ mod tests {
     use super::*;
     use crate::wgsl::{PASSES, SHADER_LIBRARY, Source, link, parse, shipped_nodes};
 
-    /// Every f32 literal of a source: its place, what naga made of it, and what is read again.
+    /// Every f32 literal of a source: its text, naga's value of it, and the f64 that is read again.
     fn literals(source: &str) -> Vec<(String, f32, Option<f64>)> {
         let module = parse(source).unwrap_or_else(|error| panic!("{error}")).module;
         let literals = Literals::of(source);

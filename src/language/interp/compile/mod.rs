@@ -1,8 +1,8 @@
-//! From naga IR to instructions.
+//! Compiler from naga IR to instructions.
 //!
-//! Every function that the entry function reaches is compiled once, callees first. None of this
-//! recurses: blocks, constants and the call graph are walked with explicit stacks, so no module is
-//! too deep for it.
+//! Every function that the entry function reaches is compiled once, callees first. Nothing here
+//! recurses: blocks, constants and the call graph are walked with explicit stacks, so that no
+//! module is too deep.
 
 mod access;
 mod arithmetic;
@@ -35,30 +35,31 @@ use literals::Literals;
 use purity::Purity;
 use statements::FunctionCompiler;
 
-/// A result whose error is boxed, because it is moved through many hands.
+/// Result whose error is boxed, because it is moved through many hands.
 type Outcome<T> = Result<T, Box<Diagnostic>>;
 
-/// Where a function's code starts, and where its arguments, result and return address lie.
+/// Frame of a function: the start of its code, and the places of its arguments, result and return
+/// address.
 struct Frame {
     entry: Target,
     link: Slot,
-    /// The first slot of each argument.
+    /// First slot of each argument.
     arguments: Vec<Slot>,
     result: Slot,
-    /// How many slots the result takes.
+    /// Number of slots of the result.
     result_slots: u32,
     /// All slots of the arguments, if lanes can share a run.
     shared: Option<Vec<Slot>>,
 }
 
-/// What all functions of a program are compiled with.
+/// Context of the compilation of all functions of a program.
 struct Context<'a> {
     module: &'a Module,
     layouts: &'a Layouts,
     options: Options<'a>,
     globals: &'a Globals,
     literals: Option<&'a Literals<'a>>,
-    /// Of each function of the module that has been compiled.
+    /// Frames of all functions of the module that have been compiled.
     frames: &'a [Option<Frame>],
 }
 
@@ -134,7 +135,7 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
     })
 }
 
-/// The function or entry point of that name.
+/// Function or entry point of that name.
 fn find<'m>(module: &'m Module, name: &str) -> Outcome<&'m Function> {
     let functions = module.functions.iter().map(|(_, f)| (f.name.as_deref().unwrap_or(""), f));
     let entry_points = module.entry_points.iter().map(|e| (e.name.as_str(), &e.function));
@@ -175,7 +176,7 @@ fn signature(
     Ok((parameters, shape(result.ty, "the result")?))
 }
 
-/// The functions that `entry` calls, and those that they call, callees before callers.
+/// Functions that `entry` calls, directly or through others, callees before callers.
 fn reachable(module: &Module, entry: &Function) -> Vec<Handle<Function>> {
     let mut found = vec![false; module.functions.len()];
     let mut pending = vec![entry];
@@ -186,7 +187,7 @@ fn reachable(module: &Module, entry: &Function) -> Vec<Handle<Function>> {
             }
         }
     }
-    // naga orders its arena so that functions come after those that they call.
+    // naga's arena lists functions after those that they call.
     module
         .functions
         .iter()
@@ -195,7 +196,7 @@ fn reachable(module: &Module, entry: &Function) -> Vec<Handle<Function>> {
         .collect()
 }
 
-/// What is called anywhere in a block.
+/// Functions that are called anywhere in a block.
 fn calls(body: &Block) -> Vec<Handle<Function>> {
     let mut callees = Vec::new();
     let mut blocks = vec![body];
@@ -216,7 +217,8 @@ fn calls(body: &Block) -> Vec<Handle<Function>> {
     callees
 }
 
-/// Appends the code of one function; that of the entry begins with the values of private variables.
+/// Appends the code of one function; the code of the entry begins with the values of private
+/// variables.
 fn compile_function(
     context: &Context,
     assembler: &mut Assembler,
@@ -231,12 +233,12 @@ fn compile_function(
         compiler.initialize_private()?;
     }
     compiler.body()?;
-    // A function without result may end without `return`; after any other, nothing gets here.
+    // A function without result may end without `return`; in any other, control never gets here.
     assembler.emit(Instruction::Return { link: frame.link })?;
     Ok(frame)
 }
 
-/// The type of every expression.
+/// Types of all expressions.
 fn types(module: &Module, function: &Function) -> Outcome<Typifier> {
     let resolve =
         ResolveContext::with_locals(module, &function.local_variables, &function.arguments);
@@ -253,7 +255,7 @@ fn types(module: &Module, function: &Function) -> Outcome<Typifier> {
     Ok(types)
 }
 
-/// Reserves what the callers of a function must know.
+/// Reserves the slots that the callers of a function must know.
 fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> Outcome<Frame> {
     let name = function.name.as_deref().unwrap_or("");
     let slots = |ty, what: &str| {
@@ -279,7 +281,7 @@ fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> O
     Ok(Frame { entry, link, arguments, result, result_slots, shared: Some(shared) })
 }
 
-/// Whether an expression is a value on its own, wherever it stands.
+/// True for an expression that is a constant value, wherever it stands.
 fn is_constant(expression: &Expression) -> bool {
     matches!(
         expression,

@@ -13,12 +13,12 @@ use crate::interp::instruction::{
     Compare, Conversion, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, Slot,
 };
 
-/// A binary operator on scalars of one kind.
+/// Binary operator on scalars of one kind.
 enum Operation {
     Float(FloatBinary),
     Compare(Compare),
     Int(IntBinary),
-    /// The same with left and right exchanged.
+    /// Comparison with left and right exchanged.
     CompareSwapped(Compare),
     IntSwapped(IntBinary),
 }
@@ -140,7 +140,7 @@ impl FunctionCompiler<'_> {
     }
 }
 
-/// What turns the slot of one kind into that of another; none if it is the same.
+/// Conversion from the slot of one kind to that of another; `None` if the bits are the same.
 fn conversion(from: ScalarKind, to: ScalarKind, by_value: bool) -> Option<Conversion> {
     use ScalarKind::{Bool, Float, I32, U32};
     match (from, to) {
@@ -156,7 +156,7 @@ fn conversion(from: ScalarKind, to: ScalarKind, by_value: bool) -> Option<Conver
     }
 }
 
-/// What an operator does to scalars of this kind.
+/// Operation of an operator on scalars of this kind.
 fn operation(op: BinaryOperator, kind: ScalarKind) -> Option<Operation> {
     match kind {
         ScalarKind::Float => float_operation(op),

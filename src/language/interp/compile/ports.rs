@@ -1,11 +1,11 @@
-//! The vectors that go into and come out of a function, and what their attributes say.
+//! Ports of a function: its input and output vectors, with their attributes.
 
 use naga::{Binding, Function, Handle, Module, Type, TypeInner};
 
 use crate::interp::instruction::Slot;
 use crate::interp::{Parameter, Port, Shape};
 
-/// The ports of the arguments.
+/// Ports of the arguments.
 pub(super) fn inputs(module: &Module, function: &Function, parameters: &[Parameter]) -> Vec<Port> {
     let mut ports = Vec::new();
     for (argument, parameter) in function.arguments.iter().zip(parameters) {
@@ -15,7 +15,7 @@ pub(super) fn inputs(module: &Module, function: &Function, parameters: &[Paramet
     ports
 }
 
-/// The ports of the result.
+/// Ports of the result.
 pub(super) fn outputs(
     module: &Module,
     function: &Function,

@@ -1,22 +1,24 @@
-//! Which functions give the same for the same arguments, and do so much that it is worth asking.
+//! Purity of functions: those that give the same result for the same arguments, and run long enough
+//! to be worth comparing arguments.
 
 use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement, TypeInner};
 
 use super::{Context, calls};
 
-/// A function of fewer instructions, callees included, is run again rather than compared.
+/// Least number of instructions, callees included, for which arguments are compared; a shorter
+/// function is run again.
 const LEAST: usize = 48;
 
-/// Of each function of a module that has been compiled.
+/// Properties of a compiled function.
 #[derive(Clone, Copy, Default)]
 struct FunctionFacts {
     is_pure: bool,
     has_loop: bool,
-    /// Instructions, callees included.
+    /// Number of instructions, callees included.
     length: usize,
 }
 
-/// What is known of functions; callees are told before callers.
+/// Properties of all functions; callees are added before callers.
 pub(super) struct Purity(Vec<FunctionFacts>);
 
 impl Purity {
@@ -46,15 +48,15 @@ impl Purity {
         self.0[handle.index()] = known;
     }
 
-    /// Whether it is pure and takes long.
+    /// True for a function that is pure and takes long.
     pub(super) fn is_worth_sharing(&self, handle: Handle<Function>) -> bool {
         let FunctionFacts { is_pure, has_loop, length } = self.0[handle.index()];
         is_pure && (has_loop || length >= LEAST)
     }
 }
 
-/// Whether what a function does itself depends on its arguments, constants and buffers alone, and
-/// is seen by nobody but in its result.
+/// True if a function's own result depends on its arguments, constants and buffers alone, and the
+/// function has no other effect.
 fn is_pure(module: &Module, function: &Function) -> bool {
     let is_pointer = |ty| {
         matches!(module.types[ty].inner, TypeInner::Pointer { .. } | TypeInner::ValuePointer { .. })
@@ -64,7 +66,7 @@ fn is_pure(module: &Module, function: &Function) -> bool {
             let space = module.global_variables[*variable].space;
             matches!(space, AddressSpace::Uniform | AddressSpace::Storage { .. })
         }
-        // A derivative depends on the neighbours, and so may a sample of a texture.
+        // A derivative depends on the neighbors, and so may a sample of a texture.
         Expression::Derivative { .. }
         | Expression::ImageSample { .. }
         | Expression::ImageLoad { .. } => false,
@@ -79,7 +81,7 @@ fn has_loop(function: &Function) -> bool {
     any(&function.body, |statement| matches!(statement, Statement::Loop { .. }))
 }
 
-/// Whether a block has such a statement at any depth.
+/// True if a block has such a statement at any depth.
 fn any(body: &Block, is_one: impl Fn(&Statement) -> bool) -> bool {
     let mut blocks = vec![body];
     while let Some(block) = blocks.pop() {

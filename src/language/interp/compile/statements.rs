@@ -16,41 +16,41 @@ use crate::interp::Observed;
 use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
 use crate::interp::observed::kinds;
 
-/// Compiles one function.
+/// Compiler of one function.
 pub(super) struct FunctionCompiler<'a> {
     pub(super) context: &'a Context<'a>,
     pub(super) assembler: &'a mut Assembler,
     pub(super) function: &'a Function,
     pub(super) types: &'a Typifier,
     pub(super) frame: &'a Frame,
-    /// What has been compiled of each expression.
+    /// Compiled forms of the expressions.
     pub(super) operands: Vec<Option<Operand>>,
-    /// The first slot of each local variable.
+    /// First slot of each local variable.
     pub(super) locals: Vec<Slot>,
-    /// What is still to be compiled, last first.
+    /// Work that is left, last first.
     tasks: Vec<Task<'a>>,
-    /// Where `break` and `continue` lead, innermost last.
+    /// Targets of `break` and `continue`, innermost last.
     exits: Vec<Exit>,
 }
 
-/// A piece of work that waits until what stands before it has been compiled.
+/// Task: a piece of work that waits until the code before it has been compiled.
 enum Task<'a> {
-    /// The statements of a block from an index on.
+    /// Statements of a block from an index on.
     Block(&'a Block, usize),
-    /// The next instruction has this label.
+    /// Placing of this label before the next instruction.
     Label(Target),
-    /// Goes on at the label.
+    /// Jump to the label.
     Jump(Target),
-    /// Goes on at the label if the condition is false.
+    /// Jump to the label if the condition is false.
     JumpUnless(Handle<Expression>, Target),
-    /// A loop or switch is complete.
+    /// End of a loop or switch.
     Leave,
 }
 
 #[derive(Clone, Copy)]
 struct Exit {
     on_break: Target,
-    /// None outside of any loop.
+    /// Target of `continue`; `None` outside of any loop.
     on_continue: Option<Target>,
 }
 
@@ -84,7 +84,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(compiler)
     }
 
-    /// Makes known where arguments and locals lie.
+    /// Defines the places of arguments and locals.
     fn define_names(&mut self) -> Outcome<()> {
         for (handle, expression) in self.function.expressions.iter() {
             let operand = match *expression {
@@ -99,7 +99,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    /// Compiles everything the function does.
+    /// Compiles the body of the function.
     pub(super) fn body(mut self) -> Outcome<()> {
         for (handle, local) in self.function.local_variables.iter() {
             let to = self.locals[handle.index()];
@@ -136,7 +136,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    /// Notes where the values lie that the source names.
+    /// Notes the slots of the values that the source names.
     fn observe(&mut self) {
         for (&handle, name) in &self.function.named_expressions {
             let Some(Operand::Value(slots)) = &self.operands[handle.index()] else { continue };
@@ -163,7 +163,7 @@ impl<'a> FunctionCompiler<'a> {
         }
     }
 
-    /// Queues work; the first is done first.
+    /// Queues tasks; the first is done first.
     fn queue<const N: usize>(&mut self, tasks: [Task<'a>; N]) {
         self.tasks.extend(tasks.into_iter().rev());
     }
@@ -234,7 +234,7 @@ impl<'a> FunctionCompiler<'a> {
             self.jump_if(condition, false, end)?;
             self.queue([Task::Block(accept, 0), Task::Label(end)]);
         } else if accept.is_empty() {
-            // What naga makes of a loop's condition: `if !condition { break; }`.
+            // naga turns a loop's condition into `if !condition { break; }`.
             self.jump_if(condition, true, end)?;
             self.queue([Task::Block(reject, 0), Task::Label(end)]);
         } else {
@@ -317,7 +317,7 @@ impl<'a> FunctionCompiler<'a> {
         }
         let (target, link) = (frame.entry, frame.link);
         let instruction = match &frame.shared {
-            // A remembered call leaves no values to be observed.
+            // A remembered call leaves no values to observe.
             Some(arguments) if !self.context.options.observe => {
                 let Frame { result, result_slots, .. } = *frame;
                 let call = PureCall { arguments: arguments.clone(), result, result_slots };
@@ -335,7 +335,7 @@ impl<'a> FunctionCompiler<'a> {
         self.define(result, slots)
     }
 
-    /// Copies slots to neighbours.
+    /// Copies slots to neighboring slots.
     pub(super) fn copy(&mut self, to: Slot, from: &[Slot]) -> Outcome<()> {
         let mut to = to;
         for run in from.chunk_by(|a, b| *b == *a + 1) {
@@ -353,7 +353,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    /// Gives private variables the values that they have at first.
+    /// Initializes private variables.
     pub(super) fn initialize_private(&mut self) -> Outcome<()> {
         let module = self.context.module;
         for &(handle, to) in &self.context.globals.private {
@@ -383,7 +383,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    /// The number of slots of a type.
+    /// Number of slots of a type.
     pub(super) fn slots_of(&self, inner: &TypeInner, span: Span) -> Outcome<u32> {
         self.context
             .layouts
@@ -391,7 +391,7 @@ impl<'a> FunctionCompiler<'a> {
             .map_err(|problem| self.locate(problem.diagnose(&self.subject()), span))
     }
 
-    /// How errors about types name what has the type.
+    /// Name of the value that has a type, for errors about types.
     pub(super) fn subject(&self) -> String {
         format!("a value in `{}`", self.name())
     }
@@ -400,7 +400,7 @@ impl<'a> FunctionCompiler<'a> {
         self.function.name.as_deref().unwrap_or("")
     }
 
-    /// The error that this function does what the interpreter cannot.
+    /// Error of a function that uses a feature which the interpreter cannot run.
     #[cold]
     pub(super) fn unsupported(&self, what: &str, span: Span) -> Box<Diagnostic> {
         let message = format!("`{}` uses {what}, which the interpreter cannot run", self.name());

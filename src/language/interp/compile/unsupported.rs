@@ -1,8 +1,8 @@
-//! Names for what only a GPU can do.
+//! Names of features that only a GPU has.
 
 use naga::{Expression, MathFunction, Module, Statement};
 
-/// Names an expression that the interpreter cannot run, and the IR construct behind it.
+/// Name of an expression that the interpreter cannot run, and of the IR construct behind it.
 pub(super) fn expression_name(module: &Module, expression: &Expression) -> String {
     let named =
         |what: &str, name: &Option<String>| format!("{what} `{}`", name.as_deref().unwrap_or(""));
@@ -47,7 +47,7 @@ fn anonymous_expression_name(expression: &Expression) -> &'static str {
     }
 }
 
-/// Names a statement that the interpreter cannot run, and the IR construct behind it.
+/// Name of a statement that the interpreter cannot run, and of the IR construct behind it.
 pub(super) fn statement_name(statement: &Statement) -> &'static str {
     match statement {
         Statement::Kill => "`discard` (Kill)",

@@ -1,10 +1,10 @@
-//! The faces of cubes (Vulkan 1.3, "Cube map face selection"), and texels across their edges.
+//! Faces of cubes (Vulkan 1.3, "Cube map face selection"), and texels across their edges.
 
 use super::Vec3;
 use crate::interp::resources::Level;
 
-/// The number of the face that a direction meets: +x, -x, +y, -y, +z, -z; of equal axes z goes
-/// before y before x.
+/// Number of the face that a direction meets: +x, -x, +y, -y, +z, -z; of equal axes z goes before y
+/// before x.
 pub(super) fn face([x, y, z]: Vec3) -> usize {
     let [ax, ay, az] = [x.abs(), y.abs(), z.abs()];
     if az >= ax && az >= ay {
@@ -16,7 +16,7 @@ pub(super) fn face([x, y, z]: Vec3) -> usize {
     }
 }
 
-/// A direction in the axes of a face: to the right, down, and through it.
+/// Direction in the axes of a face: to the right, down, and through it.
 fn axes(face: usize, [x, y, z]: Vec3) -> Vec3 {
     match face {
         0 => [-z, -y, x],
@@ -28,7 +28,7 @@ fn axes(face: usize, [x, y, z]: Vec3) -> Vec3 {
     }
 }
 
-/// The inverse of [`axes`].
+/// Inverse of [`axes`].
 fn direction(face: usize, [right, down, through]: Vec3) -> Vec3 {
     match face {
         0 => [through, -down, -right],
@@ -40,13 +40,13 @@ fn direction(face: usize, [right, down, through]: Vec3) -> Vec3 {
     }
 }
 
-/// Where a direction meets a face, as coordinates from 0 to 1.
+/// Point where a direction meets a face, as coordinates from 0 to 1.
 pub(super) fn on_face(face: usize, place: Vec3) -> Vec3 {
     let [right, down, through] = axes(face, place);
     [0.5 * (right / through + 1.0), 0.5 * (down / through + 1.0), 0.0]
 }
 
-/// How the coordinates on a face change with the direction.
+/// Change of the coordinates on a face for a change of the direction.
 pub(super) fn gradient(face: usize, place: Vec3, gradient: Vec3) -> Vec3 {
     let [right, down, through] = axes(face, place);
     let [d_right, d_down, d_through] = axes(face, gradient);
@@ -54,12 +54,12 @@ pub(super) fn gradient(face: usize, place: Vec3, gradient: Vec3) -> Vec3 {
     [slope(right, d_right), slope(down, d_down), 0.0]
 }
 
-/// A texel of a face; beyond an edge one of the neighbouring face, beyond a corner the mean of the
+/// Texel of a face; beyond an edge one of the neighboring face, beyond a corner the mean of the
 /// three that meet there.
 pub(super) fn texel(level: &Level, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] {
     let size = i64::from(level.size()[0]);
-    // A linear filter reaches one texel beyond the edge. The place of a direction that is no number
-    // does not matter.
+    // A linear filter reaches one texel beyond the edge. The texel for a direction that is NaN does
+    // not matter.
     let (x, y) = (x.clamp(-1, size), y.clamp(-1, size));
     let is_inside = |i: i64| (0..size).contains(&i);
     match (is_inside(x), is_inside(y)) {
@@ -74,9 +74,9 @@ pub(super) fn texel(level: &Level, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] 
     }
 }
 
-/// The texel of the neighbouring face that lies next to the edge. The plane of a face, carried on
-/// by half a texel, leads to a direction within that texel: along the edge it shrinks by N / (N +
-/// 1), less than half a texel.
+/// Texel of the neighboring face that lies next to the edge. The plane of a face, extended by half
+/// a texel, leads to a direction within that texel: along the edge it shrinks by N / (N + 1), less
+/// than half a texel.
 fn across(level: &Level, place: [i64; 2], layer: u32) -> [f64; 4] {
     let size = level.size()[0];
     let [right, down] = place.map(|i| (2 * i + 1) as f64 / f64::from(size) - 1.0);

@@ -1,35 +1,35 @@
-//! Texels around a place, and their weighted sum. Texel `i` of `n` has its centre at `(i + 1/2) /
-//! n`.
+//! Filters: texels around a place, and their weighted sum. Texel `i` of `n` has its center at `(i +
+//! 1/2) / n`.
 
 use super::{Vec3, cube};
 use crate::interp::resources::{Address, Filter, Level, Sampler, Texture, TextureDimension};
 
-/// One read of a texture.
+/// Read of a texture.
 pub(super) struct Taps<'t> {
     pub(super) texture: &'t Texture,
     pub(super) sampler: &'t Sampler,
-    /// Normalized coordinates; of a cube those on the face.
+    /// Normalized coordinates; for a cube those on the face.
     pub(super) place: Vec3,
-    /// Of a cube, the number of the face with that of the cube.
+    /// Layer; for a cube, the number of the face with that of the cube.
     pub(super) layer: u32,
-    /// In texels.
+    /// Offset, in texels.
     pub(super) offset: [i64; 3],
-    /// What every texel is compared with.
+    /// Reference that every texel is compared with.
     pub(super) reference: Option<f64>,
     pub(super) clamp_to_edge: bool,
     pub(super) is_depth: bool,
 }
 
-/// Two neighbouring texels along one axis.
+/// Pair of neighboring texels along one axis.
 #[derive(Clone, Copy)]
 struct Pair {
     first: i64,
-    /// The weight of the second.
+    /// Weight of the second texel.
     weight: f64,
 }
 
 impl Taps<'_> {
-    /// The filtered texel of a level.
+    /// Filtered texel of a level.
     pub(super) fn filter(&self, level: usize, filter: Filter) -> [f64; 4] {
         let level = &self.texture.levels()[level.min(self.texture.levels().len() - 1)];
         match filter {
@@ -41,8 +41,8 @@ impl Taps<'_> {
         }
     }
 
-    /// One component of the four texels that a linear filter of the largest level joins: those at
-    /// (0, 1), (1, 1), (1, 0) and (0, 0).
+    /// Component of the four texels that a linear filter of the largest level joins: those at (0,
+    /// 1), (1, 1), (1, 0) and (0, 0).
     pub(super) fn gather(&self, component: usize) -> [f64; 4] {
         let level = &self.texture.levels()[0];
         let [u, v, _] = self.pairs(level);
@@ -57,8 +57,7 @@ impl Taps<'_> {
     fn pairs(&self, level: &Level) -> [Pair; 3] {
         self.scaled(level).map(|x| {
             let floor = (x - 0.5).floor();
-            // Where there is no place at all, there is some texel; and the second must have a
-            // number too.
+            // A NaN coordinate gives some texel; and the second texel's number must not overflow.
             let weight = x - 0.5 - floor;
             let weight = if weight.is_finite() { weight } else { 0.0 };
             Pair { first: (floor as i64).clamp(i64::MIN / 4, i64::MAX / 4), weight }
@@ -78,7 +77,7 @@ impl Taps<'_> {
                 texel[axis] = first + i64::from(is_second);
                 weight *= if is_second { second } else { 1.0 - second };
             }
-            // Not even an infinite texel counts where it has no weight.
+            // An infinite texel must not count where it has no weight.
             if weight != 0.0 {
                 let texel = self.read(level, texel);
                 sum.iter_mut().zip(texel).for_each(|(sum, x)| *sum += weight * x);
@@ -91,7 +90,7 @@ impl Taps<'_> {
         self.texture.dimension().coordinates()
     }
 
-    /// The place in texels of a level.
+    /// Coordinates in texels of a level.
     fn scaled(&self, level: &Level) -> Vec3 {
         let size = level.size().map(f64::from);
         std::array::from_fn(|axis| {
@@ -100,7 +99,7 @@ impl Taps<'_> {
         })
     }
 
-    /// The texel at a place that may lie beyond the edge, compared if there is a reference.
+    /// Texel at a place that may lie beyond the edge, compared if there is a reference.
     fn read(&self, level: &Level, place: [i64; 3]) -> [f64; 4] {
         let texel = if self.texture.dimension() == TextureDimension::Cube {
             cube::texel(level, place, self.layer)

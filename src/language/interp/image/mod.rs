@@ -1,4 +1,4 @@
-//! Reading textures: what the instructions say, and what is done for every lane.
+//! Texture reads: the operations of the instructions, and their execution in every lane.
 
 mod cube;
 mod filter;
@@ -11,18 +11,18 @@ use super::resources::{Texel, Texture, TextureDimension, World};
 use filter::Taps;
 use level::Levels;
 
-/// A coordinate, a direction, or a derivative of one; unused parts are 0.
+/// Coordinate, direction, or derivative of one; unused parts are 0.
 type Vec3 = [f64; 3];
 
-/// The slots of a vector of one to three components.
+/// Slots of a vector of one to three components.
 pub(super) type Slots = Vec<Slot>;
 
-/// One use of a texture. The slots are of scalars, but those of `image` and `sampler`, which hold
+/// Use of a texture. The slots hold scalars, except those of `image` and `sampler`, which hold
 /// numbers of resources.
 #[derive(Clone, Debug)]
 pub(super) struct Operation {
     pub(super) image: Slot,
-    /// The first slot of the result.
+    /// First slot of the result.
     pub(super) to: Slot,
     pub(super) texel: Texel,
     pub(super) kind: OperationKind,
@@ -31,13 +31,13 @@ pub(super) struct Operation {
 #[derive(Clone, Debug)]
 pub(super) enum OperationKind {
     Sample(Box<Sample>),
-    /// One texel by its coordinates; zeros outside.
+    /// Texel by its coordinates; zeros outside.
     Load {
         coordinate: Slots,
         layer: Option<Slot>,
         level: Option<Slot>,
     },
-    /// The size of a level.
+    /// Size of a level.
     Size {
         level: Option<Slot>,
         dimensions: usize,
@@ -51,21 +51,21 @@ pub(super) struct Sample {
     pub(super) sampler: Slot,
     pub(super) coordinate: Slots,
     pub(super) layer: Option<Slot>,
-    /// In texels.
+    /// Offset, in texels.
     pub(super) offset: Slots,
     pub(super) detail: Detail,
-    /// The reference depth.
+    /// Reference depth.
     pub(super) reference: Option<Slot>,
-    /// The component to gather of four texels.
+    /// Component to gather of four texels.
     pub(super) gather: Option<usize>,
-    /// Keeps coordinates half a texel from the edge, whatever the sampler says.
+    /// True if coordinates are kept half a texel from the edge, whatever the sampler says.
     pub(super) clamp_to_edge: bool,
 }
 
-/// Which level of detail is sampled.
+/// Level of detail that is sampled.
 #[derive(Clone, Debug)]
 pub(super) enum Detail {
-    /// That of the footprint of a 2x2 quad, plus a bias.
+    /// Level of the footprint of a 2x2 quad, plus a bias.
     Auto {
         bias: Option<Slot>,
     },
@@ -86,7 +86,7 @@ pub(super) fn execute<R: Rounding, const W: usize>(
 ) {
     let operation = &world.operations[operation as usize];
     for lane in mask.lanes(W) {
-        // Bound resources are checked; what is missing here has not been asked for.
+        // Bound resources are checked; a missing one belongs to a lane that did not ask for it.
         let Some(texture) = world.texture(memory.bits(operation.image, lane)) else { continue };
         let texels = match &operation.kind {
             OperationKind::Sample(sample) => {
@@ -160,7 +160,7 @@ fn lane_floats<const W: usize>(memory: &Memory<W>, slots: &[Slot], lane: usize) 
     floats
 }
 
-/// How the coordinates of a lane differ from those of its neighbours, along x and y; 0 where lanes
+/// Differences of a lane's coordinates from those of its neighbors, along x and y; 0 where lanes
 /// are no quads.
 fn quad_gradients<const W: usize>(memory: &Memory<W>, slots: &[Slot], lane: usize) -> [Vec3; 2] {
     if W < 4 {
@@ -235,7 +235,7 @@ fn blend(taps: &Taps, levels: &Levels) -> [f64; 4] {
     std::array::from_fn(|i| near[i] * (1.0 - levels.weight) + far[i] * levels.weight)
 }
 
-/// A texel by its coordinates; zeros outside of the texture.
+/// Texel by its coordinates; zeros outside of the texture.
 fn load(texture: &Texture, place: [i64; 3], layer: i64, level: i64) -> [f64; 4] {
     let level = usize::try_from(level).ok().and_then(|level| texture.levels().get(level));
     let Some(level) = level else { return [0.0; 4] };
@@ -249,7 +249,7 @@ fn load(texture: &Texture, place: [i64; 3], layer: i64, level: i64) -> [f64; 4] 
     if is_inside { level.texel([x, y, z].map(|i| i as u32)) } else { [0.0; 4] }
 }
 
-/// The size of a level; that of the last beyond it.
+/// Size of a level; beyond the last level, the size of the last.
 fn size(texture: &Texture, level: i64) -> [u32; 3] {
     let last = texture.levels().len() - 1;
     texture.levels()[usize::try_from(level).unwrap_or(last).min(last)].size()

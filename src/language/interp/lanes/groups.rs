@@ -1,4 +1,4 @@
-//! Which lanes go on where.
+//! Groups of lanes, by the instruction where they continue.
 
 /// Lanes that stand at the same instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -7,16 +7,16 @@ pub(super) struct Group {
     pub(super) lanes: u64,
 }
 
-/// The groups of lanes that are on their way; the one with the smallest counter moves.
+/// Groups of lanes under way; the one with the smallest counter moves.
 ///
 /// A construct's code lies between its entry and its exit, and callees before their callers, so the
 /// lanes ahead wait where those behind will pass, and join them there.
 #[derive(Debug)]
 pub(super) struct Groups {
     pub(super) current: Group,
-    /// Those that wait, the next to be met last. No two stand at the same place.
+    /// Waiting groups, the next to be met last. No two stand at the same instruction.
     waiting: Vec<Group>,
-    /// Where the next of them waits.
+    /// Counter of the next waiting group.
     limit: usize,
 }
 
@@ -25,7 +25,7 @@ impl Groups {
         Self { current: start, waiting: Vec::new(), limit: usize::MAX }
     }
 
-    /// Chooses who moves, after the counter has changed.
+    /// Chooses the group that moves, after the counter has changed.
     #[inline(always)]
     pub(super) fn settle(&mut self) {
         if self.current.counter >= self.limit {
@@ -40,7 +40,7 @@ impl Groups {
         self.finish();
     }
 
-    /// Ends the current group, and gives whether another goes on.
+    /// Ends the current group, and returns true if another goes on.
     pub(super) fn finish(&mut self) -> bool {
         let next = self.waiting.pop();
         self.update();
@@ -50,7 +50,7 @@ impl Groups {
         next.is_some()
     }
 
-    /// Sends the current lanes where `target` says for each.
+    /// Sends each of the current lanes to its `target`.
     pub(super) fn scatter(&mut self, target: impl Fn(usize) -> usize) {
         let mut rest = self.current.lanes;
         let mut is_first = true;
@@ -71,7 +71,7 @@ impl Groups {
         }
     }
 
-    /// Sends those of `lanes` to `target`; the rest of the current group goes on.
+    /// Sends `lanes` to `target`; the rest of the current group goes on.
     #[inline(always)]
     pub(super) fn branch(&mut self, lanes: u64, target: usize) {
         if lanes == self.current.lanes {

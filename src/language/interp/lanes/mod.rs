@@ -1,13 +1,13 @@
-//! Runs programs for many lanes in lockstep.
+//! Lanes: programs run for many lanes in lockstep.
 //!
-//! Every instruction is executed for all lanes before the next one, so what it costs to choose it
+//! Every instruction is executed for all lanes before the next one, so that the cost of choosing it
 //! is shared, and the inner loops are plain ones over rows of floats. While all lanes stand at the
 //! same instruction nothing is masked. Where they part, [`groups`] lets the hindmost move until
 //! they meet again.
 //!
 //! The meaning of the instructions is that of [`step`](super::step), which the scalar machine
-//! shares: it is the same code at a width of one. Only what moves the counter is written twice,
-//! because one lane never parts.
+//! shares: the code is the same at a width of one. Only instructions that move the counter are
+//! written twice, because one lane never parts.
 
 mod groups;
 mod shared;
@@ -23,11 +23,11 @@ use crate::diag::Diagnostic;
 use groups::{Group, Groups};
 use shared::Shared;
 
-/// How many lanes run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0, 1), 3
-/// at (1, 1); y points down.
+/// Number of lanes that run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0,
+/// 1), 3 at (1, 1); y points down.
 pub const LANES: usize = 64;
 
-/// The number of slots that lanes may have: 512 MiB.
+/// Greatest number of slots that lanes may have: 512 MiB.
 const MAX_SLOTS: usize = 1 << 20;
 
 /// Memory in which a program runs for [`LANES`] lanes at once, one batch after the other.
@@ -37,7 +37,9 @@ const MAX_SLOTS: usize = 1 << 20;
 ///
 /// let source = "
 ///     @group(0) @binding(0) var<uniform> tint: vec4f;
-///     @fragment fn shade(@location(0) x: f32) -> @location(0) vec4f { return tint * dpdx(x * x); }";
+///     @fragment fn shade(@location(0) x: f32) -> @location(0) vec4f {
+///         return tint * dpdx(x * x);
+///     }";
 /// let module = chiaro_language::wgsl::parse(source).expect("valid WGSL").module;
 /// let program = Program::compile(&module, "shade", Options::stage(source))?;
 /// let mut bindings = Bindings::new();
@@ -61,13 +63,13 @@ pub struct Lanes<'b> {
     shared: Shared,
 }
 
-/// What became of a batch.
+/// Result of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Batch {
-    /// A bit for each lane that met `discard`. Its result means nothing.
+    /// A bit for each lane that met `discard`. The result of such a lane means nothing.
     pub discarded: u64,
-    /// How many instructions were executed, each for all lanes; or for one, where all would have
-    /// done the same.
+    /// Number of instructions executed, each for all lanes; or for one, where all would have done
+    /// the same.
     pub steps: u64,
 }
 
@@ -101,7 +103,7 @@ impl<'b> Lanes<'b> {
         }
     }
 
-    /// Gives one component of an output in the lanes `0..values.len()`.
+    /// Reads one component of an output in the lanes `0..values.len()`.
     ///
     /// # Panics
     /// There are more values than lanes, or the port has not that component.
@@ -132,7 +134,7 @@ impl<'b> Lanes<'b> {
         )
     }
 
-    /// The result of one lane.
+    /// Result of one lane.
     ///
     /// # Panics
     /// There is no such lane.
@@ -142,7 +144,7 @@ impl<'b> Lanes<'b> {
     }
 
     /// Runs the first `count` lanes; whole quads, if derivatives or textures are to mean anything.
-    /// Lanes that only help their neighbours are run like any other. All inputs of these lanes must
+    /// Lanes that only help their neighbors are run like any other. All inputs of these lanes must
     /// have been set since the last run.
     ///
     /// # Errors

@@ -8,14 +8,14 @@ use super::super::resources::World;
 use super::super::{Precision, Program};
 use super::LANES;
 
-/// What is remembered of each pure call of a program, and memory to run it in.
+/// Remembered result of each pure call of a program, and memory to run the calls in.
 #[derive(Clone, Debug)]
 pub(super) struct Shared {
     memory: Memory<1>,
     last: Vec<Option<Last>>,
 }
 
-/// The arguments of the last shared run of a call, and its result.
+/// Arguments of the last shared run of a call, and its result.
 #[derive(Clone, Debug)]
 struct Last {
     arguments: Vec<u64>,
@@ -24,7 +24,7 @@ struct Last {
 
 impl Shared {
     pub(super) fn new(program: &Program, precision: Precision, world: &World) -> Self {
-        // Most of a program's memory is not needed where nothing is shared.
+        // A program without shared calls needs no memory here.
         let memory = if program.pure_calls.is_empty() {
             Memory::empty()
         } else {
@@ -33,8 +33,8 @@ impl Shared {
         Self { memory, last: vec![None; program.pure_calls.len()] }
     }
 
-    /// Gives the lanes of the mask the result of a call (its number, where the function is, its
-    /// link), if they give it the same arguments; says whether they did.
+    /// Writes the result of a call (its number, the function's entry, its link) in the lanes of the
+    /// mask, if their arguments are the same; returns whether they are.
     pub(super) fn call<R: Rounding>(
         &mut self,
         (number, target, link): (u32, Target, Slot),
@@ -71,9 +71,9 @@ impl Shared {
     }
 }
 
-/// Whether the lanes have the same arguments.
+/// True if the lanes have the same arguments.
 fn is_alike(call: &PureCall, memory: &Memory<LANES>, lanes: u64) -> bool {
-    // The first and the last lane mostly tell already.
+    // Comparing the first and the last lane mostly suffices.
     let (first, last) = (lanes.trailing_zeros() as usize, 63 - lanes.leading_zeros() as usize);
     call.arguments.iter().all(|&slot| memory.bits(slot, first) == memory.bits(slot, last))
         && call.arguments.iter().all(|&slot| memory.is_same_in(slot, lanes))

@@ -1,4 +1,4 @@
-//! Hands resources to a program, and checks that they fit.
+//! Binding of resources to a program, with checks that they fit.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use crate::diag::Diagnostic;
 use crate::interp::lanes::Lanes;
 use crate::interp::{Machine, Precision, Program, Shape, Value};
 
-/// The number of scalars that a buffer may have: 512 MiB.
+/// Greatest number of scalars in a buffer: 512 MiB.
 const MAX_SCALARS: u64 = 1 << 26;
 
 #[derive(Clone, Debug)]
@@ -17,14 +17,14 @@ enum Content {
     Sampler(Sampler),
 }
 
-/// What is to be bound, by group and binding. More than a program asks for does no harm.
+/// Resources to bind, by group and binding. Resources that a program does not ask for do no harm.
 #[derive(Clone, Debug, Default)]
 pub struct Bindings {
     contents: BTreeMap<(u32, u32), Content>,
 }
 
 impl Bindings {
-    /// Nothing.
+    /// Bindings without resources.
     pub fn new() -> Self {
         Self::default()
     }
@@ -49,7 +49,8 @@ impl Bindings {
     }
 }
 
-/// A program with all that it reads, from which machines are made, on any number of threads.
+/// Program with all resources that it reads, from which machines are made, on any number of
+/// threads.
 #[derive(Clone, Debug)]
 pub struct Bound<'p> {
     program: &'p Program,
@@ -78,25 +79,25 @@ impl<'p> Bound<'p> {
         if problems.is_empty() { Ok(Self { program, precision, held }) } else { Err(problems) }
     }
 
-    /// The program.
+    /// Program that the resources are bound to.
     pub fn program(&self) -> &'p Program {
         self.program
     }
 
-    /// How floats are rounded.
+    /// Precision of floats.
     pub fn precision(&self) -> Precision {
         self.precision
     }
 
-    /// Memory to run it in, one call after the other.
+    /// Machine with memory in which the program runs one call after the other.
     pub fn machine(&self) -> Machine<'_> {
         Machine::new(self.program, self.precision, &self.held)
     }
 
-    /// Memory to run it in for many lanes at once.
+    /// Lanes with memory in which the program runs for many lanes at once.
     ///
     /// # Errors
-    /// `interp-too-big`: its variables take more memory than lanes are granted (512 MiB).
+    /// `interp-too-big`: the program's variables take more memory than lanes are granted (512 MiB).
     pub fn lanes(&self) -> Result<Lanes<'_>, Diagnostic> {
         Lanes::new(self)
     }
@@ -106,7 +107,7 @@ impl<'p> Bound<'p> {
     }
 }
 
-/// What is held of one resource, if it fits.
+/// Held form of one resource, if it fits.
 fn hold(
     resource: &Resource,
     content: Option<&Content>,

@@ -1,5 +1,5 @@
-//! What a program reads from outside: buffers, textures and samplers, and how they are handed to
-//! it.
+//! Resources that a program reads from outside: buffers, textures and samplers, and how they are
+//! bound.
 
 mod bind;
 mod sampler;
@@ -13,48 +13,48 @@ pub(super) use world::{Held, Source, World};
 
 use super::Shape;
 
-/// A variable of the module that a program reads and somebody must fill.
+/// Variable of the module that a program reads and the caller must bind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Resource {
     /// `@group`
     pub group: u32,
     /// `@binding`
     pub binding: u32,
-    /// Its name in the source, or empty.
+    /// Name in the source, or empty.
     pub name: String,
-    /// What is to be bound.
+    /// Kind of the resource to bind.
     pub kind: ResourceKind,
 }
 
-/// What a [`Resource`] takes.
+/// Kind of a [`Resource`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum ResourceKind {
-    /// A uniform or storage buffer of a fixed size.
+    /// Uniform or storage buffer of a fixed size.
     Buffer(Shape),
-    /// A storage buffer that ends in an array of any length.
+    /// Storage buffer that ends in an array of any length.
     Unsized {
         /// Name and shape of each member before the array; none if the whole buffer is the array.
         head: Option<Vec<(String, Shape)>>,
-        /// An element of the array.
+        /// Shape of an element of the array.
         element: Shape,
     },
-    /// A texture.
+    /// Texture.
     Texture {
-        /// Its dimension.
+        /// Dimension of the texture.
         dimension: TextureDimension,
-        /// Whether it may have several layers.
+        /// True if the texture may have several layers.
         is_arrayed: bool,
-        /// What a texel is read as.
+        /// Type that a texel is read as.
         texel: Texel,
     },
-    /// A sampler.
+    /// Sampler.
     Sampler {
-        /// Whether it compares with a reference depth.
+        /// True if the sampler compares with a reference depth.
         is_comparison: bool,
     },
 }
 
-/// What a texel is read as.
+/// Type that a texel is read as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Texel {
     /// Four floats.

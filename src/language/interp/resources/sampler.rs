@@ -1,19 +1,19 @@
-//! Samplers: how coordinates meet texels.
+//! Samplers: the mapping from coordinates to texels.
 
-/// What lies beyond the edge of a texture.
+/// Address mode: the content beyond the edge of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Address {
-    /// The edge goes on.
+    /// Continuation of the edge.
     #[default]
     ClampToEdge,
-    /// The texture begins again.
+    /// Repetition of the texture.
     Repeat,
-    /// The texture is mirrored, again and again.
+    /// Repetition of the texture, mirrored every other time.
     MirrorRepeat,
 }
 
 impl Address {
-    /// The texel that stands at `index` in a row of `size`, which is at least 1.
+    /// Texel that stands at `index` in a row of `size`, which is at least 1.
     pub(in crate::interp) fn wrap(self, index: i64, size: u32) -> u32 {
         let size = i64::from(size);
         let wrapped = match self {
@@ -28,20 +28,20 @@ impl Address {
     }
 }
 
-/// How texels or mip levels are joined.
+/// Filter that joins texels or mip levels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Filter {
-    /// The nearest alone.
+    /// Nearest texel alone.
     #[default]
     Nearest,
-    /// The neighbours, weighted by their distance.
+    /// Neighbors, weighted by their distance.
     Linear,
 }
 
-/// How the reference stands to a texel that passes; see [`Sampler::compare`].
+/// Comparison of the reference with a texel that passes; see [`Sampler::compare`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SamplerCompare {
-    /// None passes.
+    /// No texel passes.
     Never,
     /// `reference < texel`
     Less,
@@ -55,12 +55,12 @@ pub enum SamplerCompare {
     NotEqual,
     /// `reference >= texel`
     GreaterEqual,
-    /// All pass.
+    /// All texels pass.
     Always,
 }
 
 impl SamplerCompare {
-    /// 1 if the texel passes, else 0.
+    /// Result of the test: 1 if the texel passes, else 0.
     pub(in crate::interp) fn test(self, reference: f64, texel: f64) -> f64 {
         let passes = match self {
             Self::Never => false,
@@ -76,27 +76,27 @@ impl SamplerCompare {
     }
 }
 
-/// How a texture is sampled. There is no anisotropy: the footprint is as wide as its longer axis.
+/// Sampler of a texture. There is no anisotropy: the footprint is as wide as its longer axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampler {
-    /// Along u, v and w.
+    /// Address modes along u, v and w.
     pub address: [Address; 3],
-    /// Where texels are larger than the footprint.
+    /// Filter where texels are larger than the footprint.
     pub mag: Filter,
-    /// Where they are smaller.
+    /// Filter where texels are smaller than the footprint.
     pub min: Filter,
-    /// Between mip levels.
+    /// Filter between mip levels.
     pub mip: Filter,
-    /// The least level of detail.
+    /// Least level of detail.
     pub lod_min: f64,
-    /// The greatest level of detail.
+    /// Greatest level of detail.
     pub lod_max: f64,
-    /// Makes it a comparison sampler.
+    /// Comparison of a comparison sampler; `None` for any other sampler.
     pub compare: Option<SamplerCompare>,
 }
 
 impl Default for Sampler {
-    /// Clamped and nearest, with all levels, as WebGPU's.
+    /// Sampler with clamped coordinates, nearest filters and all levels, as WebGPU's default.
     fn default() -> Self {
         Self {
             address: [Address::ClampToEdge; 3],
@@ -111,7 +111,7 @@ impl Default for Sampler {
 }
 
 impl Sampler {
-    /// One mode of address for all axes, and one filter for all uses.
+    /// Sampler with one address mode for all axes, and one filter for all uses.
     pub fn new(address: Address, filter: Filter) -> Self {
         Self { address: [address; 3], mag: filter, min: filter, mip: filter, ..Self::default() }
     }

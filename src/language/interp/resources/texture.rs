@@ -1,25 +1,26 @@
-//! Textures: texels by mip level, shared by whoever reads them.
+//! Textures: texels by mip level, shared by all readers.
 
 use std::fmt;
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 
-/// What the coordinates of a texture mean.
+/// Dimension of a texture: the meaning of its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TextureDimension {
     /// One coordinate.
     D1,
-    /// Two; layers are chosen by number.
+    /// Two coordinates; layers are chosen by number.
     D2,
-    /// Three.
+    /// Three coordinates.
     D3,
-    /// A direction; every six layers are the faces +x, -x, +y, -y, +z, -z of a cube.
+    /// Cube, whose coordinates are a direction; every six layers are the faces +x, -x, +y, -y, +z,
+    /// -z of a cube.
     Cube,
 }
 
 impl TextureDimension {
-    /// The number of coordinates by which it is sampled.
+    /// Number of coordinates by which the texture is sampled.
     pub(in crate::interp) fn coordinates(self) -> usize {
         match self {
             Self::D1 => 1,
@@ -38,7 +39,7 @@ enum Texels {
     Bytes(Vec<u8>),
 }
 
-/// One mip level: width, height, and depth or number of layers; texels by rows from the top, layer
+/// Mip level: width, height, and depth or number of layers; texels by rows from the top, layer
 /// after layer.
 #[derive(Clone, Debug)]
 pub struct Level {
@@ -47,18 +48,18 @@ pub struct Level {
 }
 
 impl Level {
-    /// A level of RGBA texels; textures of fewer channels have 0, 0 and 1 in the rest, integers
-    /// their values.
+    /// Level of RGBA texels in f32; textures of fewer channels have 0, 0 and 1 in the rest,
+    /// integers their values.
     pub fn f32(size: [u32; 3], texels: Vec<[f32; 4]>) -> Self {
         Self { size, texels: Texels::Single(texels) }
     }
 
-    /// The same in f64.
+    /// Level of RGBA texels in f64, as [`f32`](Self::f32).
     pub fn f64(size: [u32; 3], texels: Vec<[f64; 4]>) -> Self {
         Self { size, texels: Texels::Double(texels) }
     }
 
-    /// RGBA texels as bytes, four each, which stand for 0 to 1.
+    /// Level of RGBA texels as bytes, four each, which stand for 0 to 1.
     pub fn rgba8(size: [u32; 3], bytes: Vec<u8>) -> Self {
         Self { size, texels: Texels::Bytes(bytes) }
     }
@@ -68,7 +69,7 @@ impl Level {
         self.size
     }
 
-    /// The texel at x, y and z (or layer), which must lie inside.
+    /// Texel at x, y and z (or layer), which must lie inside.
     pub fn texel(&self, [x, y, z]: [u32; 3]) -> [f64; 4] {
         let [width, height, _] = self.size.map(|n| n as usize);
         let index = (z as usize * height + y as usize) * width + x as usize;
@@ -90,7 +91,7 @@ impl Level {
     }
 }
 
-/// A texture. A clone shares the texels.
+/// Texture. A clone shares the texels.
 #[derive(Clone)]
 pub struct Texture {
     dimension: TextureDimension,
@@ -105,11 +106,11 @@ impl fmt::Debug for Texture {
 }
 
 impl Texture {
-    /// A texture of mip levels, the largest first, each half as large as the one before.
+    /// Texture of mip levels, the largest first, each half as large as the one before.
     ///
     /// # Errors
-    /// `interp-texture`: there is no level, or one has not the size or not the number of texels
-    /// that it must have.
+    /// `interp-texture`: there is no level, or a level of another size or number of texels than it
+    /// must have.
     pub fn new(dimension: TextureDimension, levels: Vec<Level>) -> Result<Self, Diagnostic> {
         let wrong = |message: String| Err(Diagnostic::error("interp-texture", message));
         let Some(first) = levels.first() else {
@@ -147,7 +148,7 @@ impl Texture {
         Ok(Self { dimension, levels: levels.into() })
     }
 
-    /// A flat texture of one level, by rows from the top.
+    /// Flat texture of one level, by rows from the top.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -155,17 +156,17 @@ impl Texture {
         Self::new(TextureDimension::D2, vec![Level::f32([size[0], size[1], 1], texels)])
     }
 
-    /// What its coordinates mean.
+    /// Dimension of the texture.
     pub fn dimension(&self) -> TextureDimension {
         self.dimension
     }
 
-    /// Its mip levels, the largest first; at least one.
+    /// Mip levels, the largest first; at least one.
     pub fn levels(&self) -> &[Level] {
         &self.levels
     }
 
-    /// How many layers, or whole cubes, it has.
+    /// Number of layers, or of whole cubes.
     pub fn layers(&self) -> u32 {
         match self.dimension {
             TextureDimension::D1 | TextureDimension::D3 => 1,

@@ -1,33 +1,33 @@
-//! What a running program sees of its resources.
+//! World: the resources of a running program.
 
 use super::{Sampler, Texture};
 use crate::interp::image::Operation;
 
-/// What is bound to one resource.
+/// Content bound to one resource.
 #[derive(Clone, Debug)]
 pub(in crate::interp) enum Held {
     Buffer {
-        /// At least one.
+        /// Scalars of the buffer, at least one.
         scalars: Vec<u64>,
-        /// The number of elements of the array at its end.
+        /// Number of elements of the array at the buffer's end.
         length: u32,
     },
     Texture(Texture),
     Sampler(Sampler),
 }
 
-/// What stands in a slot that is filled when resources are bound.
+/// Source of a slot that is filled when resources are bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::interp) enum Source {
-    /// One scalar of a buffer.
+    /// Scalar of a buffer.
     Scalar { buffer: u32, offset: u32 },
-    /// The number of elements of the array at a buffer's end.
+    /// Number of elements of the array at a buffer's end.
     Length { buffer: u32 },
-    /// The number of its last element.
+    /// Index of the array's last element.
     Last { buffer: u32 },
 }
 
-/// The resources of a program, by their number in
+/// Resources of a program, by their number in
 /// [`Program::resources`](crate::interp::Program::resources).
 #[derive(Clone, Copy, Debug)]
 pub(in crate::interp) struct World<'w> {
@@ -36,7 +36,7 @@ pub(in crate::interp) struct World<'w> {
 }
 
 impl<'w> World<'w> {
-    /// What a slot is filled with.
+    /// Bits that a slot is filled with.
     pub(in crate::interp) fn scalar(&self, source: Source) -> u64 {
         match source {
             Source::Scalar { buffer, offset } => self.load(buffer, u64::from(offset)),
@@ -53,7 +53,7 @@ impl<'w> World<'w> {
         }
     }
 
-    /// A scalar of a buffer; beyond the end the last.
+    /// Scalar of a buffer; beyond the end the last.
     pub(in crate::interp) fn load(&self, buffer: u32, at: u64) -> u64 {
         let Some(Held::Buffer { scalars, .. }) = self.held.get(buffer as usize) else { return 0 };
         scalars.get(at as usize).or(scalars.last()).copied().unwrap_or(0)

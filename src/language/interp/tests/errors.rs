@@ -1,4 +1,4 @@
-//! What is refused, and how.
+//! Tests of refused programs and their errors.
 
 use super::super::Derivatives;
 use super::*;

@@ -212,8 +212,8 @@ fn quantize_rounds_to_half_precision() {
     assert_eq!(float("quantizeToF16(a)", &[1e-9]), 0.0);
 }
 
-/// The profile of BADF as docs/math.md 2.3 evaluates it: a series where `log1p` needs it, `exp2`,
-/// and branches.
+/// Profile of BADF as docs/math.md 2.3 evaluates it: a series where `log1p` needs it, `exp2`, and
+/// branches.
 const PROFILE: &str = "
 fn log1m(y: f32) -> f32 {
     if (y < 0.25) {

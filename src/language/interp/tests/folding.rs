@@ -1,9 +1,9 @@
-//! The same expression folded by naga's constant evaluator, which is another implementation, and
-//! run by ours.
+//! Expressions folded by naga's constant evaluator, which is another implementation, against this
+//! interpreter.
 
 use super::*;
 
-/// The value of `expression` with `a`, `b`, `c` replaced by literals, if naga folds it.
+/// Value of `expression` with `a`, `b`, `c` replaced by literals, if naga folds it.
 fn folded(kind: &str, expression: &str, literals: &[String]) -> Option<Value> {
     let names = ["a", "b", "c"];
     let constants: String = names

@@ -16,7 +16,7 @@ pub(super) fn bind<'p>(
     program.bind(bindings, precision).unwrap_or_else(|problems| panic!("{}", problems[0]))
 }
 
-/// Runs `f` with the arguments of each lane, and gives the result of each.
+/// Runs `f` with the arguments of each lane, and returns the result of each.
 fn run_lanes(source: &str, arguments: &[Vec<Value>]) -> Vec<Value> {
     let program = stage(source, "f");
     let bound = bind(&program, &Bindings::new(), Precision::F64);
@@ -39,7 +39,7 @@ fn each(source: &str, numbers: impl Iterator<Item = i32>) -> Vec<i32> {
 
 #[test]
 fn derivatives_are_differences_within_a_quad() {
-    // Of x^2 + 3 x y - y at (x, y) the differences to (x + 1, y) and (x, y + 1) are 2 x + 1 + 3 y
+    // The differences of x^2 + 3 x y - y from (x, y) to (x + 1, y) and (x, y + 1) are 2 x + 1 + 3 y
     // and 3 x - 1.
     let source = "
         @fragment fn f(@builtin(position) p: vec4f) -> @location(0) vec4f {
@@ -59,7 +59,7 @@ fn derivatives_are_differences_within_a_quad() {
         lanes.run(LANES).unwrap();
         for lane in 0..LANES {
             let (x, y) = at(lane);
-            // The corner that the differences start from.
+            // Corner that the differences start from.
             let (x0, y0) = (f64::from(lane as u32 / 4 * 2), 10.0);
             let (x, y) = if is_coarse { (x0, y0) } else { (x, y) };
             let (dx, dy) = (2.0 * x0 + 1.0 + 3.0 * y, 3.0 * x - 1.0);

@@ -20,7 +20,7 @@ mod vectors;
 use super::{Options, Precision, Program, Value};
 use crate::diag::Diagnostic;
 
-/// A module that naga's validator accepts.
+/// Module that naga's validator accepts.
 fn module(source: &str) -> naga::Module {
     #[expect(
         clippy::disallowed_methods,
@@ -55,8 +55,8 @@ fn run_in(precision: Precision, source: &str, arguments: &[Value]) -> Value {
         .unwrap_or_else(|e| panic!("{e}"))
 }
 
-/// The value of an expression over arguments `a`, `b`, `c`, `d`, whose types and that of the result
-/// are given as `f32, i32 -> f32`.
+/// Value of an expression over arguments `a`, `b`, `c`, `d`, whose types and that of the result are
+/// given as `f32, i32 -> f32`.
 fn eval(signature: &str, expression: &str, arguments: &[Value]) -> Value {
     run(&source(signature, expression), arguments)
 }
@@ -71,7 +71,7 @@ fn source(signature: &str, expression: &str) -> String {
     format!("fn f({}) -> {result} {{ return {expression}; }}", parameters.join(", "))
 }
 
-/// The float value of an expression over float arguments.
+/// Float value of an expression over float arguments.
 fn float(expression: &str, arguments: &[f64]) -> f64 {
     let types = vec!["f32"; arguments.len()].join(";");
     let arguments: Vec<Value> = arguments.iter().map(|&x| x.into()).collect();
@@ -81,7 +81,7 @@ fn float(expression: &str, arguments: &[f64]) -> f64 {
     x
 }
 
-/// The i32 value of an expression over i32 arguments.
+/// i32 value of an expression over i32 arguments.
 fn int(expression: &str, arguments: &[i32]) -> i32 {
     let types = vec!["i32"; arguments.len()].join(";");
     let arguments: Vec<Value> = arguments.iter().map(|&x| x.into()).collect();
@@ -91,7 +91,7 @@ fn int(expression: &str, arguments: &[i32]) -> i32 {
     x
 }
 
-/// The u32 value of an expression over u32 arguments.
+/// u32 value of an expression over u32 arguments.
 fn uint(expression: &str, arguments: &[u32]) -> u32 {
     let types = vec!["u32"; arguments.len()].join(";");
     let arguments: Vec<Value> = arguments.iter().map(|&x| x.into()).collect();
@@ -101,7 +101,7 @@ fn uint(expression: &str, arguments: &[u32]) -> u32 {
     x
 }
 
-/// Holds all components to a relative or absolute error.
+/// Checks that all components are within a relative or absolute error.
 #[track_caller]
 fn assert_close(actual: &Value, expected: &[f64], tolerance: f64) {
     let actual = actual.components().expect("numbers");

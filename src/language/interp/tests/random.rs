@@ -1,4 +1,4 @@
-//! Random expressions against the same computed by Rust.
+//! Random expressions against the same expressions computed by Rust.
 
 use proptest::prelude::*;
 
@@ -6,7 +6,7 @@ use super::super::{Bindings, LANES};
 use super::lanes::{bind, stage};
 use super::*;
 
-/// An expression over three arguments.
+/// Expression over three arguments.
 #[derive(Clone, Debug)]
 enum Tree {
     Leaf(usize),
@@ -17,7 +17,7 @@ enum Tree {
 }
 
 impl Tree {
-    /// As WGSL writes it. Names of functions are letters, those of operators are not.
+    /// WGSL text of the expression. Names of functions are letters, those of operators are not.
     fn wgsl(&self) -> String {
         match self {
             Self::Leaf(index) => ["a", "b", "c"][*index].to_owned(),
@@ -33,7 +33,7 @@ impl Tree {
         }
     }
 
-    /// Computes it, given what the names mean.
+    /// Computes the expression, given the meanings of the names.
     fn compute<T: Copy + PartialOrd>(
         &self,
         leaves: [T; 3],
@@ -98,7 +98,7 @@ macro_rules! float_functions {
     };
 }
 
-/// Holds the lanes to what single calls give, bit for bit.
+/// Checks that lanes give the results of single calls, bit for bit.
 fn lanes_agree(
     source: &str,
     precision: Precision,

@@ -1,4 +1,4 @@
-//! Buffers, and what is wrong with what is bound.
+//! Buffers, and errors of their bindings.
 
 use super::super::{Bindings, LANES, Sampler, SamplerCompare, Texture};
 use super::lanes::{bind, stage};
@@ -38,7 +38,7 @@ fn uniforms_are_read_whole_in_parts_and_by_index() {
         assert_eq!(lanes.get(i), expected(i).into());
         assert_eq!(bound.machine().call(&[Value::I32(i as i32)]).unwrap(), expected(i).into());
     }
-    // Beyond the end is the last, as everywhere.
+    // An index beyond the end gives the last element, as everywhere.
     assert_eq!(bound.machine().call(&[Value::I32(99)]).unwrap(), expected(2).into());
     assert_eq!(program.call(&[Value::I32(0)], Precision::F64).unwrap_err().code, "interp-unbound");
 }
@@ -60,7 +60,7 @@ fn buffers_may_end_in_arrays_of_any_length() {
     let program = stage(source, "f");
     let bound = bind(&program, &bindings, Precision::F64);
     let mut machine = bound.machine();
-    // The third of two is the last.
+    // The third of two elements is the last.
     assert_eq!(machine.call(&[0_u32.into()]).unwrap(), [0.0, 1.5, 5.0, 16.0].into());
     assert_eq!(machine.call(&[4_u32.into()]).unwrap(), [12.0, 1.5, 5.0, 18.0].into());
     assert_eq!(machine.call(&[u32::MAX.into()]).unwrap(), [12.0, 1.5, 5.0, 18.0].into());

@@ -1,11 +1,11 @@
-//! Calls that lanes share, against one call after the other.
+//! Calls that lanes share, against single calls.
 
 use super::super::{Bindings, LANES};
 use super::lanes::{bind, stage};
 use super::*;
 
-/// Runs `f` of two i32 in lanes, batch after batch on the same memory, and holds it against single
-/// calls; gives the steps of each batch.
+/// Runs `f` of two i32 in lanes, batch after batch on the same memory, and compares with single
+/// calls; returns the steps of each batch.
 fn hold(source: &str, batches: &[&dyn Fn(i32) -> [i32; 2]]) -> Vec<u64> {
     let program = stage(source, "f");
     let bound = bind(&program, &Bindings::new(), Precision::F64);
@@ -17,7 +17,7 @@ fn hold(source: &str, batches: &[&dyn Fn(i32) -> [i32; 2]]) -> Vec<u64> {
             .clone()
             .enumerate()
             .for_each(|(lane, arguments)| lanes.set(lane, &arguments).unwrap());
-        // Not always all of them.
+        // Some batches leave lanes out.
         let count = LANES - 4 * (number % 3);
         steps.push(lanes.run(count).unwrap_or_else(|e| panic!("{e}")).steps);
         for (lane, arguments) in arguments.take(count).enumerate() {
@@ -94,7 +94,7 @@ fn what_remembers_or_asks_its_neighbours_is_not_shared() {
     }
 }
 
-/// NaN is the same as itself here, and 0 is not -0.
+/// Arguments are compared by their bits: NaN is the same as itself, and 0 is not -0.
 #[test]
 fn arguments_are_the_same_by_their_bits() {
     let source = "

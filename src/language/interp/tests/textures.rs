@@ -6,7 +6,7 @@ use super::super::{
 use super::lanes::{bind, stage};
 use super::*;
 
-/// What a texel of a 2D texture holds here: its place and its level.
+/// Content of a texel of a 2D texture in these tests: its place and its level.
 fn texel(x: u32, y: u32, level: u32) -> [f32; 4] {
     [(x * x + 3 * y) as f32, (x * y) as f32, level as f32, 1.0]
 }
@@ -44,7 +44,7 @@ fn quad(
     (0..4).map(|lane| lanes.get(lane)).collect()
 }
 
-/// One read at level 0.
+/// Result of one read at level 0.
 fn at<const N: usize>(
     declaration: &str,
     read: &str,
@@ -59,7 +59,7 @@ fn at<const N: usize>(
 
 const LEVEL_0: &str = "textureSampleLevel(t, s, p, 0.0)";
 
-/// The index that an address mode leads to, by walking there.
+/// Index that an address mode leads to, found by walking there.
 fn walk(address: Address, index: i64, size: i64) -> u32 {
     let mut at = 0;
     let mut step = 1;
@@ -75,7 +75,7 @@ fn walk(address: Address, index: i64, size: i64) -> u32 {
             match address {
                 Address::ClampToEdge => {}
                 Address::Repeat => at = if next < 0 { size - 1 } else { 0 },
-                // The edge is met twice: once on the way there and once on the way back.
+                // The walk meets the edge twice: once on the way there and once on the way back.
                 Address::MirrorRepeat => step = -step,
             }
         }
@@ -135,7 +135,7 @@ fn nearest_filters_take_the_texel_under_the_place() {
 #[test]
 fn the_footprint_chooses_the_level() {
     let texture = flat(64, 64, 7);
-    // Neighbours k texels apart see level log2(k).
+    // Neighbors k texels apart see level log2(k).
     let level = |k: f64, bias: &str, mip: Filter| {
         let sampler = Sampler { mip, lod_max: 5.5, ..Sampler::default() };
         let places = [[0, 0], [1, 0], [0, 1], [1, 1]]
@@ -160,7 +160,7 @@ fn the_footprint_chooses_the_level() {
     assert!((level(4.0, "Bias(t, s, p, 0.75)", Filter::Linear) - 2.75).abs() < 1e-12);
     assert_eq!(level(4.0, "Level(t, s, p, 3.25)", Filter::Linear), 3.25);
     assert_eq!(level(4.0, "Level(t, s, p, 99.0)", Filter::Linear), 5.5);
-    // 8 texels along one axis, 3 and 4 along the other.
+    // The gradients are 8 texels along one axis, 3 and 4 along the other.
     let grad =
         level(4.0, "Grad(t, s, p, vec2f(0.125, 0.0), vec2f(0.046875, 0.0625))", Filter::Linear);
     assert!((grad - 3.0).abs() < 1e-12, "{grad}");
@@ -290,7 +290,7 @@ fn depths_are_compared_before_they_are_filtered() {
 
 #[test]
 fn volumes_weigh_eight_texels() {
-    // A function that is linear along each axis is what a linear filter gives back.
+    // A linear filter reproduces a function that is linear along each axis.
     let value = |x: f64, y: f64, z: f64| 1.0 + 2.0 * x - y + 4.0 * z + x * y * z;
     let texels = (0..60)
         .map(|i| [value(f64::from(i % 3), f64::from(i / 3 % 4), f64::from(i / 12)), 0.0, 0.0, 0.0]);
@@ -371,7 +371,7 @@ fn faces_of_cubes_join_without_a_seam() {
             );
         }
     }
-    // Exactly on the edge between +x and +z lies half of each.
+    // A direction exactly on the edge between +x and +z gets half of each.
     let [x, _, z, face] = read(Filter::Linear, [1.0, 1.0 / 16.0, 1.0]);
     assert!((x - z).abs() < 1e-12 && (face - 2.0).abs() < 1e-12, "{x} {z} {face}");
 }
@@ -384,7 +384,7 @@ fn cubes_have_levels_by_their_footprint() {
     };
     let texture = Texture::new(TextureDimension::Cube, (0..6).map(level).collect()).unwrap();
     let sampler = Sampler { mip: Filter::Linear, ..Sampler::default() };
-    // On the face z = 1, two texels are 2 * 2 / 32 apart; the length of the direction does not
+    // Two texels on the face z = 1 are 2 * 2 / 32 apart; the length of the direction does not
     // matter.
     let step = 2.0 * 2.0 / 32.0;
     let places = [[0.0, 0.0], [step, 0.0], [0.0, step], [step, step]]

@@ -129,7 +129,7 @@ fn products_with_matrices() {
     assert_eq!(transposed, Value::matrix(&[[1.0, 4.0], [2.0, 5.0], [3.0, 6.0]]));
 }
 
-/// A matrix whose determinant is known, because it is a product of a lower and an upper triangular
+/// Matrix whose determinant is known, because it is a product of a lower and an upper triangular
 /// one.
 fn lu<const N: usize>() -> ([[f64; N]; N], f64) {
     let lower = |row: usize, column: usize| {
@@ -157,7 +157,7 @@ fn determinants() {
     determinant_of::<4>();
 }
 
-/// Runs `f`, in which `from` has been exchanged for a function that WGSL does not have.
+/// Runs `f`, in which `from` has been replaced by a function that WGSL does not have.
 fn run_with(source: &str, change: impl Fn(&mut Expression), argument: &Value) -> Value {
     let mut module = module(source);
     for (_, function) in module.functions.iter_mut() {

@@ -1,32 +1,32 @@
-//! What lights a relief, what of it shines, and how it is drawn.
+//! Illumination, glint and finish of a relief.
 
 use serde::{Deserialize, Serialize};
 
 use super::Bounded;
 
-/// The sun and the sky of a relief, both of which may change their colors as the sun sinks.
+/// Sun and sky of a relief, both of which may change their colors as the sun sinks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Illumination {
-    /// The sun when it is high.
+    /// Color of the sun when it is high.
     pub sun: [u8; 3],
-    /// The sun when it is low.
+    /// Color of the sun when it is low.
     pub low_sun: [u8; 3],
-    /// 1 shows a surface that faces the sun in its own color.
+    /// Amount of sunlight: 1 shows a surface that faces the sun in its own color.
     pub sun_amount: f64,
-    /// The sky, equal from everywhere, when the sun is high.
+    /// Color of the sky, equal from everywhere, when the sun is high.
     pub sky: [u8; 3],
-    /// The sky when the sun is low.
+    /// Color of the sky when the sun is low.
     pub low_sky: [u8; 3],
-    /// 1 shows an open surface under the sky alone in its own color.
+    /// Amount of skylight: 1 shows an open surface under the sky alone in its own color.
     pub sky_amount: f64,
-    /// Whether the tile stands upright: the sun is low where its direction is near the tile's
+    /// True if the tile stands upright: the sun is low where its direction is near the tile's
     /// horizontal (u and the normal), rather than near the horizon around the normal.
     #[serde(rename = "upright")]
     pub is_upright: bool,
     /// Half the width of a shadow's soft edge, as an angle of the sun, in radians.
     pub softness: f64,
-    /// How often light goes on from one place to another.
+    /// Number of bounces of light between places of the relief.
     pub bounces: u32,
 }
 
@@ -58,17 +58,17 @@ impl Illumination {
     }
 }
 
-/// What shines where the sun is mirrored to the eye.
+/// Glint: the specular reflection where the sun is mirrored to the eye.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Glint {
-    /// How bright: 0 is none, 1 as bright as the sun where it is mirrored.
+    /// Brightness: 0 is none, 1 as bright as the sun where it is mirrored.
     pub amount: f64,
-    /// 1 is broad, 500 a spark.
+    /// Sharpness of the highlight: 1 is broad, 500 a spark.
     pub sharpness: f64,
-    /// Which part of the grains shines.
+    /// Share of the grains that shine.
     pub share: f64,
-    /// How far the grains lean to any side, in radians: so some shine while others do not.
+    /// Greatest tilt of the grains to any side, so that some shine while others do not, in radians.
     pub lean: f64,
 }
 
@@ -90,25 +90,25 @@ impl Glint {
     }
 }
 
-/// How a relief is drawn, as by hand.
+/// Finish: the style in which a relief is drawn, as by hand.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Finish {
-    /// Steps of light, 0 for all of them.
+    /// Number of steps of light; 0 for continuous light.
     pub bands: u32,
-    /// How strongly edges are inked where something stands before something else.
+    /// Strength of the ink on edges where one part stands before another.
     pub ink: f64,
-    /// How wide, in texels.
+    /// Width of the ink lines, in texels.
     pub ink_width: f64,
-    /// The ink, also of hatching.
+    /// Color of the ink, also of hatching.
     pub ink_color: [u8; 3],
-    /// How strongly the dark is hatched.
+    /// Strength of the hatching of dark places.
     pub hatch: f64,
-    /// Hatching lines across the tile.
+    /// Number of hatching lines across the tile.
     pub hatch_lines: u32,
-    /// How far lines stray as from a hand, in tile widths.
+    /// Deviation of lines as drawn by hand, in tile widths.
     pub wobble: f64,
-    /// How much paper shows.
+    /// Strength of the paper's grain.
     pub grain: f64,
 }
 

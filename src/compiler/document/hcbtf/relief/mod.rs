@@ -1,4 +1,4 @@
-//! The parameters of a relief of the tile.
+//! Parameters of a relief of the tile.
 
 mod light;
 mod pattern;
@@ -12,25 +12,25 @@ pub use presets::{PRESETS, Preset};
 
 use super::{Address, Grid};
 
-/// What a generator is told of a relief of the tile: a height field with colors, as it is seen and
-/// lit from every direction. Lengths are in parts of the tile's width, texels being square; angles
-/// in radians; colors straight bytes as they are seen.
+/// Parameters of a generated relief of the tile: a height field with colors, as it is seen and lit
+/// from every direction. Lengths are in parts of the tile's width, texels being square; angles in
+/// radians; colors straight bytes as they are seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Relief {
-    /// Another number scatters anew.
+    /// Seed of the random scatter.
     pub seed: u32,
-    /// What it is a relief of.
+    /// Pattern of the relief.
     pub pattern: Pattern,
-    /// From the lowest place to the highest, in tile widths.
+    /// Depth from the lowest place to the highest, in tile widths.
     pub depth: f64,
-    /// The height that stays where it is when the eye moves: 0 the lowest, 1 the highest.
+    /// Height that stays in place when the eye moves: 0 the lowest, 1 the highest.
     pub pivot: f64,
-    /// What lights it.
+    /// Sun and sky.
     pub light: Illumination,
-    /// What shines.
+    /// Specular reflection of the sun.
     pub glint: Glint,
-    /// How it is drawn.
+    /// Style of drawing.
     pub finish: Finish,
 }
 
@@ -48,18 +48,18 @@ impl Default for Relief {
     }
 }
 
-/// A number, its name, and from where to where it may be.
+/// Bounded number: its name, its value, and its least and greatest value.
 type Bounded = (&'static str, f64, f64, f64);
 
 impl Relief {
-    /// The most texels of a tile that can have a relief.
+    /// Greatest number of texels of a tile that can have a relief.
     pub const MAX_TEXELS: usize = 512 * 512;
-    /// The most memory that its views and lights may take while it is drawn, in bytes.
+    /// Greatest memory of the relief's views and lights while it is drawn, in bytes.
     pub const MAX_BYTES: u64 = 2 << 30;
-    /// What a texel takes for each view or light, in bytes.
+    /// Memory of a texel for each view or light, in bytes.
     const BYTES_PER_TEXEL: u64 = 20;
 
-    /// The painted samples that it needs.
+    /// Painted samples that the relief needs.
     pub fn painted(&self) -> impl Iterator<Item = Address> {
         let needed = match self.pattern {
             Pattern::Painted { heights, colors, .. } => vec![heights, colors],
@@ -68,10 +68,10 @@ impl Relief {
         needed.into_iter()
     }
 
-    /// What is wrong with its numbers.
+    /// Checks the numbers of the relief.
     ///
     /// # Errors
-    /// Which number, and what it may be; and where the grid is too fine for a relief.
+    /// The name of an invalid number and its bounds, or that the grid is too fine for a relief.
     pub fn check(&self, grid: &Grid) -> Result<(), String> {
         let own = [("depth", self.depth, 0.0, 1.0), ("pivot", self.pivot, 0.0, 1.0)];
         let all = own.into_iter().chain(self.pattern.bounds()).chain(self.light.bounds());

@@ -1,128 +1,128 @@
-//! What a relief is of: its heights and its colors.
+//! Patterns of a relief: its heights and its colors.
 
 use serde::{Deserialize, Serialize};
 
 use super::Bounded;
 use crate::document::Address;
 
-/// Which number of a painted texel is its height.
+/// Channel of a painted texel that gives its height.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Channel {
-    /// What is bright stands high.
+    /// Luminance: bright texels stand high.
     #[default]
     Luminance,
-    /// What is opaque stands high; it is then seen as opaque everywhere.
+    /// Alpha: opaque texels stand high; the relief is then opaque everywhere.
     Alpha,
 }
 
-/// What a relief is of. Colors are straight RGB as bytes, as they are seen.
+/// Pattern of a relief. Colors are straight RGB as bytes, as they are seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "pattern", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Pattern {
-    /// Of what is painted.
+    /// Heights and colors of painted samples.
     Painted {
-        /// The sample that gives the heights.
+        /// Sample that gives the heights.
         heights: Address,
-        /// By which of its numbers.
+        /// Channel that gives the heights.
         channel: Channel,
-        /// Whether high and low change places.
+        /// True if high and low are exchanged.
         #[serde(rename = "inverted")]
         is_inverted: bool,
-        /// The sample that gives the colors.
+        /// Sample that gives the colors.
         colors: Address,
     },
     /// Bricks or blocks in courses.
     Bricks {
-        /// Bricks in a course.
+        /// Number of bricks in a course.
         columns: u32,
-        /// Courses.
+        /// Number of courses.
         rows: u32,
-        /// By which part of a brick every second course is moved.
+        /// Shift of every second course, in parts of a brick.
         shift: f64,
-        /// The joints, in parts of a course's height.
+        /// Width of the joints, in parts of a course's height.
         joint: f64,
-        /// How far the edges are rounded, in parts of a course's height.
+        /// Width of the rounded edges, in parts of a course's height.
         bevel: f64,
-        /// How much bricks differ in height.
+        /// Variation of the bricks' heights.
         unevenness: f64,
-        /// How rough they are.
+        /// Roughness of the bricks.
         roughness: f64,
-        /// Bricks are of colors between these.
+        /// Range of the bricks' colors.
         colors: [[u8; 3]; 2],
-        /// The mortar.
+        /// Color of the mortar.
         joint_color: [u8; 3],
     },
     /// Stones in a binder, as in asphalt and gravel.
     Stones {
-        /// Large stones along the tile.
+        /// Number of large stones along the tile.
         count: u32,
-        /// How much of the surface they take.
+        /// Share of the surface that the large stones take.
         share: f64,
-        /// How much fine grit lies between them.
+        /// Amount of fine grit between the large stones.
         grit: f64,
-        /// 0 is flat with steep sides, 1 is round.
+        /// Roundness of the stones: 0 is flat with steep sides, 1 is round.
         roundness: f64,
-        /// Stones are of colors between these.
+        /// Range of the stones' colors.
         colors: [[u8; 3]; 2],
-        /// What holds them.
+        /// Color of the binder.
         binder: [u8; 3],
     },
     /// A wall with windows.
     Facade {
-        /// Windows on a floor.
+        /// Number of windows on a floor.
         columns: u32,
-        /// Floors.
+        /// Number of floors.
         floors: u32,
-        /// A window's width and height, in parts of its bay.
+        /// Width and height of a window, in parts of its bay.
         window: [f64; 2],
-        /// The frame's width, in parts of the window's.
+        /// Width of the frame, in parts of the window's.
         frame: f64,
-        /// How far sills and bands stand out, in parts of the depth.
+        /// Height of sills and bands over the wall, in parts of the depth.
         sill: f64,
-        /// How rough the wall is.
+        /// Roughness of the wall.
         roughness: f64,
-        /// The wall.
+        /// Color of the wall.
         wall: [u8; 3],
-        /// Frames, sills and bands.
+        /// Color of frames, sills and bands.
         trim: [u8; 3],
-        /// The panes; they glint.
+        /// Color of the panes, which glint.
         glass: [u8; 3],
-        /// Which part of the windows is lit from within when the sun is low.
+        /// Share of the windows that are lit from within when the sun is low.
         lit: f64,
-        /// The light within.
+        /// Color of the light within.
         lit_color: [u8; 3],
     },
     /// Openings under round arches.
     Arches {
-        /// Arches side by side.
+        /// Number of arches side by side.
         columns: u32,
-        /// Rows of them.
+        /// Number of rows of arches.
         rows: u32,
-        /// An opening's width and height, in parts of its bay.
+        /// Width and height of an opening, in parts of its bay.
         opening: [f64; 2],
-        /// The width of the ring of stones, in parts of the opening's.
+        /// Width of the ring of stones, in parts of the opening's.
         ring: f64,
-        /// Courses of the wall in a bay.
+        /// Number of courses of the wall in a bay.
         courses: u32,
-        /// How rough the stone is.
+        /// Roughness of the stone.
         roughness: f64,
-        /// The wall.
+        /// Color of the wall.
         wall: [u8; 3],
-        /// The ring.
+        /// Color of the ring.
         trim: [u8; 3],
-        /// What is seen through the opening.
+        /// Color seen through the opening.
         inside: [u8; 3],
     },
     /// Ripples, as of sand and water; without any, hills.
     Ripples {
-        /// Ripples from top to bottom.
+        /// Number of ripples from top to bottom.
         count: u32,
-        /// How much they bend.
+        /// Strength of the ripples' bends.
         bend: f64,
-        /// How rough they are.
+        /// Roughness of the surface.
         roughness: f64,
-        /// From the lowest to the highest.
+        /// Colors of the lowest and of the highest place.
         colors: [[u8; 3]; 2],
     },
 }

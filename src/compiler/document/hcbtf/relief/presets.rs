@@ -1,11 +1,11 @@
-//! Reliefs to begin with.
+//! Presets of reliefs.
 
 use super::{Finish, Glint, Illumination, Pattern, Relief};
 
-/// A name, and what makes the relief.
+/// Name of a preset, and the function that makes its relief.
 pub type Preset = (&'static str, fn() -> Relief);
 
-/// Reliefs to begin with.
+/// Presets of reliefs, by name.
 pub const PRESETS: [Preset; 5] = [
     ("Bricks", bricks),
     ("Asphalt", asphalt),

@@ -1,20 +1,20 @@
-//! What people are told of the rules, in one list: help on the command line, the table of
+//! Descriptions of the rules for people, in one list: help on the command line, the table of
 //! docs/format.md, the window.
 
 use serde_json::Value;
 
 use super::Rule;
 
-/// What people are told of a rule.
+/// Description of a rule for people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RuleAbout {
-    /// The word by which files know it.
+    /// Word of the rule in files.
     pub word: &'static str,
-    /// What the window calls it.
+    /// Label of the rule in the window.
     pub label: &'static str,
-    /// What it does; begins with `fills` or `changes`, and ends without a full stop.
+    /// Effect of the rule; begins with `fills` or `changes`, and ends without a full stop.
     pub does: &'static str,
-    /// Its fields in files, and what they may be.
+    /// Fields of the rule in files, each with its meaning and bounds.
     pub fields: &'static [(&'static str, &'static str)],
 }
 
@@ -23,7 +23,7 @@ const SHARPNESS: (&str, &str) =
 const FROM: (&str, &str) = ("from", "a painted sample");
 const WIDTH: (&str, &str) = ("width", "radians, 0 to pi");
 
-/// Every rule: those that fill, then those that change.
+/// All rules: those that fill, then those that change.
 pub(super) const ABOUT: [RuleAbout; 12] = [
     RuleAbout {
         word: "copy",
@@ -128,12 +128,13 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
 ];
 
 impl RuleAbout {
-    /// One of this kind as a file makes it that says nothing but its word.
+    /// Rule of this kind as read from a file that has its word alone.
     pub fn fresh(&self) -> Option<Rule> {
         serde_json::from_value(serde_json::json!({ "rule": self.word })).ok()
     }
 
-    /// Its fields with what they are where a file leaves them out, if that can be told shortly.
+    /// Fields of the rule with their meanings and defaults; `None` where a default has no short
+    /// text.
     pub fn defaults(&self) -> Vec<(&'static str, &'static str, Option<String>)> {
         let fresh =
             self.fresh().and_then(|rule| serde_json::to_value(rule).ok()).unwrap_or_default();
@@ -144,7 +145,7 @@ impl RuleAbout {
     }
 }
 
-/// A value that can be told shortly.
+/// Short text of a value, if there is one.
 fn told(value: &Value) -> Option<String> {
     match value {
         Value::Number(number) => {
@@ -162,7 +163,7 @@ fn told(value: &Value) -> Option<String> {
     }
 }
 
-/// The table of docs/format.md.
+/// Table of docs/format.md.
 pub(in crate::document) fn table() -> String {
     let mut table =
         "| rule | in the window | fields, and what they are where left out | what it does |\n"

@@ -1,4 +1,4 @@
-//! Rules: how samples that nobody painted come about.
+//! Rules that fill and change the samples that are not painted.
 
 pub(in crate::document) mod about;
 
@@ -9,66 +9,66 @@ use serde::{Deserialize, Serialize};
 pub use self::about::RuleAbout;
 use super::{Address, Angle, Grid, Relief, Strokes};
 
-/// How samples that nobody painted come about. Rules work in order: those that fill take samples
-/// that are still empty, those that change take what was filled before them; what is painted stays
-/// as it is (thesis 10.1).
+/// Rule for samples that are not painted. Rules work in order: those that fill take samples that
+/// are still empty, those that change take the samples that were filled before them; painted
+/// samples stay as they are (thesis 10.1).
 ///
-/// What a file leaves out is as the window makes it ([`RuleAbout::fresh`]).
+/// Fields that a file leaves out are as the window makes them ([`RuleAbout::fresh`]).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "rule", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Rule {
     /// Fills: the same tile everywhere.
     Copy {
-        /// The painted sample to copy.
+        /// Painted sample to copy.
         #[serde(default)]
         from: Address,
     },
-    /// Fills: what is painted does not depend on these angles. Where several painted samples differ
+    /// Fills: painted samples do not depend on these angles. Where several painted samples differ
     /// in them alone, the nearest is taken; where none differs in them alone, the sample stays
     /// empty. At the normal there is no angle around it, so any agrees.
     Lock {
-        /// The angles that do not matter.
+        /// Angles that do not matter.
         #[serde(default = "eye_around")]
         angles: Vec<Angle>,
     },
-    /// Fills: blends what is painted by how near its light and its view are, on the product of the
-    /// two spheres.
+    /// Fills: blends painted samples by the nearness of their lights and views, on the product of
+    /// the two spheres.
     Blend {
-        /// How fast influence falls: 1 is soft, 8 takes nearly the nearest alone.
+        /// Sharpness of the falloff of influence: 1 is soft, 8 takes nearly the nearest alone.
         #[serde(default = "blend_sharpness")]
         sharpness: f64,
     },
     /// Fills: as [`Rule::Blend`], of the two or three nearest alone, with their strokes moved in
-    /// place of faded (thesis 12). What is alike in them is looked for; where nothing is, they are
-    /// blended.
+    /// place of faded (thesis 12). Matching parts are looked for; where there are none, the samples
+    /// are blended.
     Morph {
-        /// How fast influence falls, as in [`Rule::Blend`].
+        /// Sharpness of the falloff of influence, as in [`Rule::Blend`].
         #[serde(default = "morph_sharpness")]
         sharpness: f64,
     },
     /// Fills: one color, where the light is near the mirrored direction of the view, fading
     /// outward.
     Mirror {
-        /// Straight RGBA as bytes; the alpha is that at the mirrored direction itself.
+        /// Color as straight RGBA bytes; the alpha is that at the mirrored direction itself.
         #[serde(default = "highlight")]
         color: [u8; 4],
-        /// From the mirrored direction to where it ends, in radians.
+        /// Angle from the mirrored direction to the end of the effect, in radians.
         #[serde(default = "highlight_width")]
         width: f64,
     },
     /// Fills: copies a painted sample to where the light is near the mirrored direction of the
     /// view, and only there (thesis 10.1: copying restricted to the specular reflection).
     Specular {
-        /// The painted sample to copy.
+        /// Painted sample to copy.
         #[serde(default)]
         from: Address,
-        /// From the mirrored direction to where it ends, in radians.
+        /// Angle from the mirrored direction to the end of the effect, in radians.
         #[serde(default = "copy_width")]
         width: f64,
     },
     /// Fills: one color.
     Color {
-        /// Straight RGBA as bytes.
+        /// Color as straight RGBA bytes.
         #[serde(default = "grey")]
         color: [u8; 4],
     },
@@ -78,32 +78,32 @@ pub enum Rule {
     Relief(Box<Relief>),
     /// Changes: darker the lower the light stands (thesis eq. 1).
     Lambert {
-        /// What it darkens to, straight RGB as bytes.
+        /// Color to darken to, as straight RGB bytes.
         #[serde(default = "dark")]
         shadow: [u8; 3],
-        /// 0 leaves everything as it is, 1 is Lambert's law.
+        /// Strength: 0 leaves the sample unchanged, 1 is Lambert's law.
         #[serde(default = "one")]
         amount: f64,
     },
     /// Changes: turns the tile's content with the view around the normal, so that it keeps facing
-    /// the eye: what points along v at phi 0 points toward the eye at every phi. Each turned tile
-    /// is resampled from its unturned source (thesis figure 37), also where several rules turn it.
-    /// The view along the normal is not turned.
+    /// the eye: content that points along v at phi 0 points toward the eye at every phi. Each
+    /// turned tile is resampled from its unturned source (thesis figure 37), also where several
+    /// rules turn it. The view along the normal is not turned.
     Rotate {
-        /// Turns of the content for each turn of the view.
+        /// Number of turns of the content for each turn of the view.
         #[serde(default = "one")]
         turns: f64,
     },
     /// Changes: multiplies by a color that goes from one to another along an angle. At the normal,
     /// which has no angle around it, by the middle of the two.
     Recolor {
-        /// Along which angle.
+        /// Angle along which the color changes.
         #[serde(default = "light_height")]
         angle: Angle,
-        /// The factor at the angle's beginning, straight RGB as bytes.
+        /// Factor at the angle's beginning, as straight RGB bytes.
         #[serde(default = "white")]
         from: [u8; 3],
-        /// The factor at its end; for angles around the normal, half a turn away.
+        /// Factor at the angle's end; for angles around the normal, half a turn away.
         #[serde(default = "low_sun")]
         to: [u8; 3],
     },
@@ -158,9 +158,9 @@ fn low_sun() -> [u8; 3] {
 }
 
 impl Rule {
-    /// What people are told of every rule.
+    /// Descriptions of all rules for people.
     pub const ABOUT: [RuleAbout; 12] = about::ABOUT;
-    /// Every rule's word in files.
+    /// Words of all rules in files.
     pub const WORDS: [&'static str; 12] = {
         let mut words = [""; 12];
         let mut index = 0;
@@ -170,12 +170,12 @@ impl Rule {
         }
         words
     };
-    /// The sharpest [`Rule::Blend`] and [`Rule::Morph`].
+    /// Greatest sharpness of [`Rule::Blend`] and [`Rule::Morph`].
     pub const MAX_SHARPNESS: f64 = 64.0;
-    /// The most turns of [`Rule::Rotate`], either way.
+    /// Greatest number of turns of [`Rule::Rotate`], either way.
     pub const MAX_TURNS: f64 = 1000.0;
 
-    /// The word by which files know it.
+    /// Word of the rule in files.
     pub fn word(&self) -> &'static str {
         match self {
             Self::Copy { .. } => "copy",
@@ -193,22 +193,23 @@ impl Rule {
         }
     }
 
-    /// What people are told of it.
+    /// Description of the rule for people.
     pub fn about(&self) -> RuleAbout {
         let is_own = |about: &RuleAbout| about.word == self.word();
-        // A test holds that each is in the list.
+        // A test holds that each rule is in the list.
         Self::ABOUT.into_iter().find(is_own).unwrap_or(Self::ABOUT[0])
     }
 
-    /// Whether it takes samples that are empty; the others change what was filled before them.
+    /// True for a rule that fills empty samples; the others change samples that were filled before
+    /// them.
     pub fn fills(&self) -> bool {
         !matches!(self, Self::Lambert { .. } | Self::Rotate { .. } | Self::Recolor { .. })
     }
 
-    /// What is wrong with its numbers, said to whoever gave them.
+    /// Checks the numbers of the rule.
     ///
     /// # Errors
-    /// Which number, and what it may be.
+    /// A message that names the invalid number and its bounds.
     pub fn check(&self, grid: &Grid) -> Result<(), String> {
         let within = |name: &str, value: f64, least: f64, most: f64| {
             let is_within = (least..=most).contains(&value);

@@ -1,4 +1,4 @@
-//! The parameters of strokes that stand on the tile.
+//! Parameters of strokes that stand on the tile.
 //!
 //! Lengths are in widths of the tile; along u to the right, along v up, and up from the surface.
 //! Angles are in radians; those around the normal go from v toward u, as directions do.
@@ -7,34 +7,35 @@ mod presets;
 
 use serde::{Deserialize, Serialize};
 
-/// Half a turn, as people write it: a little more than pi.
+/// Half a turn as people may round it up: a little more than pi, in radians.
 const HALF: f64 = std::f64::consts::PI + 1e-5;
-/// A turn.
+/// Full turn, in radians.
 const TURN: f64 = 2.0 * HALF;
 
-/// What a generator is told of strokes that stand on the tile.
+/// Parameters of generated strokes that stand on the tile.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Strokes {
-    /// Another number scatters anew.
+    /// Seed of the random scatter.
     pub seed: u32,
-    /// What is seen between the strokes.
+    /// Ground between the strokes.
     pub ground: StrokeGround,
-    /// The shadows that strokes cast.
+    /// Shadows that strokes cast.
     pub shadow: StrokeShadow,
-    /// The strokes; where none is higher, those of later bundles lie over those of earlier ones.
+    /// Bundles of strokes; at equal height, strokes of later bundles lie over those of earlier
+    /// ones.
     pub bundles: Vec<Bundle>,
 }
 
-/// What is seen between the strokes.
+/// Ground that is seen between the strokes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct StrokeGround {
-    /// Straight RGBA as bytes; an alpha of 0 leaves the strokes alone.
+    /// Color, as straight RGBA bytes; an alpha of 0 leaves the strokes alone.
     pub color: [u8; 4],
-    /// How much of its color is there in any light, 0 to 2.
+    /// Share of the color that shows in any light, 0 to 2.
     pub ambient: f64,
-    /// How much more by Lambert's law, 0 to 2.
+    /// Share of the color added by Lambert's law, 0 to 2.
     pub diffuse: f64,
 }
 
@@ -44,14 +45,14 @@ impl Default for StrokeGround {
     }
 }
 
-/// The shadows that strokes cast on the ground and on each other.
+/// Shadows that strokes cast on the ground and on each other.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct StrokeShadow {
-    /// How much of the light they take, 0 to 1. What is there in any light they leave.
+    /// Share of the light that shadows take, 0 to 1. They leave the part that shows in any light.
     pub amount: f64,
-    /// How far their edges are blurred, as a share of the way that the shadow falls from the
-    /// tallest stroke, 0 to 1.
+    /// Blur of the shadows' edges, as a share of the way that the shadow falls from the tallest
+    /// stroke, 0 to 1.
     pub softness: f64,
 }
 
@@ -61,55 +62,54 @@ impl Default for StrokeShadow {
     }
 }
 
-/// Strokes of one kind.
+/// Bundle of strokes of one kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Bundle {
-    /// How many there are, and where.
+    /// Number and places of the strokes.
     pub place: Placement,
-    /// What a stroke is.
+    /// Shape of a stroke.
     pub shape: StrokeShape,
-    /// From the shortest to the longest, 0 to 4. Dots have none.
+    /// Least and greatest length, 0 to 4. Dots have none.
     pub length: [f64; 2],
-    /// From the narrowest to the widest, 0 to 1; the diameter of a dot.
+    /// Least and greatest width, or diameter of a dot, 0 to 1.
     pub width: [f64; 2],
-    /// How much narrower they become toward the root and toward the tip, each 0 to 1: 1 is a point.
+    /// Taper toward the root and toward the tip, each 0 to 1: 1 is a point.
     pub taper: [f64; 2],
-    /// How high the root is over the surface, from the lowest to the highest, 0 to 2. Flat ones
-    /// that differ by next to nothing lie over each other in any order.
+    /// Least and greatest height of the root over the surface, 0 to 2. Flat strokes that differ by
+    /// next to nothing lie over each other in any order.
     pub lift: [f64; 2],
-    /// From the normal, where a stroke begins, 0 to pi: 0 stands, a quarter of a turn lies.
+    /// Angle from the normal at the root, 0 to pi: 0 stands, a quarter of a turn lies.
     pub lean: f64,
-    /// By how much more it leans at its tip, -pi to pi: grass nods.
+    /// Additional lean at the tip, -pi to pi: grass nods.
     pub bend: f64,
-    /// Where they lean to, around the normal.
+    /// Direction of the lean, around the normal.
     pub direction: f64,
-    /// How far they stray from that to either side, 0 to pi: pi is every direction.
+    /// Greatest deviation from that direction to either side, 0 to pi: pi is every direction.
     pub spread: f64,
-    /// By how much they turn around the normal from root to tip, to one side or the other, -2 pi to
-    /// 2 pi.
+    /// Turn around the normal from root to tip, to one side or the other, -2 pi to 2 pi.
     pub curl: f64,
-    /// How often they turn about their places while the eye goes once around: 0 stay, 1 keep facing
-    /// it.
+    /// Turns of the strokes about their places while the eye goes once around: 0 stay, 1 keep
+    /// facing the eye.
     pub turns: f64,
-    /// The colors at the root: each stroke has one between these two. Straight RGB as bytes.
+    /// Range of colors at the root: each stroke has one between these two. Straight RGB as bytes.
     pub root: [[u8; 3]; 2],
-    /// The colors at the tip, mixed as those at the root are.
+    /// Range of colors at the tip, mixed as those at the root are.
     pub tip: [[u8; 3]; 2],
-    /// How much lighter or darker than others a stroke may be, 0 to 1.
+    /// Variation of brightness between strokes, 0 to 1.
     pub variation: f64,
-    /// How much of its color is there in any light, 0 to 2.
+    /// Share of the color that shows in any light, 0 to 2.
     pub ambient: f64,
-    /// How much more where it faces the light, 0 to 2.
+    /// Share of the color added where the stroke faces the light, 0 to 2.
     pub diffuse: f64,
-    /// How much more where the light shines through it from behind, 0 to 2.
+    /// Share of the color added where the light shines through the stroke from behind, 0 to 2.
     pub translucent: f64,
-    /// Its highlight.
+    /// Highlight of the stroke.
     pub highlight: StrokeHighlight,
-    /// By which light it is there; always where this is left out.
+    /// Tones of light in which the stroke shows; all where left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tones: Option<StrokeTones>,
-    /// How much the grain of the paper shows through it, 0 to 1.
+    /// Strength with which the grain of the paper shows through the stroke, 0 to 1.
     pub grain: f64,
 }
 
@@ -141,17 +141,17 @@ impl Default for Bundle {
     }
 }
 
-/// Where strokes are.
+/// Places of strokes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Placement {
-    /// So many, evenly scattered, across the edges of a tile that repeats; the first few are as
-    /// even as all.
+    /// Given number of strokes, evenly scattered, across the edges of a tile that repeats; the
+    /// first few are as even as all.
     Scatter(u32),
-    /// About so many, in rows that are shifted by half, as the dots of a half-tone are. There are 2
-    /// n² in a square tile.
+    /// About the given number of strokes, in rows that are shifted by half, as the dots of a
+    /// half-tone are. There are 2 n² in a square tile.
     Lattice(u32),
-    /// Each where its points are, from root to tip: along u, along v, and over the surface.
+    /// Strokes along the points of paths, from root to tip: along u, along v, and over the surface.
     Paths(Vec<Vec<[f64; 3]>>),
 }
 
@@ -161,30 +161,31 @@ impl Default for Placement {
     }
 }
 
-/// What a stroke is.
+/// Shape of a stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum StrokeShape {
-    /// It grows from its place, and is round: equally wide from every side. Grass, hair, twigs.
+    /// Thread that grows from its place, and is round: equally wide from every side. Grass, hair,
+    /// twigs.
     #[default]
     Thread,
-    /// Its middle is at its place, and it lies as flat as it can. Strokes of a pen or a brush,
+    /// Ribbon with its middle at its place, as flat as it can lie. Strokes of a pen or a brush,
     /// stripes.
     Ribbon,
-    /// A round that lies flat; its root is its middle and its tip its rim.
+    /// Round dot that lies flat; its root is its middle and its tip its rim.
     Dot,
 }
 
-/// A highlight, which shadows take away.
+/// Highlight, which shadows take away.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct StrokeHighlight {
-    /// Straight RGB as bytes.
+    /// Color, as straight RGB bytes.
     pub color: [u8; 3],
-    /// How much is added, 0 to 2.
+    /// Amount of the color that is added, 0 to 2.
     pub amount: f64,
-    /// The power to which its cosine is raised, 1 to 1000: threads by Kajiya and Kay (1989), flat
-    /// ones by Blinn (1977).
+    /// Exponent of the cosine, 1 to 1000: threads by Kajiya and Kay (1989), flat strokes by Blinn
+    /// (1977).
     pub sharpness: f64,
 }
 
@@ -194,23 +195,24 @@ impl Default for StrokeHighlight {
     }
 }
 
-/// By which light strokes are there, so that darker may be more strokes (thesis 11.2). The tone of
-/// a light is the cosine of its angle from the normal.
+/// Tones of light in which strokes show, so that darker may be more strokes (thesis 11.2). The tone
+/// of a light is the cosine of its angle from the normal.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StrokeTones {
-    /// The tone at which the first appears. Larger than `all`: the darker, the more there are.
+    /// Tone at which the first stroke appears. Larger than `all`: the darker, the more strokes
+    /// there are.
     pub first: f64,
-    /// The tone from which on all are there.
+    /// Tone from which on all strokes are there.
     pub all: f64,
-    /// How slowly each grows from nothing to its width, 0 to 1: at 0 they appear whole, one after
-    /// the other, at 1 all of them grow from `first` to `all`.
+    /// Slowness of each stroke's growth from nothing to its width, 0 to 1: at 0 the strokes appear
+    /// whole, one after the other, at 1 all of them grow from `first` to `all`.
     #[serde(default)]
     pub growth: f64,
 }
 
 impl StrokeTones {
-    /// How much of a stroke is there in a light of this tone, 0 to 1. `rank` is its place among the
+    /// Share of a stroke that shows in a light of this tone, 0 to 1. `rank` is its place among the
     /// bundle, 0 to 1.
     pub fn share(&self, tone: f64, rank: f64) -> f64 {
         let gone = ((self.first - tone) / (self.first - self.all)).clamp(0.0, 1.0);
@@ -224,20 +226,20 @@ impl StrokeTones {
 }
 
 impl Strokes {
-    /// The most bundles.
+    /// Greatest number of bundles.
     pub const MAX_BUNDLES: usize = 32;
-    /// The most strokes of one bundle.
+    /// Greatest number of strokes of one bundle.
     pub const MAX_COUNT: u32 = 4096;
-    /// The most points of all paths together.
+    /// Greatest number of points of all paths together.
     pub const MAX_PATH_POINTS: usize = 20_000;
-    /// How often all strokes together may cover the tile, by their lengths and widths: time is
-    /// bounded by it.
+    /// Greatest number of times that all strokes together may cover the tile, by their lengths and
+    /// widths; it bounds the time of drawing.
     pub const MAX_LAYERS: f64 = 400.0;
 
-    /// What is wrong with its numbers.
+    /// Checks the numbers of the strokes.
     ///
     /// # Errors
-    /// Which number, and what it may be.
+    /// A message that names the invalid number and its bounds.
     pub fn check(&self) -> Result<(), String> {
         within("ground.ambient", self.ground.ambient, 0.0, 2.0)?;
         within("ground.diffuse", self.ground.diffuse, 0.0, 2.0)?;
@@ -308,7 +310,7 @@ impl Bundle {
         self.place.check()
     }
 
-    /// How often its strokes cover the tile, at most.
+    /// Greatest number of times that the bundle's strokes cover the tile.
     fn layers(&self) -> f64 {
         let [length, width] = [self.length, self.width].map(|pair| pair[0].max(pair[1]));
         let length = if self.shape == StrokeShape::Dot { width } else { length };
@@ -329,7 +331,7 @@ impl Bundle {
 }
 
 impl Placement {
-    /// How many points its paths have.
+    /// Number of points of all paths.
     fn points(&self) -> usize {
         if let Self::Paths(paths) = self { paths.iter().map(Vec::len).sum() } else { 0 }
     }

@@ -1,4 +1,4 @@
-//! Strokes to begin with.
+//! Presets of strokes.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -8,10 +8,10 @@ use super::{
 };
 
 impl Strokes {
-    /// Names of strokes to begin with, as [`Self::preset`] takes them.
+    /// Names of the presets, as [`Self::preset`] takes them.
     pub const PRESETS: [&'static str; 4] = ["Grass", "Pencil", "Stripes", "Half-tone dots"];
 
-    /// Strokes to begin with, by a name of [`Self::PRESETS`]; grass by any other.
+    /// Preset with a name of [`Self::PRESETS`]; grass for any other name.
     pub fn preset(name: &str) -> Self {
         match name {
             "Pencil" => pencil(),
