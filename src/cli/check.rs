@@ -12,7 +12,7 @@ use crate::compile::{Live, Options, TypedSource, check as check_look, compile_ty
 use crate::diag::{Diagnostic, Severity, Warned, has_errors};
 use crate::document::{Document, Loaded, Look, Scene, Value};
 use crate::figures::count;
-use crate::files;
+use crate::files::{self, WalkBounds};
 use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, scene_setup, too_deep};
 use crate::library::{Library, Type};
 use chiaro_scene::hcbtf::LayerOptions;
@@ -93,12 +93,12 @@ impl Checker<'_> {
     /// Finds looks and scenes in a folder and below; other JSON files are left alone, broken ones
     /// are not.
     fn folder(&mut self, folder: &Path, found: &mut Vec<PathBuf>) {
-        // Depth of folders that is deep enough for any project.
-        const MAX_DEPTH: usize = 16;
+        // Folders are followed deep enough for any project.
+        const BOUNDS: WalkBounds = WalkBounds { depth: 16, entries: 20_000 };
         let before = found.len();
         // Groups in a `nodes` folder are read with the library.
         let is_library = |path: &Path| path.file_name().is_some_and(|name| name == "nodes");
-        let walked = files::walk(folder, MAX_DEPTH, &|path| !is_library(path));
+        let walked = files::walk(folder, BOUNDS, &|path| !is_library(path));
         for (path, error) in walked.unreadable {
             let message = format!("this folder cannot be read: {error}");
             let problem = Diagnostic::error("cannot-read", message);
@@ -107,7 +107,7 @@ impl Checker<'_> {
         if walked.is_cut {
             let message = format!(
                 "only {} files and folders in it are looked at: not all is checked",
-                files::MAX_ENTRIES
+                BOUNDS.entries
             );
             let problem = Diagnostic::warning("too-many-files", message);
             let hint = "check the folders in it one by one";

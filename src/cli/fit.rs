@@ -11,7 +11,7 @@ use super::render::{adjust_camera, check_target, parse_time, turn_lights};
 use super::target::{OutputPath, check_document, outputs};
 use crate::diag::Diagnostic;
 use crate::document::{Document, Look};
-use crate::files::{OutputKind, Outputs};
+use crate::files::{Disk, OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
 use chiaro_laboratory::fit::{
     FitOptions, FittedLook, Keep, Report, Target, fit_layers, fit_look, picture_of,
@@ -125,7 +125,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         turn_lights(&mut setup.scene, text).map_err(one)?;
     }
     let named = arguments.target.display().to_string();
-    let bytes = image_bytes(Path::new(""), &named).map_err(|problem| {
+    let bytes = image_bytes(&Disk, Path::new(""), &named).map_err(|problem| {
         one(problem.hint("--target names the painted picture: check its spelling and its folder"))
     })?;
     let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;

@@ -10,9 +10,10 @@ use std::collections::{HashSet, VecDeque};
 use std::fs::{self, File, Metadata};
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use chiaro_compiler::examples;
-use chiaro_compiler::files::{Files, FoundFiles, MAX_ENTRIES, ReadError};
+use chiaro_compiler::files::{FileKind, FileMetadata, Files, FoundFiles, ReadError, WalkBounds};
 
 /// The files of the disk.
 #[derive(Clone, Copy, Debug, Default)]
@@ -23,9 +24,33 @@ impl Files for Disk {
         read(path, most)
     }
 
-    fn walk(&self, folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> FoundFiles {
-        walk(folder, depth, enters)
+    fn metadata(&self, path: &Path) -> Option<FileMetadata> {
+        FileMetadata::of_example(path).or_else(|| Some(metadata(&fs::metadata(path).ok()?)))
     }
+
+    fn canonical(&self, path: &Path) -> Option<PathBuf> {
+        path.canonicalize().ok()
+    }
+
+    fn walk(
+        &self,
+        folder: &Path,
+        bounds: WalkBounds,
+        enters: &dyn Fn(&Path) -> bool,
+    ) -> FoundFiles {
+        walk(folder, bounds, enters)
+    }
+}
+
+fn metadata(found: &Metadata) -> FileMetadata {
+    let kind = match found.file_type() {
+        kind if kind.is_file() => FileKind::Plain,
+        kind if kind.is_dir() => FileKind::Folder,
+        _ => FileKind::Special,
+    };
+    // Where a system knows no times, the length alone tells states apart.
+    let modified = found.modified().unwrap_or(SystemTime::UNIX_EPOCH);
+    FileMetadata { kind, modified, length: found.len() }
 }
 
 /// Bytes of a plain file of at most `most` bytes, or of an [example](chiaro_compiler::examples).
@@ -65,18 +90,18 @@ fn is_argument(path: &Path) -> bool {
     std::env::args_os().skip(1).any(|argument| argument == path.as_os_str())
 }
 
-/// All files in a folder and in those below it that `enters` lets in, at most `depth` folders deep.
+/// All files in a folder and in those below it that `enters` lets in, within `bounds`.
 ///
 /// Links are followed to folders that were not seen and do not hold the walked folder itself, after
 /// all folders that are there in person; so nothing is found twice, and no link leads round in a
 /// ring.
-pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> FoundFiles {
+pub fn walk(folder: &Path, bounds: WalkBounds, enters: &dyn Fn(&Path) -> bool) -> FoundFiles {
     let mut walked = FoundFiles::default();
     let Some(root) = place(folder, &mut walked) else { return walked };
     let mut seen = HashSet::from([root.clone()]);
     let mut open = VecDeque::from([(folder.to_path_buf(), 0)]);
     let mut links: VecDeque<(PathBuf, usize)> = VecDeque::new();
-    let mut left = MAX_ENTRIES;
+    let mut left = bounds.entries;
     loop {
         // Real folders go before links, so that files are found by their own paths where possible.
         let (folder, at) = if let Some(next) = open.pop_front() {
@@ -92,7 +117,7 @@ pub fn walk(folder: &Path, depth: usize, enters: &dyn Fn(&Path) -> bool) -> Foun
             if !path.is_dir() {
                 walked.files.push(path);
             } else if enters(&path) {
-                if at >= depth {
+                if at >= bounds.depth {
                     continue;
                 }
                 if is_link {
@@ -188,7 +213,8 @@ mod tests {
         ["d", "e"]
             .iter()
             .for_each(|link| symlink(folder.path().join("shared"), root.join(link)).unwrap());
-        let walked = walk(&root, 8, &|_| true);
+        let bounds = |depth| WalkBounds { depth, entries: 100 };
+        let walked = walk(&root, bounds(8), &|_| true);
         let short = |path: &PathBuf| path.strip_prefix(&root).unwrap().display().to_string();
         assert_eq!(
             walked.files.iter().map(short).collect::<Vec<_>>(),
@@ -196,9 +222,9 @@ mod tests {
         );
         assert_eq!(walked.folders.iter().map(short).collect::<Vec<_>>(), ["", "b", "b/c", "d"]);
         assert!(!walked.is_cut && walked.unreadable.is_empty(), "{walked:?}");
-        let flat = walk(&root, 0, &|_| true);
+        let flat = walk(&root, bounds(0), &|_| true);
         assert_eq!((flat.files.len(), flat.folders.len()), (2, 1), "{flat:?}");
-        let without_b = walk(&root, 8, &|path| !path.ends_with("b"));
+        let without_b = walk(&root, bounds(8), &|path| !path.ends_with("b"));
         assert_eq!(without_b.files.len(), 5, "`a` leads to it: {without_b:?}");
     }
 

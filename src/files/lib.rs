@@ -14,8 +14,9 @@ mod outputs;
 mod write;
 
 pub use chiaro_compiler::files::{
-    Files, FoundFiles, MAX_ENTRIES, MemoryFiles, ReadError, is_utf16,
+    FileKind, FileMetadata, Files, FoundFiles, MemoryFiles, ReadError, SharedFiles, WalkBounds,
+    is_utf16,
 };
 pub use disk::{Disk, read, walk};
 pub use outputs::{FileSet, OutputKind, Outputs, remove_abandoned, remove_unfinished};
-pub use write::{TextDocument, read_text, write_atomic};
+pub use write::{TextDocument, make_folder, read_text, write_atomic};

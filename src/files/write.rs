@@ -2,6 +2,7 @@
 //! file.
 
 use std::path::Path;
+use std::{fs, io};
 
 use chiaro_compiler::document::{self, Look, Scene, SourceMap};
 use chiaro_language::diag::Diagnostic;
@@ -27,6 +28,14 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
     let mut set = FileSet::default();
     set.add(path, bytes)?;
     set.commit()
+}
+
+/// Makes a folder to write files into, with all folders that it lies in, if there is none.
+///
+/// # Errors
+/// The reason why it cannot be made.
+pub fn make_folder(folder: &Path) -> io::Result<()> {
+    fs::create_dir_all(folder)
 }
 
 /// Document that is saved as a text file.

@@ -5,7 +5,7 @@
 //! time into a frame plan, which a renderer executes; [`export`] turns it into files for other
 //! programs, and [`drawing`] draws graphs themselves.
 
-use chiaro_compiler::{catalog, compile, document, examples, library};
+use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
 #[cfg(test)]
 use chiaro_language::clock;

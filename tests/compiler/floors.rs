@@ -68,6 +68,31 @@ const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile
 /// which thread work runs on.
 const NOT_FOR_THE_COMPILER: &[&str] = &["env", "fs", "net", "process", "thread"];
 
+/// Modules of `std` that scenes may not use: what a scene names is read through `Files`, and what
+/// comes of a scene is written by `chiaro-files`.
+const NOT_FOR_SCENES: &[&str] = &["env", "fs", "net", "process"];
+
+/// Words by which the disk is asked for something: its `Files`, readers that take a path alone, and
+/// methods of paths.
+const OF_THE_DISK: &[&str] = &[
+    "Disk",
+    "read_text",
+    "exists",
+    "try_exists",
+    "is_file",
+    "is_dir",
+    "is_symlink",
+    "canonicalize",
+    "read_dir",
+    "read_link",
+    "image_dimensions",
+];
+
+/// Files of the scene that ask the disk: where a caller says nothing about files, and where outputs
+/// are guarded, which are written to the disk.
+const ASKS_THE_DISK: &[&str] =
+    &["scene/frame/store.rs", "scene/hcbtf/exchange.rs", "scene/export/files.rs"];
+
 /// Modules and packages that a room may not use although the floors would allow them. The window's
 /// state works without a window, and its widgets fit any state.
 const STRANGERS: &[(&str, &str, &[&str])] = &[
@@ -271,11 +296,11 @@ fn imports_go_down() {
     assert!(complaints.is_empty(), "imports that break the floors:\n{}", complaints.join("\n"));
 }
 
-/// Complaints about modules of `std` that the compiler may not use.
-fn check_bytes_in_text_out(path: &Path, text: &str) -> Vec<String> {
+/// Complaints about modules of `std` that a crate may not use.
+fn check_system(path: &Path, text: &str, forbidden: &[&str]) -> Vec<String> {
     let found = scan::crate_paths(text, "std").into_iter();
     let is_system = |reference: &Reference| match reference {
-        Reference::Module(name) => NOT_FOR_THE_COMPILER.contains(&name.as_str()),
+        Reference::Module(name) => forbidden.contains(&name.as_str()),
         other => *other == Reference::WholeCrate,
     };
     found
@@ -293,15 +318,47 @@ fn the_compiler_has_no_files_and_no_threads() {
         .filter(is_own)
         .flat_map(|path| {
             let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
-            check_bytes_in_text_out(path, &text)
+            check_system(path, &text, NOT_FOR_THE_COMPILER)
         })
         .collect();
     assert!(complaints.is_empty(), "the compiler asks the system:\n{}", complaints.join("\n"));
-    assert_eq!(check_bytes_in_text_out(Path::new("a"), "use std::{fs, io};").len(), 1);
-    assert_eq!(
-        check_bytes_in_text_out(Path::new("a"), "fn f() { std::thread::yield_now() }").len(),
-        1
-    );
+    let check = |text| check_system(Path::new("a"), text, NOT_FOR_THE_COMPILER).len();
+    assert_eq!(check("use std::{fs, io};"), 1);
+    assert_eq!(check("fn f() { std::thread::yield_now() }"), 1);
+}
+
+/// Complaints about ways to the disk in the source `text` of the scene at `path`. Tests inside a
+/// file, which stand at its end, may write files.
+fn check_scene(path: &Path, text: &str) -> Vec<String> {
+    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or(text);
+    let mut complaints = check_system(path, text, NOT_FOR_SCENES);
+    if !ASKS_THE_DISK.iter().any(|asks| path == Path::new(asks)) {
+        let words = scan::words(text).into_iter();
+        let of_disk = words.filter(|(word, _)| OF_THE_DISK.contains(&word.as_str()));
+        complaints
+            .extend(of_disk.map(|(word, line)| format!("src/{}:{line}: {word}", path.display())));
+    }
+    complaints
+}
+
+#[test]
+fn scenes_read_through_files_alone() {
+    let (src, files) = sources();
+    let is_test = |path: &Path| {
+        path.components().any(|part| part.as_os_str() == "tests" || part.as_os_str() == "tests.rs")
+    };
+    let of_scene = files.iter().filter(|path| path.starts_with("scene") && !is_test(path));
+    let complaints: Vec<_> = of_scene
+        .flat_map(|path| {
+            let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+            check_scene(path, &text)
+        })
+        .collect();
+    assert!(complaints.is_empty(), "scenes ask the disk:\n{}", complaints.join("\n"));
+    let check = |text| check_scene(Path::new("scene/frame/setup.rs"), text).len();
+    assert_eq!(check("fn f() { std::fs::read(path) }"), 1);
+    assert_eq!(check("fn f() { path.is_file() || Look::load(&crate::files::Disk, path) }"), 2);
+    assert_eq!(check("fn f() {}\n#[cfg(test)]\nmod tests {\n    use std::fs;\n}"), 0);
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn file(folder: &Path, rules: Vec<Rule>) -> PathBuf {
 }
 
 fn saved(path: &Path) -> Hcbtf {
-    chiaro::hcbtf::load(path).unwrap().value
+    chiaro::hcbtf::load(&chiaro::files::Disk, path).unwrap().value
 }
 
 /// The middle of a texel on the screen.

@@ -149,7 +149,7 @@ fn a_new_tile_is_seen_before_it_is_begun_and_the_painted_one_stays() {
     assert_eq!(hcbtf(&hand), &expected, "as `chiaro hcbtf synthesize` makes it");
     let work = hand.app().session().painting().unwrap();
     assert!(work.is_dirty() && work.path().is_none(), "no file holds it");
-    assert_eq!(hcbtf::load(&path).unwrap().value, source);
+    assert_eq!(hcbtf::load(&chiaro::files::Disk, &path).unwrap().value, source);
     // Every texel is one of the source, in all samples the same one.
     let (old, new) = (all(&source), all(&expected));
     let texel = |filled: &hcbtf::FilledSamples, address, at: usize| {
@@ -235,7 +235,7 @@ fn the_open_look_is_baked_into_a_file_as_the_command_line_bakes_it() {
     let progress = Progress::new();
     let expected =
         chiaro::reference::bake_look(setup, library, grid, &light, &assets, &progress).unwrap();
-    assert_eq!(hcbtf::load(&to).unwrap().value, expected);
+    assert_eq!(hcbtf::load(&chiaro::files::Disk, &to).unwrap().value, expected);
     assert_eq!(hcbtf(&hand), &expected, "and it is open");
     let tones: std::collections::BTreeSet<u8> =
         expected.painted.values().map(|tile| tile.bytes()[0]).collect();
@@ -368,7 +368,7 @@ fn baking_is_stopped_and_a_look_without_a_light_is_told_of() {
 fn pictures_are_imported_beside_the_window() {
     let folder = tempfile::tempdir().unwrap();
     let images = folder.path().join("images");
-    let source = hcbtf::load(&numbered(folder.path())).unwrap().value;
+    let source = hcbtf::load(&chiaro::files::Disk, &numbered(folder.path())).unwrap().value;
     let form = hcbtf::exchange::Form::Folder;
     let manner = hcbtf::exchange::Manner::default();
     hcbtf::exchange::export(&all(&source), form, manner, &images, &Progress::new()).unwrap();

@@ -395,7 +395,11 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     assert_eq!(first(&hand).texel(3, 3), yellow);
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
-    assert_eq!(chiaro::hcbtf::load(&path).unwrap().value.painted.len(), 2, "theirs is there still");
+    assert_eq!(
+        chiaro::hcbtf::load(&chiaro::files::Disk, &path).unwrap().value.painted.len(),
+        2,
+        "theirs is there still"
+    );
     hand.press("Load the file's version");
     assert_eq!((color(&hand), hcbtf(&hand).painted.len()), ([1, 2, 3, 255], 2));
     hand.undo();
@@ -407,7 +411,12 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
     assert_eq!(
-        chiaro::hcbtf::load(&path).unwrap().value.painted(Address::default()).unwrap().texel(3, 3),
+        chiaro::hcbtf::load(&chiaro::files::Disk, &path)
+            .unwrap()
+            .value
+            .painted(Address::default())
+            .unwrap()
+            .texel(3, 3),
         yellow
     );
     assert!(!hand.says("painted on by you"));
@@ -429,7 +438,12 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     hand.key_with(Modifiers::COMMAND, Key::S);
     hand.settle();
     assert_eq!(
-        chiaro::hcbtf::load(&path).unwrap().value.painted(Address::default()).unwrap().texel(5, 5),
+        chiaro::hcbtf::load(&chiaro::files::Disk, &path)
+            .unwrap()
+            .value
+            .painted(Address::default())
+            .unwrap()
+            .texel(5, 5),
         yellow
     );
 }

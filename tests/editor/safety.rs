@@ -2,12 +2,16 @@
 //! changes of files by other programs are noticed.
 
 use std::fs;
+use std::path::Path;
+use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
 use crate::editor_support::home::Home;
 use crate::editor_support::{Hand, node_center};
 use chiaro::document::{Edit, GraphId, Value};
+use chiaro::editor::App;
 use chiaro::editor::settings::Theme;
+use chiaro::files::{Disk, FileMetadata, Files, FoundFiles, ReadError, WalkBounds};
 use eframe::egui::{Event, Key, Modifiers, Role, ViewportEvent, ViewportId, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -489,6 +493,107 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
     hand.app_mut().look_at_files();
     hand.settle();
     assert!(!hand.app().canvas().has_error("mine"));
+}
+
+/// The disk, whose folders are walked through only while the gate is open.
+#[derive(Debug, Default)]
+struct GatedDisk {
+    gate: Mutex<Gate>,
+    changed: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Gate {
+    is_closed: bool,
+    /// Number of walks that wait.
+    waiting: u32,
+}
+
+impl GatedDisk {
+    fn set_closed(&self, is_closed: bool) {
+        self.gate.lock().unwrap().is_closed = is_closed;
+        self.changed.notify_all();
+    }
+
+    /// Waits until a walk stands at the closed gate.
+    fn wait_for_walk(&self) {
+        let is_nobody_here = |gate: &mut Gate| gate.waiting == 0;
+        let minute = Duration::from_secs(60);
+        let here = self
+            .changed
+            .wait_timeout_while(self.gate.lock().unwrap(), minute, is_nobody_here)
+            .unwrap();
+        assert!(!here.1.timed_out(), "no folder was walked through");
+    }
+}
+
+impl Files for GatedDisk {
+    fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
+        Disk.read(path, most)
+    }
+
+    fn metadata(&self, path: &Path) -> Option<FileMetadata> {
+        Disk.metadata(path)
+    }
+
+    fn walk(
+        &self,
+        folder: &Path,
+        bounds: WalkBounds,
+        enters: &dyn Fn(&Path) -> bool,
+    ) -> FoundFiles {
+        let mut gate = self.gate.lock().unwrap();
+        gate.waiting += 1;
+        self.changed.notify_all();
+        let minute = Duration::from_secs(60);
+        let mut gate =
+            self.changed.wait_timeout_while(gate, minute, |gate| gate.is_closed).unwrap().0;
+        gate.waiting -= 1;
+        drop(gate);
+        Disk.walk(folder, bounds, enters)
+    }
+}
+
+#[test]
+fn frames_go_on_while_a_folder_of_nodes_is_walked_through() {
+    let home = Home::new();
+    let path = home.file("rim.json");
+    fs::create_dir(home.file("nodes")).unwrap();
+    let node = home.file("nodes/twice.wgsl");
+    fs::write(&node, NODE).unwrap();
+    let text = r#"{"nodes": [{"id": "mine", "kind": "twice", "values": {"value": 0.25}},
+        {"id": "output", "kind": "output"}],
+        "wires": [{"from": "mine", "to": "output.color"}]}"#;
+    fs::write(&path, text).unwrap();
+    let disk = Arc::new(GatedDisk::default());
+    let files = disk.clone();
+    let mut hand = Hand::with(move |ctx| App::reading_from(files.clone(), ctx, None));
+
+    disk.set_closed(true);
+    hand.app_mut().open(&path);
+    hand.harness.run_steps(4);
+    disk.wait_for_walk();
+    hand.harness.run_steps(4);
+    let nodes = &hand.look().graph.nodes;
+    assert!(nodes.contains_key("mine") && hand.app().session().is_compiling());
+    assert!(hand.app().session().baked().is_none(), "it is not compiled without the nodes");
+    disk.set_closed(false);
+    hand.settle();
+    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    let good = hand.app().session().baked().unwrap().wgsl.clone();
+
+    // A check whether files have changed walks there, too, and the look goes on meanwhile.
+    disk.set_closed(true);
+    fs::write(&node, NODE.replace("2.0 * value", "7.5 * value")).unwrap();
+    hand.app_mut().look_at_files();
+    disk.wait_for_walk();
+    hand.harness.run_steps(4);
+    assert!(!hand.app().session().is_compiling() && !hand.says("nodes were loaded again"));
+    assert_eq!(hand.app().session().baked().unwrap().wgsl, good);
+    disk.set_closed(false);
+    hand.settle();
+    assert!(hand.says("nodes were loaded again"));
+    assert_ne!(hand.app().session().baked().unwrap().wgsl, good);
 }
 
 fn set_value(hand: &mut Hand) {

@@ -2,6 +2,7 @@
 
 use crate::support::cases::hold;
 use chiaro::diag::{Diagnostic, LineColumn, Warned};
+use chiaro::files::Disk;
 use chiaro::geometry::{Mesh, Siblings, import, load, no_siblings};
 use glam::{Vec3, Vec4};
 use proptest::prelude::*;
@@ -620,18 +621,18 @@ fn load_reads_the_file_and_those_beside_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("card.gltf");
     std::fs::write(&path, gltf_json(r#", "uri": "my%20mesh.bin""#)).unwrap();
-    let problems = load(&path).unwrap_err();
+    let problems = load(&Disk, &path).unwrap_err();
     assert_eq!(problems[0].code, "mesh-reference");
     assert!(problems[0].message.contains("`my mesh.bin`"), "{}", problems[0]);
     std::fs::write(folder.path().join("my mesh.bin"), gltf_bytes()).unwrap();
-    assert_eq!(load(&path).unwrap().value.triangle_count(), 4);
+    assert_eq!(load(&Disk, &path).unwrap().value.triangle_count(), 4);
     let pipe = folder.path().join("pipe.obj");
     let made = std::process::Command::new("mkfifo").arg(&pipe).status();
     let pipe = made.is_ok_and(|status| status.success()).then_some(pipe);
     for wrong in
         [folder.path().join("absent.obj"), folder.path().to_owned()].into_iter().chain(pipe)
     {
-        let problems = load(&wrong).unwrap_err();
+        let problems = load(&Disk, &wrong).unwrap_err();
         assert_eq!(
             (problems[0].code, problems[0].place.file.clone()),
             ("mesh-read", Some(wrong.display().to_string()))

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 use chiaro::diag::Warned;
+use chiaro::files::Disk;
 use chiaro::geometry::{Mesh, load};
 use glam::{Vec3, Vec4};
 
@@ -14,7 +15,7 @@ fn model(name: &str) -> Option<(String, Warned<Mesh>)> {
     let path =
         ["../shared/models", "../../shared/models"].map(|folder| root.join(folder).join(name));
     let path = path.into_iter().find(|path| path.exists())?;
-    let imported = load(&path).unwrap_or_else(|problems| panic!("{name}: {}", problems[0]));
+    let imported = load(&Disk, &path).unwrap_or_else(|problems| panic!("{name}: {}", problems[0]));
     Some((std::fs::read_to_string(&path).unwrap(), imported))
 }
 

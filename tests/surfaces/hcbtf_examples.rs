@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use chiaro::compile::{Options, compile};
 use chiaro::document::{Address, Look, Tier, Value};
+use chiaro::files::Disk;
 use chiaro::hcbtf::fill::sample;
 use chiaro::hcbtf::{estimate, layers_bytes, load};
 use chiaro::library::Library;
@@ -27,7 +28,7 @@ fn files(ending: &str) -> Vec<PathBuf> {
 fn the_files_are_small_and_nothing_is_odd_in_them() {
     for path in files("hcbtf") {
         assert!(std::fs::metadata(&path).unwrap().len() < 65_536, "{}", path.display());
-        let (hcbtf, notes) = load(&path).unwrap().into_parts();
+        let (hcbtf, notes) = load(&Disk, &path).unwrap().into_parts();
         assert!(notes.is_empty(), "{}: {notes:?}", path.display());
         let needed = layers_bytes(&hcbtf.grid, true);
         assert!(needed < 64 << 20, "{}: {} MiB", path.display(), needed >> 20);
@@ -74,7 +75,7 @@ fn the_looks_beside_them_show_them() {
 /// Chalk follows the tone: from ring to ring, as the light sinks, fewer texels are chalk.
 #[test]
 fn chalk_is_darker_by_other_strokes_and_not_by_dimmer_ones() {
-    let hcbtf = load(&folder().join("chalk.hcbtf")).unwrap().value;
+    let hcbtf = load(&Disk, &folder().join("chalk.hcbtf")).unwrap().value;
     let shown = |ring: u32| {
         sample(&hcbtf, Address::new([ring, 0], [0, 0]), &Progress::new()).unwrap().unwrap()
     };

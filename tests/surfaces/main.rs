@@ -13,3 +13,4 @@ mod hcbtf_bake;
 mod hcbtf_edits;
 mod hcbtf_examples;
 mod hcbtf_file;
+mod memory_files;

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::{GRID_HELP, GridText, check_free, filled, open, save, tell_painted, with_ending};
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Storage};
-use crate::files::OutputKind;
+use crate::files::{Disk, OutputKind};
 use crate::output::Output;
 use crate::target::{OutputPath, outputs};
 use chiaro_scene::hcbtf::{SampleChoice, exchange};
@@ -68,17 +68,18 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let from = &arguments.from;
     let outputs = outputs(arguments.force, [from]);
     check_free(&path, &outputs)?;
-    let form = arguments.form.map_or_else(|| exchange::Form::guessed(from), exchange::Form::from);
+    let form =
+        arguments.form.map_or_else(|| exchange::Form::guessed(&Disk, from), exchange::Form::from);
     let grid = arguments.grid.map(|grid| grid.0);
     // Images of a folder tell their size themselves.
     let fitted = || match form {
-        exchange::Form::Folder => exchange::fitted(from, form, Grid::THESIS, arguments.gap),
+        exchange::Form::Folder => exchange::fitted(&Disk, from, form, Grid::THESIS, arguments.gap),
         _ => Grid::THESIS,
     };
     let grid_or_fitted = grid.unwrap_or_else(fitted);
     let (mut hcbtf, notes) = output
         .watch("reading", |progress| {
-            exchange::import(from, form, grid_or_fitted, arguments.gap, progress)
+            exchange::import(&Disk, from, form, grid_or_fitted, arguments.gap, progress)
         })?
         .into_parts();
     output.diagnostics(&notes);

@@ -14,7 +14,7 @@ use clap::Subcommand;
 use super::output::Output;
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf};
-use crate::files::{OutputKind, Outputs};
+use crate::files::{Disk, OutputKind, Outputs};
 use chiaro_scene::hcbtf::{FilledSamples, fill::fill, load, write};
 
 const EXAMPLES: &str = "\
@@ -80,7 +80,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
 
 /// Reads a file and prints its warnings.
 fn open(path: &Path, output: &Output) -> Result<Hcbtf, Vec<Diagnostic>> {
-    let (hcbtf, notes) = load(path)?.into_parts();
+    let (hcbtf, notes) = load(&Disk, path)?.into_parts();
     output.diagnostics(&notes);
     Ok(hcbtf)
 }

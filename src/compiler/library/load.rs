@@ -10,12 +10,12 @@ use super::node::NodeDef;
 use super::read::{load_module, load_node, read_node, stem_and_folder};
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
-use crate::files::{self, Files, ReadError};
+use crate::files::{self, Files, ReadError, WalkBounds};
 use crate::milestones;
 use crate::wgsl::Source;
 
-/// Greatest depth of folders of a project's nodes; deeper than any category.
-const MAX_DEPTH: usize = 8;
+/// Bounds of the walk to a project's nodes: deeper than any category.
+const BOUNDS: WalkBounds = WalkBounds { depth: 8, entries: 20_000 };
 /// Greatest number of files of a project's nodes.
 const MAX_FILES: usize = 4096;
 /// Greatest size of a file of a project's nodes, in bytes.
@@ -186,7 +186,7 @@ pub struct NodeFiles {
 
 /// Finds a project's own nodes.
 pub fn node_files(files: &dyn Files, folder: &Path) -> NodeFiles {
-    let walked = files.walk(folder, MAX_DEPTH, &|_| true);
+    let walked = files.walk(folder, BOUNDS, &|_| true);
     let is_node = |path: &PathBuf| {
         path.extension().is_some_and(|ending| ending == "wgsl" || ending == "json")
     };

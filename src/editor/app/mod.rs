@@ -37,6 +37,7 @@ use crate::commands::{
     keyboard,
 };
 use crate::diag::has_errors;
+use crate::files::{Disk, SharedFiles};
 use crate::library::Library;
 use crate::milestones;
 use crate::painter::Painting;
@@ -94,6 +95,16 @@ impl App {
     /// Creates a window with a new look. `render_state` is the device to draw with, if there is
     /// one.
     pub fn new(ctx: &egui::Context, render_state: Option<eframe::egui_wgpu::RenderState>) -> Self {
+        Self::reading_from(Arc::new(Disk), ctx, render_state)
+    }
+
+    /// Creates a window with a new look, as [`new`](Self::new) does. What documents name is read
+    /// from `files`.
+    pub fn reading_from(
+        files: SharedFiles,
+        ctx: &egui::Context,
+        render_state: Option<eframe::egui_wgpu::RenderState>,
+    ) -> Self {
         theme::apply(ctx);
         ctx.set_theme(egui::ThemePreference::Dark);
         let waker = || {
@@ -101,7 +112,7 @@ impl App {
             move || ctx.request_repaint()
         };
         let library = Arc::new(Library::built_in().clone());
-        let session = Session::new(library, waker());
+        let session = Session::reading_from(files, library, waker());
         let crashes = || session.journals.crashes.clone();
         let picture = render_state.map(|state| Picture::new(state, crashes(), waker()));
         let bench = Workbench::new(picture, crashes(), waker());

@@ -156,7 +156,7 @@ impl App {
     /// Opens an HCBTF, in a look of its own where the open one does not show it; reports a failure.
     pub(super) fn open_painting(&mut self, path: &Path, keeps_look: bool) {
         let Some(_going) = self.begin_to_read(path) else { return };
-        match OpenPainting::open(path) {
+        match OpenPainting::open(&**self.session.assets.source(), path) {
             Ok(work) => {
                 let stays = keeps_look || self.session.shows_painting(path);
                 if self.begin_painting(work, stays) {

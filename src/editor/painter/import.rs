@@ -9,6 +9,7 @@ use super::grid::directions;
 use crate::commands::{Command, PaintCommand, PictureImport};
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Grid, Hcbtf};
+use crate::files::Disk;
 use crate::hcbtf::contact::MAX_GAP;
 use crate::hcbtf::exchange::{self, Form};
 use crate::progress::Progress;
@@ -26,10 +27,12 @@ impl PictureImport {
         progress: &Progress,
     ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
-        let grid = exchange::fitted(from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
-        let (hcbtf, notes) = exchange::import(from, form, grid, gap, progress)?.into_parts();
+        let grid =
+            exchange::fitted(&Disk, from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
+        let (hcbtf, notes) = exchange::import(&Disk, from, form, grid, gap, progress)?.into_parts();
         // Pictures that Chiaro wrote say themselves whether they repeat.
-        let is_tiling = if exchange::tells_all(from, form) { hcbtf.is_tiling } else { is_tiling };
+        let is_tiling =
+            if exchange::tells_all(&Disk, from, form) { hcbtf.is_tiling } else { is_tiling };
         Ok(Warned::new(Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }

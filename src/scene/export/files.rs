@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::File;
 use crate::diag::Diagnostic;
-use crate::files::{OutputKind, Outputs, read_text};
+use crate::files::{OutputKind, Outputs, make_folder, read_text};
 
 /// The first file in `folder` that an export must not overwrite: one that the export reads, or one
 /// that no export has written. `None` if the way is free.
@@ -77,7 +77,7 @@ pub fn write(
     folder: &Path,
     outputs: &mut Outputs,
 ) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
-    if let Err(error) = std::fs::create_dir_all(folder) {
+    if let Err(error) = make_folder(folder) {
         let problem =
             Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![

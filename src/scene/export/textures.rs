@@ -24,7 +24,8 @@ pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> Warned
                 let ending = Path::new(&image.path)
                     .extension()
                     .map_or("png".to_owned(), |it| it.to_string_lossy().into());
-                (image_bytes(folder, &image.path).map_err(|problem| vec![problem]), ending)
+                let bytes = image_bytes(&**assets.source(), folder, &image.path);
+                (bytes.map_err(|problem| vec![problem]), ending)
             }
             ImageShape::Hcbtf { has_levels, storage } => {
                 let options =

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use super::store::{AssetStore, FileStamp, HcbtfKey};
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
-use crate::files::{self, ReadError};
+use crate::files::{Files, ReadError, SharedFiles};
 use crate::geometry::{self, Mesh};
 use crate::hcbtf::{self, Coding, FilledSamples, LayerOptions, Layers, Region};
 use crate::progress::Progress;
@@ -108,8 +108,8 @@ pub struct Overlay {
 
 impl Overlay {
     /// True if a look that names `path` means this HCBTF.
-    fn is(&self, path: &Path) -> bool {
-        let real = |path: &Path| path.canonicalize().ok();
+    fn is(&self, path: &Path, files: &dyn Files) -> bool {
+        let real = |path: &Path| files.canonical(path);
         let is_it =
             |own: &Path| own == path || real(path).is_some_and(|found| Some(found) == real(own));
         path.ends_with(UNSAVED_HCBTF) || self.path.as_deref().is_some_and(is_it)
@@ -232,6 +232,11 @@ impl Assets {
         Self { store: store.clone(), ..Self::default() }
     }
 
+    /// Files that meshes, images, HCBTFs and documents are read from.
+    pub fn source(&self) -> &SharedFiles {
+        self.store.source()
+    }
+
     /// Shares everything that is read from now on with all users of the same store.
     pub fn share(&mut self, store: &AssetStore) {
         if !self.store.is_same(store) {
@@ -263,11 +268,12 @@ impl Assets {
         }
         let path = folder.join(name);
         let key = path.display().to_string();
-        let (stamp, round) = (stamp(&path), self.round);
+        let (stamp, round) = (self.source().metadata(&path), self.round);
         if let Some(known) = self.meshes.get_mut(&key).and_then(|used| used.at(stamp, round)) {
             return Ok(known);
         }
-        let warned = self.store.mesh(&key, stamp, || geometry::load(&path))?;
+        let read = || geometry::load(&**self.source(), &path);
+        let warned = self.store.mesh(&key, stamp, read)?;
         self.meshes.insert(key, UsedAsset { stamp, warned: warned.clone(), round });
         Ok(warned)
     }
@@ -309,11 +315,11 @@ impl Assets {
     /// The reason why the image cannot be used; the caller adds what names the image.
     pub fn image(&mut self, folder: &Path, path: &str) -> Result<Arc<Image>, Diagnostic> {
         let path = folder.join(path);
-        let (stamp, round) = (stamp(&path), self.round);
+        let (stamp, round) = (self.source().metadata(&path), self.round);
         if let Some(known) = self.images.get_mut(&path).and_then(|used| used.at(stamp, round)) {
             return Ok(known.value);
         }
-        let value = self.store.image(&path, stamp, || read_image(&path))?;
+        let value = self.store.image(&path, stamp, || read_image(&**self.source(), &path))?;
         self.images.insert(path, UsedAsset { stamp, warned: value.clone().into(), round });
         Ok(value)
     }
@@ -344,7 +350,8 @@ impl Assets {
         path: &Path,
         options: LayerOptions,
     ) -> Option<Result<Arc<Image>, Diagnostic>> {
-        let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path))?;
+        let files = &**self.store.source();
+        let overlay = self.overlay.as_ref().filter(|overlay| overlay.is(path, files))?;
         if let Some((before, image)) = self.baked.get_mut(&options)
             && (before.version == overlay.version || overlay.rebake(before, image, options))
         {
@@ -374,12 +381,13 @@ impl Assets {
         if let Some(image) = self.overlaid(&path, options) {
             return Ok(image.map_err(|problem| vec![problem])?.into());
         }
-        let (stamp, round) = (stamp(&path), self.round);
+        let (stamp, round) = (self.source().metadata(&path), self.round);
         let key = HcbtfKey { path, options, is_draft: self.drafts };
         if let Some(known) = self.hcbtfs.get_mut(&key).and_then(|used| used.at(stamp, round)) {
             return Ok(known);
         }
-        let warned = self.store.hcbtf(&key, stamp, || read_hcbtf(&key, &self.progress))?;
+        let read = || read_hcbtf(&**self.source(), &key, &self.progress);
+        let warned = self.store.hcbtf(&key, stamp, read)?;
         self.hcbtfs.insert(key, UsedAsset { stamp, warned: warned.clone(), round });
         Ok(warned)
     }
@@ -394,8 +402,12 @@ pub(super) fn plain_hcbtf(color: [u8; 4]) -> Image {
 }
 
 /// Reads an HCBTF and fills it by its rules.
-fn read_hcbtf(key: &HcbtfKey, progress: &Progress) -> Result<Warned<Image>, Vec<Diagnostic>> {
-    let (mut hcbtf, notes) = hcbtf::load(&key.path)?.into_parts();
+fn read_hcbtf(
+    files: &dyn Files,
+    key: &HcbtfKey,
+    progress: &Progress,
+) -> Result<Warned<Image>, Vec<Diagnostic>> {
+    let (mut hcbtf, notes) = hcbtf::load(files, &key.path)?.into_parts();
     if key.is_draft && hcbtf.painted.is_empty() {
         hcbtf.grid = drafted(hcbtf.grid);
     }
@@ -419,21 +431,16 @@ fn bake(hcbtf: &Hcbtf, options: LayerOptions, progress: &Progress) -> Result<Ima
     Ok(Image::new(hcbtf::stored(&hcbtf.grid, |address| filled.tile(address), options, progress)?))
 }
 
-fn stamp(path: &Path) -> FileStamp {
-    let data = std::fs::metadata(path).ok()?;
-    Some((data.modified().ok()?, data.len()))
-}
-
 /// The bytes of the image file at `path`, relative to `folder`, undecoded.
 ///
 /// # Errors
 /// The reason why the file cannot be read.
-pub fn image_bytes(folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
-    bytes_of(&folder.join(path))
+pub fn image_bytes(files: &dyn Files, folder: &Path, path: &str) -> Result<Vec<u8>, Diagnostic> {
+    bytes_of(files, &folder.join(path))
 }
 
-fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    files::read(path, MAX_IMAGE_BYTES).map_err(|error| {
+fn bytes_of(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+    files.read(path, MAX_IMAGE_BYTES).map_err(|error| {
         let name = path.display();
         let message = match error {
             ReadError::TooLarge { .. } => {
@@ -445,8 +452,8 @@ fn bytes_of(path: &Path) -> Result<Vec<u8>, Diagnostic> {
     })
 }
 
-fn read_image(path: &Path) -> Result<Image, Diagnostic> {
-    let bytes = bytes_of(path)
+fn read_image(files: &dyn Files, path: &Path) -> Result<Image, Diagnostic> {
+    let bytes = bytes_of(files, path)
         .map_err(|problem| problem.hint("paths of images are relative to the look's own file"))?;
     let name = path.display();
     let problem = |message: String| {

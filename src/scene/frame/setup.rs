@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 use super::assets::Assets;
 use crate::diag::{Diagnostic, Warned, has_errors};
 use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
-use crate::examples;
+use crate::files::Files;
 use crate::geometry::Mesh;
 use crate::ids::ObjectId;
 
@@ -135,7 +135,7 @@ pub fn open(
     assets: &mut Assets,
 ) -> Result<Warned<Setup>, Vec<Diagnostic>> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    match Document::load(&crate::files::Disk, path) {
+    match Document::load(&**assets.source(), path) {
         Document::Look(loaded) => {
             let mut problems = loaded.diagnostics.clone();
             let Some(look) = loaded.value.clone().filter(|_| !has_errors(&problems)) else {
@@ -207,7 +207,8 @@ pub fn scene_setup(
     assets: &mut Assets,
     problems: &mut Vec<Diagnostic>,
 ) -> Setup {
-    let mut looks = LookFiles { folder, found: Vec::new() };
+    let files = assets.source().clone();
+    let mut looks = LookFiles { files: &*files, folder, found: Vec::new() };
     let objects = place_objects(&scene, folder, source, mesh, assets, &mut looks, problems);
     let looks = looks.found.into_iter().map(|(_, look)| look).collect();
     Setup { scene, source: Some(source.clone().into()), looks, objects, edited: None }
@@ -368,20 +369,16 @@ fn material_problems(
     }
 }
 
-/// True if a path leads to a file, or names an example.
-fn is_there(path: &Path) -> bool {
-    path.is_file() || examples::file(path).is_some()
-}
-
 /// Looks read from files, by paths relative to a folder.
 struct LookFiles<'f> {
+    files: &'f dyn Files,
     folder: &'f Path,
     found: Vec<(PathBuf, SetupLook)>,
 }
 
 impl Wardrobe for LookFiles<'_> {
     fn has(&self, name: &str) -> bool {
-        is_there(&self.folder.join(name))
+        self.files.has_file(&self.folder.join(name))
     }
 
     fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize> {
@@ -389,11 +386,11 @@ impl Wardrobe for LookFiles<'_> {
         if let Some(index) = self.found.iter().position(|(known, _)| *known == path) {
             return Some(index);
         }
-        if !is_there(&path) {
+        if !self.files.has_file(&path) {
             // The error is reported with the object that names the look.
             return None;
         }
-        let loaded = Look::load(&crate::files::Disk, &path);
+        let loaded = Look::load(self.files, &path);
         problems.extend(loaded.diagnostics.iter().cloned());
         let look = loaded.value.clone()?;
         let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();

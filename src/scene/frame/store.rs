@@ -10,23 +10,24 @@ use std::hash::Hash;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
-use std::time::SystemTime;
 
 use super::assets::Image;
 use crate::diag::{Diagnostic, Warned};
+use crate::files::{Disk, FileMetadata, SharedFiles};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
 
-/// Identity of a file's state: the time of its last change, and its length. `None` where there is
-/// no file.
-pub(super) type FileStamp = Option<(SystemTime, u64)>;
+/// State of a file when it was read. `None` where there is no file.
+pub(super) type FileStamp = Option<FileMetadata>;
 
-/// Meshes, images and HCBTFs that some picture holds. Clones are handles to the same store.
+/// Meshes, images and HCBTFs that some picture holds, and the files that they are read from. Clones
+/// are handles to the same store.
 #[derive(Clone, Debug, Default)]
 pub struct AssetStore(Arc<Shelves>);
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Shelves {
+    files: SharedFiles,
     meshes: Shelf<String, Mesh>,
     images: Shelf<PathBuf, Image>,
     hcbtfs: Shelf<HcbtfKey, Image>,
@@ -42,10 +43,32 @@ pub(super) struct HcbtfKey {
     pub(super) is_draft: bool,
 }
 
+impl Default for Shelves {
+    fn default() -> Self {
+        Self {
+            files: Arc::new(Disk),
+            meshes: Shelf::default(),
+            images: Shelf::default(),
+            hcbtfs: Shelf::default(),
+            reads: AtomicU64::new(0),
+        }
+    }
+}
+
 impl AssetStore {
-    /// An empty store.
+    /// An empty store of files of the disk.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty store of `files`.
+    pub fn reading_from(files: SharedFiles) -> Self {
+        Self(Arc::new(Shelves { files, ..Shelves::default() }))
+    }
+
+    /// Files that meshes, images, HCBTFs and documents of the store are read from.
+    pub fn source(&self) -> &SharedFiles {
+        &self.0.files
     }
 
     /// True if both are handles to the same store.
@@ -166,7 +189,10 @@ fn is_held<T>(slot: &Slot<T>) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::time::SystemTime;
+
     use super::*;
+    use crate::files::FileKind;
 
     fn get(shelf: &Shelf<&'static str, u32>, stamp: FileStamp, value: u32) -> Warned<Arc<u32>> {
         let note = Diagnostic::note("odd", "it is odd");
@@ -180,7 +206,8 @@ mod tests {
         let second = get(&shelf, None, 2);
         assert!(Arc::ptr_eq(&first.value, &second.value) && second.warnings.len() == 1);
         // Another file lies there now.
-        let changed = get(&shelf, Some((SystemTime::UNIX_EPOCH, 3)), 3);
+        let (kind, modified) = (FileKind::Plain, SystemTime::UNIX_EPOCH);
+        let changed = get(&shelf, Some(FileMetadata { kind, modified, length: 3 }), 3);
         assert_eq!((*changed.value, *first.value, shelf.len()), (3, 1, 1));
         drop((first, second, changed));
         assert_eq!(shelf.len(), 0, "nobody holds it any more");

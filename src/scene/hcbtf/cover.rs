@@ -4,11 +4,11 @@
 use std::path::Path;
 
 use super::archive::Archive;
-use super::file::read_bytes;
 use super::manifest::{self, MAX_MANIFEST_BYTES, NAME, THUMBNAIL};
 use super::picture::{MAX_PNG_EXTRAS, Picture, decode};
 use super::report::Report;
 use crate::document::Grid;
+use crate::files::Files;
 
 /// Greatest size of a file that is read for its cover, in bytes: many covers may be asked for at
 /// once.
@@ -29,11 +29,8 @@ pub struct Cover {
 
 /// The cover of the `.hcbtf` file at `path`; `None` if the file is not an `.hcbtf`, is damaged, or
 /// is larger than 64 MiB.
-pub fn cover(path: &Path) -> Option<Cover> {
-    if std::fs::metadata(path).is_ok_and(|file| file.len() > MOST_BYTES) {
-        return None;
-    }
-    let bytes = read_bytes(path).ok()?;
+pub fn cover(files: &dyn Files, path: &Path) -> Option<Cover> {
+    let bytes = files.read(path, MOST_BYTES).ok()?;
     let mut archive = Archive::open(&bytes).ok()?;
     let text = archive.read(NAME, MAX_MANIFEST_BYTES).ok()?;
     let mut report = Report::new("");
@@ -55,6 +52,7 @@ mod tests {
 
     use super::*;
     use crate::document::{Address, Directions, Hcbtf, Tile};
+    use crate::files::Disk;
     use crate::hcbtf::write;
 
     #[test]
@@ -69,14 +67,14 @@ mod tests {
         let bytes = write(&hcbtf).unwrap();
         let path = folder.path().join("a.hcbtf");
         std::fs::write(&path, &bytes).unwrap();
-        let found = cover(&path).unwrap();
+        let found = cover(&Disk, &path).unwrap();
         assert_eq!((found.grid, found.painted), (grid, 1));
         let picture = found.picture.unwrap();
         assert_eq!(picture.size[0], 2 * picture.size[1], "as wide as the tile is for its height");
         assert!(picture.rgba.chunks(4).all(|texel| texel == [9, 80, 200, 255]));
         std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
-        assert_eq!(cover(&path), None);
-        assert_eq!(cover(&folder.path().join("none.hcbtf")), None);
-        assert!(cover(Path::new("example:hcbtf/pencil.hcbtf")).is_some());
+        assert_eq!(cover(&Disk, &path), None);
+        assert_eq!(cover(&Disk, &folder.path().join("none.hcbtf")), None);
+        assert!(cover(&Disk, Path::new("example:hcbtf/pencil.hcbtf")).is_some());
     }
 }

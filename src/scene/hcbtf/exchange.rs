@@ -1,6 +1,7 @@
 //! Exchange of HCBTFs with other programs: one import and one export for the command line and the
 //! window.
 
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use super::blocks::{Loss, loss};
@@ -10,7 +11,7 @@ use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Grid, Hcbtf, Storage};
 use crate::figures::{bytes, count};
-use crate::files::{FileSet, write_atomic};
+use crate::files::{Disk, FileKind, FileSet, Files, make_folder, write_atomic};
 use crate::progress::Progress;
 
 /// Form of samples in other programs' files.
@@ -32,10 +33,11 @@ impl Form {
 
     /// The form that is assumed for a path if none is given: a folder for a folder, a KTX2 file for
     /// a texture, a sheet for anything else.
-    pub fn guessed(path: &Path) -> Self {
+    pub fn guessed(files: &dyn Files, path: &Path) -> Self {
+        let is_folder = files.metadata(path).is_some_and(|found| found.kind == FileKind::Folder);
         let is_ktx2 = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
         match is_ktx2 {
-            _ if path.is_dir() => Self::Folder,
+            _ if is_folder => Self::Folder,
             true => Self::Ktx2,
             false => Self::Sheet,
         }
@@ -45,17 +47,20 @@ impl Form {
 /// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between
 /// tiles on a contact sheet. A folder that Chiaro wrote contains its whole grid. Where the size
 /// cannot be determined the grid is returned unchanged, and importing reports the error.
-pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
-    let size_of =
-        |path: &Path| image::image_dimensions(path).ok().map(|(width, height)| [width, height]);
+pub fn fitted(files: &dyn Files, from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
+    let size_of = |path: &Path| {
+        let reader = image::ImageReader::new(Cursor::new(read_bytes(files, path).ok()?));
+        let (width, height) = reader.with_guessed_format().ok()?.into_dimensions().ok()?;
+        Some([width, height])
+    };
     let per =
         |side: u32, count: u64| u32::try_from(u64::from(side) / count.max(1)).unwrap_or(u32::MAX);
     let (light, view) = (grid.light, grid.view);
-    if let Some(told) = Some(from).filter(|_| form == Form::Folder).and_then(folder::told_grid) {
+    if let Some(told) = told_grid(files, from, form) {
         return told;
     }
     let size = match form {
-        Form::Folder => first_image(from).and_then(|path| size_of(&path)),
+        Form::Folder => folder::first_image(files, from).and_then(|path| size_of(&path)),
         Form::Contact => size_of(from).map(|[width, height]| {
             let side = |side: u32, count| per(side.saturating_add(gap), count).saturating_sub(gap);
             [side(width, view.distinct_count()), side(height, light.distinct_count())]
@@ -73,16 +78,12 @@ pub fn fitted(from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
 
 /// True if the files at `from` contain the grid, the rules and the tiling: a folder that Chiaro
 /// wrote.
-pub fn tells_all(from: &Path, form: Form) -> bool {
-    form == Form::Folder && folder::told_grid(from).is_some()
+pub fn tells_all(files: &dyn Files, from: &Path, form: Form) -> bool {
+    told_grid(files, from, form).is_some()
 }
 
-/// The first PNG of a folder by name.
-fn first_image(folder: &Path) -> Option<PathBuf> {
-    let files = std::fs::read_dir(folder).ok()?.flatten().map(|entry| entry.path());
-    files
-        .filter(|path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")))
-        .min()
+fn told_grid(files: &dyn Files, from: &Path, form: Form) -> Option<Grid> {
+    if form == Form::Folder { folder::told_grid(files, from) } else { None }
 }
 
 /// An HCBTF from files of other programs, with warnings about them. `gap` is between the tiles of a
@@ -92,6 +93,7 @@ fn first_image(folder: &Path) -> Option<PathBuf> {
 /// # Errors
 /// All errors that keep the files from being used, and where the work is stopped.
 pub fn import(
+    files: &dyn Files,
     from: &Path,
     form: Form,
     grid: Grid,
@@ -99,9 +101,9 @@ pub fn import(
     progress: &Progress,
 ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let name = from.display().to_string();
-    let bytes = || read_bytes(from).map_err(|problem| vec![*problem]);
+    let bytes = || read_bytes(files, from).map_err(|problem| vec![*problem]);
     match form {
-        Form::Folder => folder::load(from, grid, progress),
+        Form::Folder => folder::load(files, from, grid, progress),
         Form::Sheet => sheet::read(&bytes()?, grid, &name, progress),
         Form::Contact => contact::read(&bytes()?, grid, gap, &name, progress),
         Form::Ktx2 => {
@@ -158,8 +160,8 @@ pub fn export(
 /// earlier export in a folder.
 pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
     match form {
-        Form::Folder => folder::exported(path),
-        _ if path.exists() => vec![path.to_path_buf()],
+        Form::Folder => folder::exported(&Disk, path),
+        _ if Disk.metadata(path).is_some() => vec![path.to_path_buf()],
         _ => Vec::new(),
     }
 }
@@ -202,7 +204,7 @@ fn export_folder(
     path: &Path,
     progress: &Progress,
 ) -> Result<String, Vec<Diagnostic>> {
-    if let Err(error) = std::fs::create_dir_all(path) {
+    if let Err(error) = make_folder(path) {
         let problem =
             Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
         return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
@@ -221,7 +223,7 @@ fn export_folder(
         progress.add(1);
     }
     set.add(&path.join(name), listing.as_bytes()).map_err(alone)?;
-    folder::exported(path).into_iter().for_each(|old| set.remove(old));
+    folder::exported(&Disk, path).into_iter().for_each(|old| set.remove(old));
     set.commit().map_err(alone)?;
     Ok(format!("{}, and {name}, which tells the grid and the rules", count(written, "image")))
 }
@@ -256,23 +258,24 @@ mod tests {
             export(&filled, form, Manner { gap, ..Manner::default() }, &path, &Progress::new())
                 .unwrap();
             let unknown = Grid { size: [1, 1], ..grid };
-            let found = fitted(&path, form, unknown, gap);
+            let found = fitted(&Disk, &path, form, unknown, gap);
             assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
             let progress = Progress::new();
-            let (back, notes) = import(&path, form, found, gap, &progress).unwrap().into_parts();
+            let (back, notes) =
+                import(&Disk, &path, form, found, gap, &progress).unwrap().into_parts();
             assert_eq!(progress.share(), 1.0, "{form:?}");
             let stopped = Progress::new();
             stopped.stop();
             assert_eq!(
-                import(&path, form, found, gap, &stopped).unwrap_err()[0].code,
+                import(&Disk, &path, form, found, gap, &stopped).unwrap_err()[0].code,
                 "stopped",
                 "{form:?}"
             );
             assert!(notes.is_empty() && back.painted == hcbtf.painted, "{form:?}");
             assert_eq!(back.painted(Address::default()), hcbtf.painted(Address::default()));
         }
-        assert_eq!(Form::guessed(&folder.path().join("c.KTX2")), Form::Ktx2);
-        assert_eq!(Form::guessed(folder.path()), Form::Folder);
-        assert_eq!(fitted(Path::new("nowhere"), Form::Sheet, grid, 0), grid);
+        assert_eq!(Form::guessed(&Disk, &folder.path().join("c.KTX2")), Form::Ktx2);
+        assert_eq!(Form::guessed(&Disk, folder.path()), Form::Folder);
+        assert_eq!(fitted(&Disk, Path::new("nowhere"), Form::Sheet, grid, 0), grid);
     }
 }

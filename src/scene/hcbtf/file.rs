@@ -18,7 +18,7 @@ use super::report::Report;
 use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Hcbtf, Rule, Tile};
-use crate::files::{self, ReadError};
+use crate::files::{Files, ReadError};
 
 /// Longer side of a thumbnail, in texels.
 const THUMBNAIL_SIDE: u32 = 256;
@@ -27,8 +27,8 @@ const THUMBNAIL_SIDE: u32 = 256;
 ///
 /// # Errors
 /// As [`read`], and where the file cannot be read.
-pub fn load(path: &Path) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
-    let bytes = read_bytes(path).map_err(|problem| vec![*problem])?;
+pub fn load(files: &dyn Files, path: &Path) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+    let bytes = read_bytes(files, path).map_err(|problem| vec![*problem])?;
     read(&bytes, &path.display().to_string())
 }
 
@@ -37,17 +37,17 @@ pub fn load(path: &Path) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
 ///
 /// # Errors
 /// The reason why the file cannot be read, with its name.
-pub fn read_bytes(path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
+pub fn read_bytes(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Box<Diagnostic>> {
     let fail = |code, message: String, hint: &str| {
         Box::new(Diagnostic::error(code, message).in_file(path.display().to_string()).hint(hint))
     };
-    files::read(path, MAX_FILE_BYTES).map_err(|error| match error {
+    files.read(path, MAX_FILE_BYTES).map_err(|error| match error {
         ReadError::TooLarge { .. } => {
             let message = format!("the file is larger than {} MiB", MAX_FILE_BYTES >> 20);
             fail("too-large", message, "take a coarser grid, or fill by rules what is painted now")
         }
         error => {
-            let hint = if path.exists() {
+            let hint = if files.metadata(path).is_some() {
                 "name a file that you may read"
             } else {
                 "check the spelling and the folder"

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::file::{idle_rules, read_bytes, tile};
-use super::fill::{FilledSamples, SampleChoice};
+use super::fill::{FilledSamples, MAX_SAMPLES, SampleChoice};
 use super::listing::{self, Listing};
 use super::picture::encode;
 use super::report::Report;
@@ -22,6 +22,7 @@ use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
 use crate::figures::count;
+use crate::files::{Files, WalkBounds};
 use crate::progress::Progress;
 
 /// The name of the file of a sample's image.
@@ -54,28 +55,38 @@ fn number(name: &str) -> Option<u64> {
     stem.get(digits..)?.parse().ok()
 }
 
+/// Bounds of looking at a folder: entries for all samples that rules fill, and as many others.
+const BOUNDS: WalkBounds = WalkBounds { depth: 0, entries: 2 * MAX_SAMPLES as usize };
+
 /// Reads a folder; files other than PNGs and `hcbtf.json`, and folders in it, are ignored. The grid
 /// in an `hcbtf.json` takes precedence over `grid`.
 ///
 /// # Errors
 /// As [`import`], and where the folder cannot be read.
 pub fn load(
+    files: &dyn Files,
     folder: &Path,
     grid: Grid,
     progress: &Progress,
 ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
     let name = folder.display().to_string();
-    let entries = std::fs::read_dir(folder).map_err(|error| {
+    let found = files.walk(folder, BOUNDS, &|_| false);
+    if let Some((_, error)) = found.unreadable.first() {
         let problem =
             Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
-        vec![problem.in_file(name.as_str()).hint("check the spelling, and whether you may read it")]
-    })?;
-    let files = entries.flatten().filter(|entry| entry.path().is_file());
-    let names: Vec<String> =
-        files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+        let hint = "check the spelling, and whether you may read it";
+        return Err(vec![problem.in_file(name).hint(hint)]);
+    }
+    if found.is_cut {
+        let message = format!("the folder holds more than {} entries", BOUNDS.entries);
+        let problem = Diagnostic::error("too-large", message);
+        return Err(vec![problem.in_file(name).hint("name a folder that holds the images alone")]);
+    }
+    let plain = found.files.iter().filter(|path| files.has_file(path));
+    let names = plain.filter_map(|path| Some(path.file_name()?.to_str()?.to_owned())).collect();
     import(
         names,
-        &|file| read_bytes(&folder.join(file)).map_err(|problem| problem.message),
+        &|file| read_bytes(files, &folder.join(file)).map_err(|problem| problem.message),
         grid,
         &name,
         progress,
@@ -83,8 +94,8 @@ pub fn load(
 }
 
 /// The grid in the `hcbtf.json` of a folder, if there is one.
-pub(super) fn told_grid(folder: &Path) -> Option<Grid> {
-    let bytes = read_bytes(&folder.join(listing::NAME)).ok()?;
+pub(super) fn told_grid(files: &dyn Files, folder: &Path) -> Option<Grid> {
+    let bytes = read_bytes(files, &folder.join(listing::NAME)).ok()?;
     listed(&bytes, &mut Report::new("")).map(|listing| listing.grid)
 }
 
@@ -318,14 +329,19 @@ pub fn listing(
 
 /// The paths of an earlier export's files in a folder: its `hcbtf.json`, and images that are named
 /// as samples.
-pub(super) fn exported(folder: &Path) -> Vec<PathBuf> {
-    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+pub(super) fn exported(files: &dyn Files, folder: &Path) -> Vec<PathBuf> {
     let is_ours = |name: &str| name == listing::NAME || parse_name(name).is_some();
-    let ours = entries.flatten().filter(|entry| entry.file_name().to_str().is_some_and(is_ours));
-    let mut paths: Vec<PathBuf> =
-        ours.map(|entry| entry.path()).filter(|path| path.is_file()).collect();
-    paths.sort();
-    paths
+    let is_ours = |path: &PathBuf| {
+        path.file_name().and_then(|name| name.to_str()).is_some_and(is_ours) && files.has_file(path)
+    };
+    files.walk(folder, BOUNDS, &|_| false).files.into_iter().filter(is_ours).collect()
+}
+
+/// The first PNG of a folder by name.
+pub(super) fn first_image(files: &dyn Files, folder: &Path) -> Option<PathBuf> {
+    let is_png =
+        |path: &PathBuf| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    files.walk(folder, BOUNDS, &|_| false).files.into_iter().find(is_png)
 }
 
 /// The name and the PNG of each sample, made one at a time.

@@ -98,6 +98,15 @@ pub(crate) fn crate_paths(text: &str, name: &str) -> Vec<Found> {
     found
 }
 
+/// Every word in `text` outside of comments and strings, with its line.
+pub(crate) fn words(text: &str) -> Vec<(String, usize)> {
+    let word = |token: Token| match token.kind {
+        Kind::Word(word) => Some((word, token.line)),
+        _ => None,
+    };
+    tokens(text).into_iter().filter_map(word).collect()
+}
+
 /// True if the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
 fn continues_path(tokens: &[Token], at: usize) -> bool {
     let separated = at >= 1 && tokens[at - 1].kind == Kind::Separator;

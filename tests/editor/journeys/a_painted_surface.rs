@@ -77,7 +77,11 @@ fn a_surface_is_painted_from_nothing() {
     artist.key_with(Modifiers::COMMAND, Key::S);
     artist.settle();
     let was = painted(&artist).clone();
-    assert_eq!(chiaro::hcbtf::load(&path).unwrap().value, was, "the file holds what was painted");
+    assert_eq!(
+        chiaro::hcbtf::load(&chiaro::files::Disk, &path).unwrap().value,
+        was,
+        "the file holds what was painted"
+    );
     artist.choose("On", "Sphere");
     let wgsl = studio.finish(artist, "meadow.json");
     assert!(wgsl.contains("texture_2d_array"), "what was painted is looked up");
@@ -101,7 +105,7 @@ fn a_surface_is_painted_from_nothing() {
     flood(&mut artist, "#141218");
     artist.key_with(Modifiers::COMMAND, Key::S);
     artist.settle();
-    let again = chiaro::hcbtf::load(&path).unwrap().value;
+    let again = chiaro::hcbtf::load(&chiaro::files::Disk, &path).unwrap().value;
     assert_eq!((again.painted.len(), again.painted(low)), (4, was.painted(low)));
     assert!(!Arc::ptr_eq(again.painted(to).unwrap(), again.painted(low).unwrap()));
 }

@@ -80,7 +80,7 @@ fn a_tile_is_painted_without_a_seam() {
     artist.app_mut().answer_dialog(&path);
     artist.key_with(Modifiers::COMMAND, Key::S);
     artist.settle();
-    let saved = chiaro::hcbtf::load(&path).unwrap().value;
+    let saved = chiaro::hcbtf::load(&chiaro::files::Disk, &path).unwrap().value;
     assert!(
         saved.is_tiling && saved.painted(Address::default()).unwrap().bytes() == striped.bytes()
     );

@@ -78,7 +78,7 @@ fn painted_pictures_become_a_shader() {
     artist.app_mut().answer_dialog(&path);
     artist.key_with(Modifiers::COMMAND, Key::S);
     artist.settle();
-    assert_eq!(chiaro::hcbtf::load(&path).unwrap().value.painted.len(), 4);
+    assert_eq!(chiaro::hcbtf::load(&chiaro::files::Disk, &path).unwrap().value.painted.len(), 4);
 
     // The look is saved, and exported as WGSL from the menu.
     artist.choose("On", "Sphere");

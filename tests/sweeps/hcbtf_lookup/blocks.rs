@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use chiaro::document::{Grid, Hcbtf, Storage, Tile};
+use chiaro::files::Disk;
 use chiaro::frame::{Assets, EvalSample, PlanOptions, Planner};
 use chiaro::hcbtf::fill::fill;
 use chiaro::hcbtf::{LayerOptions, Layers, from_layers, load, loss, stored};
@@ -132,7 +133,7 @@ fn a_device_without_blocks_says_so_once_and_draws_the_same() {
 fn the_examples_lose_little() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/hcbtf");
     for name in ["pencil", "halftone"] {
-        let hcbtf = load(&folder.join(format!("{name}.hcbtf"))).unwrap().value;
+        let hcbtf = load(&Disk, &folder.join(format!("{name}.hcbtf"))).unwrap().value;
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let found = loss(&hcbtf.grid, |address| filled.tile(address), &blocks_of(&hcbtf));
         println!("{name}: {found:?}");

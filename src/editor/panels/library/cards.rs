@@ -129,7 +129,7 @@ impl Card {
         }
         let _going = crashes.begin(Step::Read, || DocumentOrigin::of_file(path));
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
-            let content = cover(path).map_or(Content::Unreadable, |cover| {
+            let content = cover(&crate::files::Disk, path).map_or(Content::Unreadable, |cover| {
                 Content::Painting(Box::new(Painting::of(cover)))
             });
             return Self { origin, name: name_of(path), content, key: 0, side };

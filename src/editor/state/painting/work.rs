@@ -11,7 +11,7 @@ use serde_json::{Value as Json, json};
 use super::home::Home;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile};
-use crate::files::write_atomic;
+use crate::files::{Files, write_atomic};
 use crate::frame::Overlay;
 use crate::hcbtf::{self, FilledSamples, Provenance};
 use crate::state::document::{FileDocument, OnDisk, OpenDocument};
@@ -169,8 +169,8 @@ impl OpenPainting {
     ///
     /// # Errors
     /// Problems that keep the file from being used.
-    pub(crate) fn open(path: &Path) -> Result<Self, Vec<Diagnostic>> {
-        let (hcbtf, notes) = hcbtf::load(path)?.into_parts();
+    pub(crate) fn open(files: &dyn Files, path: &Path) -> Result<Self, Vec<Diagnostic>> {
+        let (hcbtf, notes) = hcbtf::load(files, path)?.into_parts();
         if crate::examples::file(path).is_some() {
             let name = path.file_stem().unwrap_or_default().to_string_lossy();
             let (title, example) = (format!("{name}{COPY}"), Some(path.to_owned()));
@@ -210,11 +210,11 @@ impl OpenPainting {
     ///
     /// # Errors
     /// Problems that keep the file from being read; nothing is changed then.
-    pub(crate) fn reload(&mut self, now: u64) -> Result<bool, Vec<Diagnostic>> {
+    pub(crate) fn reload(&mut self, files: &dyn Files, now: u64) -> Result<bool, Vec<Diagnostic>> {
         let Some(path) = self.document.path.clone() else { return Ok(false) };
         // The stamp is taken before reading: a change in between is noticed the next time.
         let read = FileStamp::of(&path);
-        let (hcbtf, notes) = hcbtf::load(&path)?.into_parts();
+        let (hcbtf, notes) = hcbtf::load(files, &path)?.into_parts();
         let is_other = hcbtf != *self.hcbtf();
         if is_other {
             let change = HcbtfEdit::Replace { hcbtf: Box::new(hcbtf) };

@@ -1,25 +1,23 @@
 //! Files that the look and the scene around it depend on, changed by other programs: their own, the
 //! project's nodes, the scene's other looks, meshes and images, and the painting.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 use super::watch::{Watch, Watched};
 use crate::compile::CompiledShader;
+use crate::files::FileMetadata;
 use crate::frame::SHAPE_PREFIX;
-use crate::library::node_files;
 use crate::state::document::OnDisk;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::{DocumentNumber, PictureRevision};
 use crate::state::scene::OpenScene;
-use crate::state::session::Session;
+use crate::state::session::{NodeFiles, Session};
 
 /// Pause after a change before files are read, since the writer may not be done; in seconds.
 const CALM: f64 = 0.15;
-
-type Stamp = Option<(SystemTime, u64)>;
 
 /// Conflict with another program's change of the look's own file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -78,8 +76,8 @@ pub(crate) struct Disk {
     look: Option<PathBuf>,
     /// Folders of the project's nodes, of the look's and of the scene's.
     nodes: Vec<PathBuf>,
-    project_nodes: ProjectNodes,
-    assets: BTreeMap<PathBuf, Stamp>,
+    project_nodes: Arc<NodeFiles>,
+    assets: BTreeMap<PathBuf, Option<FileMetadata>>,
     /// Time of the next check, in seconds of the window's clock.
     due: Option<f64>,
     /// Conflict of the look's file, for the user to decide.
@@ -101,7 +99,7 @@ impl Disk {
             is_new: true,
             look: None,
             nodes: Vec::new(),
-            project_nodes: ProjectNodes::default(),
+            project_nodes: Arc::default(),
             assets: BTreeMap::new(),
             due: None,
             conflict: None,
@@ -118,9 +116,26 @@ impl Disk {
         now: f64,
         came_back: bool,
     ) -> (Option<String>, Option<Duration>) {
+        let (told, again) = self.look_at_files(session, now, came_back);
+        let has_changed = std::mem::take(&mut session.project.has_changed);
+        let of_nodes = || has_changed.then(|| "The project's nodes were loaded again".to_owned());
+        (told.or_else(of_nodes), again)
+    }
+
+    fn look_at_files(
+        &mut self,
+        session: &mut Session,
+        now: f64,
+        came_back: bool,
+    ) -> (Option<String>, Option<Duration>) {
         if (self.is_new || !self.of.is(session)) && self.use_of(session) {
             // Recovered work may be older than its file.
             self.due = Some(now);
+        }
+        if !Arc::ptr_eq(&self.project_nodes, &session.project.files) {
+            self.project_nodes = session.project.files.clone();
+            // A new folder is watched from now on.
+            self.watch.renew(absolute(&self.project_nodes.folders));
         }
         if self.watch.take() {
             self.due = Some(now + CALM);
@@ -161,15 +176,8 @@ impl Disk {
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
         }
-        let nodes: Vec<PathBuf> = session
-            .node_folders()
-            .iter()
-            .filter_map(|folder| std::path::absolute(folder).ok())
-            .collect();
-        if is_other || self.nodes != nodes {
-            self.nodes = nodes;
-            self.project_nodes = ProjectNodes::below(&self.nodes);
-        }
+        self.nodes = absolute(&session.node_folders());
+        self.project_nodes = session.project.files.clone();
         let folder = session.folder();
         let images = session
             .baked()
@@ -183,16 +191,17 @@ impl Disk {
             images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
         let known = std::mem::take(&mut self.assets);
-        self.assets = paths
-            .map(|path| (path.clone(), known.get(&path).copied().unwrap_or_else(|| stamp(&path))))
-            .collect();
+        let disk = session.assets.source();
+        let state =
+            |path: &PathBuf| known.get(path).copied().unwrap_or_else(|| disk.metadata(path));
+        self.assets = paths.map(|path| (path.clone(), state(&path))).collect();
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
         let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
         let painting = self.of.painting.clone();
         let files = self.assets.keys().cloned().chain(self.look.clone());
         let files = files.chain(links).chain(scene).chain(painting).collect();
         let folders = self.nodes.iter().cloned().collect();
-        let below = self.project_nodes.folders.clone();
+        let below = absolute(&self.project_nodes.folders);
         self.watch.set(Watched { files, folders, below });
         is_other
     }
@@ -210,20 +219,10 @@ impl Disk {
         let mut told = self.check_look(session).or_else(|| self.check_scene(session));
         let of_painting = self.check_painting(session);
         told = told.or(of_painting);
-        let nodes = ProjectNodes::below(&self.nodes);
-        let is_changed = nodes.stamps != self.project_nodes.stamps;
-        if is_changed || nodes.folders != self.project_nodes.folders {
-            // A new folder is watched from now on.
-            self.watch.renew(nodes.folders.clone());
-        }
-        self.project_nodes = nodes;
-        if is_changed {
-            session.reload_library();
-            told = told.or_else(|| Some("The project's nodes were loaded again".to_owned()));
-        }
+        session.check_nodes();
         let mut changed = None;
         for (path, old) in &mut self.assets {
-            let new = stamp(path);
+            let new = session.assets.source().metadata(path);
             if *old != new {
                 *old = new;
                 changed = path.file_name().map(|name| name.to_string_lossy().into_owned());
@@ -314,25 +313,7 @@ impl Disk {
     }
 }
 
-fn stamp(path: &Path) -> Stamp {
-    let data = std::fs::metadata(path).ok()?;
-    Some((data.modified().ok()?, data.len()))
-}
-
-/// Files of a project's nodes with their stamps, and the folders that they lie in.
-#[derive(Debug, Default, PartialEq, Eq)]
-struct ProjectNodes {
-    stamps: BTreeMap<PathBuf, Stamp>,
-    folders: BTreeSet<PathBuf>,
-}
-
-impl ProjectNodes {
-    fn below(roots: &[PathBuf]) -> Self {
-        let mut nodes = Self::default();
-        for found in roots.iter().map(|root| node_files(&crate::files::Disk, root)) {
-            nodes.stamps.extend(found.files.into_iter().map(|path| (path.clone(), stamp(&path))));
-            nodes.folders.extend(found.folders);
-        }
-        nodes
-    }
+/// The paths from the root of the disk, as the system's notes have them.
+fn absolute<'p, P: FromIterator<PathBuf>>(paths: impl IntoIterator<Item = &'p PathBuf>) -> P {
+    paths.into_iter().filter_map(|path| std::path::absolute(path).ok()).collect()
 }

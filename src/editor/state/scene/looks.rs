@@ -4,13 +4,12 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::SystemTime;
 
 use crate::catalog::Catalog;
 use crate::compile::{TypedGraph, TypedSource, check};
 use crate::diag::{Diagnostic, Warned, has_errors};
-use crate::document::{Look, Value};
-use crate::examples;
+use crate::document::{Loaded, Look, Value};
+use crate::files::{FileKind, FileMetadata, Files};
 use crate::frame::SetupLook;
 use crate::library::{Library, Type};
 use crate::state::reading::{Parameter, Reading};
@@ -24,7 +23,7 @@ pub(super) struct Looks {
 }
 
 struct LookFile {
-    stamp: Option<(SystemTime, u64)>,
+    stamp: Option<FileMetadata>,
     /// The look; `None` where it could never be read.
     look: Option<Arc<ClosedLook>>,
     problems: Vec<Diagnostic>,
@@ -46,6 +45,7 @@ impl Looks {
         &mut self,
         files: impl Iterator<Item = &'p PathBuf>,
         library: &Arc<Library>,
+        from: &dyn Files,
     ) {
         let has_same_nodes = self.library.as_ref().is_some_and(|known| Arc::ptr_eq(known, library));
         self.library = Some(library.clone());
@@ -55,12 +55,14 @@ impl Looks {
             if self.known.contains_key(file) {
                 continue;
             }
-            let stamp = stamp(file);
+            let stamp = from.metadata(file).filter(|found| found.kind == FileKind::Plain);
             let known = match old.remove(file) {
                 Some(known) if known.stamp == stamp && has_same_nodes => known,
                 _ if stamp.is_none() => continue,
                 known => {
-                    read(file, stamp, known.and_then(|known| known.look), library, &mut catalog)
+                    let before = known.and_then(|known| known.look);
+                    let loaded = Look::load(from, file);
+                    read(file, stamp, loaded, before, library, &mut catalog)
                 }
             };
             self.known.insert(file.clone(), known);
@@ -77,26 +79,16 @@ impl Looks {
     }
 }
 
-/// Time of a file's last change, and its length in bytes; `None` where there is no file.
-fn stamp(file: &Path) -> Option<(SystemTime, u64)> {
-    // Examples never change.
-    if let Some(bytes) = examples::file(file) {
-        return Some((SystemTime::UNIX_EPOCH, bytes.len() as u64));
-    }
-    let data = std::fs::metadata(file).ok().filter(std::fs::Metadata::is_file)?;
-    Some((data.modified().ok()?, data.len()))
-}
-
-/// Reads a look; `before` is shown where it is broken now. `catalog` is of the library, made at the
+/// The look that was `loaded` from a file; `before` is shown where it is broken now. `catalog` is of the library, made at the
 /// first need.
 fn read(
     file: &Path,
-    stamp: Option<(SystemTime, u64)>,
+    stamp: Option<FileMetadata>,
+    loaded: Loaded<Look>,
     before: Option<Arc<ClosedLook>>,
     library: &Library,
     catalog: &mut Option<Catalog>,
 ) -> LookFile {
-    let loaded = Look::load(&crate::files::Disk, file);
     let mut problems = loaded.diagnostics;
     let folder = file.parent().map(Path::to_path_buf).unwrap_or_default();
     let look = loaded.value.filter(|_| !has_errors(&problems));

@@ -15,6 +15,7 @@ use serde_json::json;
 
 use crate::diag::Diagnostic;
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
+use crate::files::Files;
 use crate::files::journal::{About, Recovered, Slot};
 use crate::frame::SetupLook;
 use crate::ids::ObjectId;
@@ -168,6 +169,7 @@ impl OpenScene {
         &mut self,
         open: Option<&Path>,
         library: &Arc<Library>,
+        files: &dyn Files,
         version: PictureRevision,
     ) {
         let scene = self.document.history.document();
@@ -187,7 +189,7 @@ impl OpenScene {
                 others.insert(name.to_owned(), path);
             }
         }
-        self.looks.refresh(others.values(), library);
+        self.looks.refresh(others.values(), library, files);
         let find = |(name, path): (String, PathBuf)| Some((name, self.looks.get(&path)?));
         self.closed = others.into_iter().filter_map(find).collect();
         let setup =

@@ -3,6 +3,7 @@
 
 mod holding;
 mod keeping;
+mod nodes;
 mod painting;
 mod parts;
 mod place;
@@ -21,7 +22,7 @@ use crate::diag::Diagnostic;
 use crate::document::{
     DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
 };
-use crate::files::write_atomic;
+use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
 use crate::ids::{LightId, NodeId};
 use crate::library::{Fallback, Library};
@@ -35,6 +36,7 @@ use crate::state::safety::crashes::CrashLog;
 use crate::state::scene::OpenScene;
 use crate::state::solo::Solo;
 use crate::state::wire::ShownWire;
+pub(crate) use nodes::NodeFiles;
 use parts::{Compilation, Journals, Project, Revisions, Selection, Sketchbook, ViewState};
 pub(crate) use shading::DrawableLook;
 use shading::ShaderCache;
@@ -68,6 +70,16 @@ impl Session {
     /// Creates a session with a new look. `wake` is called from another thread when nodes were read
     /// or shaders compiled.
     pub fn new(library: Arc<Library>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self::reading_from(Arc::new(Disk), library, wake)
+    }
+
+    /// Creates a session with a new look, as [`new`](Self::new) does. What documents name is read
+    /// from `files`.
+    pub fn reading_from(
+        files: SharedFiles,
+        library: Arc<Library>,
+        wake: impl Fn() + Send + Sync + 'static,
+    ) -> Self {
         let wake = Arc::new(wake);
         let nodes_are_read = wake.clone();
         let file = TextFile::new(Look::read(NEW_LOOK, "new look").source);
@@ -78,7 +90,7 @@ impl Session {
             painting: None,
             hides_painting: false,
             sketchbook: Sketchbook::default(),
-            project: Project::new(library, move || nodes_are_read()),
+            project: Project::new(library, files.clone(), move || nodes_are_read()),
             selection: Selection::default(),
             view: ViewState::default(),
             keyed: KeyEvaluation::default(),
@@ -94,7 +106,7 @@ impl Session {
                 crashes,
                 holding: holding::Holding::default(),
             },
-            assets: AssetStore::new(),
+            assets: AssetStore::reading_from(files),
             picture_problems: Vec::new(),
             revisions: Revisions::default(),
             awaits_first_picture: false,
@@ -135,7 +147,7 @@ impl Session {
     /// # Errors
     /// Problems that keep the file from being read at all; the open documents stay then.
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
-        let loaded = match Document::load(&crate::files::Disk, path) {
+        let loaded = match Document::load(&**self.assets.source(), path) {
             Document::Look(loaded) => loaded,
             Document::Scene(loaded) => return self.open_scene(path, loaded),
         };

@@ -233,7 +233,7 @@ impl Session {
     pub(crate) fn reload_painting(&mut self) -> Result<bool, Vec<Diagnostic>> {
         self.revisions.step += 1;
         let Some(work) = &mut self.painting else { return Ok(false) };
-        let is_other = work.reload(self.revisions.step)?;
+        let is_other = work.reload(&**self.assets.source(), self.revisions.step)?;
         self.revisions.problems.advance();
         if is_other {
             self.painting_changed();

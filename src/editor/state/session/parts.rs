@@ -6,12 +6,13 @@ use std::sync::Arc;
 use indexmap::IndexSet;
 
 use super::holding::Holding;
+use super::nodes::{NodeFiles, ProjectReader};
 use super::place::OpenGroups;
-use super::project::ProjectReader;
 use super::shading::ShaderCache;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
 use crate::document::Look;
+use crate::files::SharedFiles;
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::compiling::Compiler;
@@ -55,15 +56,35 @@ pub(crate) struct Project {
     pub(crate) catalog: Catalog,
     /// Problems of the project's own node files.
     pub(crate) problems: Vec<Diagnostic>,
+    /// Files of the project's own nodes as they were read.
+    pub(crate) files: Arc<NodeFiles>,
+    /// True if the nodes were read again because their files had changed, until somebody is told.
+    pub(crate) has_changed: bool,
     /// Reader of the project's own nodes, on a thread.
     pub(super) reader: ProjectReader,
 }
 
 impl Project {
     /// Creates the project. `wake` is called from another thread when nodes were read.
-    pub(crate) fn new(library: Arc<Library>, wake: impl Fn() + Send + 'static) -> Self {
-        let reader = ProjectReader::new(wake);
-        Self { catalog: Catalog::new(&library), library, problems: Vec::new(), reader }
+    pub(crate) fn new(
+        library: Arc<Library>,
+        files: SharedFiles,
+        wake: impl Fn() + Send + 'static,
+    ) -> Self {
+        Self {
+            catalog: Catalog::new(&library),
+            library,
+            problems: Vec::new(),
+            files: Arc::default(),
+            has_changed: false,
+            reader: ProjectReader::new(files, wake),
+        }
+    }
+
+    /// Leaves the project: its nodes are no longer waited for.
+    pub(super) fn leave(&mut self) {
+        self.reader.forget();
+        self.files = Arc::default();
     }
 
     /// Takes other nodes. The problems of their files are still to be placed.

@@ -5,80 +5,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Session;
+use super::nodes::NodesAnswer;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
-use crate::files::{Disk, remove_abandoned};
+use crate::files::FileKind;
 use crate::ids::NodePath;
 use crate::library::Library;
-use crate::state::worker::Worker;
-
-/// Folders of nodes to read.
-pub(super) struct NodesRequest {
-    folders: Vec<PathBuf>,
-    number: u64,
-    /// True if a node whose file is broken stays as it was.
-    keeps_broken: bool,
-}
-
-/// Library of the nodes in a request's folders, beside those that Chiaro ships.
-pub(super) struct NodesAnswer {
-    request: NodesRequest,
-    library: Library,
-}
-
-/// Reader of a project's own nodes off the window's thread: the folder may be a stranger's, on a
-/// disk that is slow.
-pub(super) struct ProjectReader {
-    worker: Worker<NodesRequest, NodesAnswer>,
-    /// Number of the newest request; the answer to an older one is of another project.
-    newest: u64,
-}
-
-impl ProjectReader {
-    /// Starts the thread. `wake` is called from another thread when nodes were read.
-    pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let read = |request: NodesRequest| {
-            let read = |library: Library, folder: &PathBuf| library.with_project(&Disk, folder);
-            let library = request.folders.iter().fold(Library::built_in().clone(), read);
-            NodesAnswer { request, library }
-        };
-        Self { worker: Worker::new("nodes", wake, read), newest: 0 }
-    }
-
-    fn ask(&mut self, folders: Vec<PathBuf>, keeps_broken: bool) {
-        self.newest += 1;
-        let number = self.newest;
-        // A request that still waits is replaced; only its wish to keep or not to keep broken nodes
-        // lasts.
-        self.worker.request(|waiting| NodesRequest {
-            folders,
-            number,
-            keeps_broken: keeps_broken
-                && waiting.is_none_or(|waiting: NodesRequest| waiting.keeps_broken),
-        });
-    }
-
-    /// Ignores the answer to the request under way.
-    fn forget(&mut self) {
-        self.newest += 1;
-    }
-
-    /// The nodes that were last asked for, once they are read.
-    fn answer(&self) -> Option<NodesAnswer> {
-        let answers = self.worker.answers().into_iter();
-        answers.filter(|answer| answer.request.number == self.newest).last()
-    }
-
-    /// True while nodes are being read, or are read and not taken yet.
-    pub(super) fn owes(&self) -> bool {
-        self.worker.owes()
-    }
-
-    /// Waits until no nodes are being read.
-    pub(super) fn wait(&self) {
-        self.worker.wait();
-    }
-}
 
 impl Session {
     /// Leaves the project of a document that has no folder any more: only the nodes that Chiaro
@@ -92,27 +24,31 @@ impl Session {
     /// Leaves the project as [`leave_project`](Self::leave_project) does, whether or not the
     /// previous document had a folder.
     pub(super) fn leave_all_projects(&mut self) {
-        self.project.reader.forget();
+        self.project.leave();
         self.use_library(Library::built_in().clone());
     }
 
     /// Goes to the project of the document at `path`: with the nodes that Chiaro ships at once, and
     /// with the project's own as soon as they are read.
     pub(super) fn use_project(&mut self, path: &Path) {
-        remove_abandoned(path.parent().unwrap_or(Path::new("")));
+        self.project.leave();
         self.use_library(Library::built_in().clone());
         self.read_nodes(path, false);
     }
 
     /// Asks for the project's own nodes, if there are any. Returns true if so.
     fn read_nodes(&mut self, path: &Path, keeps_broken: bool) -> bool {
-        let mut folders = self.node_folders_with(Some(path));
-        folders.retain(|folder| folder.is_dir());
-        let is_asked = !folders.is_empty();
+        self.project.reader.sweep(path.parent().unwrap_or(Path::new("")).to_path_buf());
+        let folders = self.node_folders_with(Some(path));
+        let files = self.assets.source();
+        let is_folder = |path: &PathBuf| {
+            files.metadata(path).is_some_and(|found| found.kind == FileKind::Folder)
+        };
+        let is_asked = folders.iter().any(is_folder);
         if is_asked {
-            self.project.reader.ask(folders, keeps_broken);
+            self.project.reader.read(folders, keeps_broken);
         } else {
-            self.project.reader.forget();
+            self.project.leave();
         }
         is_asked
     }
@@ -120,10 +56,22 @@ impl Session {
     /// Takes the project's own nodes, once they are read. Returns true while they are being read: a
     /// shader compiled without them would be of other nodes.
     pub(super) fn awaits_nodes(&mut self) -> bool {
-        if let Some(NodesAnswer { request, library }) = self.project.reader.answer() {
-            self.renew_library(library, request.keeps_broken);
+        for NodesAnswer { library, files, keeps_broken, is_change, .. } in
+            self.project.reader.answers()
+        {
+            self.project.files = files;
+            self.project.has_changed |= is_change;
+            self.renew_library(library, keeps_broken);
         }
-        self.project.reader.owes()
+        self.project.reader.is_awaited()
+    }
+
+    /// Asks for the project's own nodes again if their files have changed.
+    pub(crate) fn check_nodes(&self) {
+        let folders = self.node_folders();
+        if !folders.is_empty() {
+            self.project.reader.check(folders);
+        }
     }
 
     /// Folders that the project's own nodes come from, whether they exist or not: nodes beside the
@@ -144,7 +92,6 @@ impl Session {
     pub(crate) fn reload_library(&mut self) {
         let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
         let Some(path) = self.look.path.clone().or_else(of_scene) else { return };
-        remove_abandoned(path.parent().unwrap_or(Path::new("")));
         if !self.read_nodes(&path, true) {
             self.renew_library(Library::built_in().clone(), true);
         }

@@ -167,7 +167,12 @@ impl Session {
     pub(super) fn stage_changed(&mut self) {
         self.revisions.picture.advance();
         if let Some(stage) = &mut self.stage {
-            stage.sync(self.look.path.as_deref(), &self.project.library, self.revisions.picture);
+            stage.sync(
+                self.look.path.as_deref(),
+                &self.project.library,
+                &**self.assets.source(),
+                self.revisions.picture,
+            );
             self.revisions.problems.advance();
         }
         self.keep_solo();

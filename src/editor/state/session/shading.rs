@@ -204,7 +204,7 @@ impl Session {
 
     /// True while nodes are being read or shaders compiled, or are done and not taken yet.
     pub fn is_compiling(&self) -> bool {
-        self.project.reader.owes() || self.compilation.compiler.owes()
+        self.project.reader.is_awaited() || self.compilation.compiler.owes()
     }
 
     /// Waits for the project's nodes and the compiler; for tests.

@@ -1,5 +1,5 @@
 //! Import of mesh files: [`import`] takes bytes and a name, so that it also works where there are
-//! no paths; [`load`] reads the bytes from a path.
+//! no paths; [`load`] reads the bytes of a path from [`Files`].
 //!
 //! Each format has one reader, which gives a [`Soup`]. All readers check lengths against
 //! [`MAX_FILE_BYTES`], [`MAX_VERTICES`], [`MAX_TRIANGLES`] and the bytes left in the file before
@@ -20,7 +20,7 @@ use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
 use super::soup::Soup;
 use crate::diag::{Diagnostic, Warned};
-use crate::files;
+use crate::files::{self, Files};
 
 /// Greatest length of a file (or of a buffer beside a glTF) that is read, in bytes; longer ones are
 /// refused.
@@ -67,10 +67,10 @@ pub fn import(
 ///
 /// # Errors
 /// As [`import`], and where the file cannot be read.
-pub fn load(path: &Path) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
+pub fn load(files: &dyn Files, path: &Path) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
     let name = path.display().to_string();
-    let bytes = files::read(path, MAX_FILE_BYTES).map_err(|why| {
-        let hint = if path.exists() {
+    let bytes = files.read(path, MAX_FILE_BYTES).map_err(|why| {
+        let hint = if files.metadata(path).is_some() {
             "name a file that you may read"
         } else {
             "check the spelling and the folder"
@@ -80,7 +80,7 @@ pub fn load(path: &Path) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
     })?;
     let folder = path.parent().unwrap_or(Path::new(""));
     import(&name, &bytes, &|sibling| {
-        files::read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
+        files.read(&folder.join(sibling), MAX_FILE_BYTES).map_err(|why| why.to_string())
     })
 }
 
