@@ -39,7 +39,7 @@ const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let planned = Planner::default().plan(setup, Library::built_in(), &Live::Keyed, &options);
-    planned.unwrap_or_else(|problems| panic!("{problems:?}"))
+    planned.unwrap_or_else(|problems| panic!("{problems:?}")).value
 }
 
 fn measure(renderer: &mut Renderer, plans: &[FramePlan], rounds: usize) -> Vec<Series> {

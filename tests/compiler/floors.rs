@@ -93,6 +93,43 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("rayon", &["scene", "reference", "laboratory"]),
 ];
 
+/// An executor by name.
+struct NamedExecutor {
+    name: &'static str,
+    /// Modules that have the executor.
+    modules: &'static [&'static str],
+    /// Files that may name the executor, each with what it does that an `Executor` does not.
+    allowed: &'static [(&'static str, &'static str)],
+}
+
+/// All executors. Code that only wants a picture takes a `dyn Executor`, and does not know who
+/// draws.
+const EXECUTORS: &[NamedExecutor] = &[
+    NamedExecutor {
+        name: "Renderer",
+        modules: &["render", "chiaro_render"],
+        allowed: &[
+            ("cli/bench.rs", "times passes"),
+            ("cli/eval.rs", "evaluates samples"),
+            ("cli/explain/mod.rs", "times passes"),
+            ("cli/tune.rs", "times passes"),
+            ("editor/panels/cost/mod.rs", "times passes"),
+            ("editor/viewport/picture.rs", "shows the texture itself, and times passes"),
+            ("laboratory/accuracy/bench.rs", "times passes"),
+            ("laboratory/accuracy/cost.rs", "times passes"),
+            ("laboratory/accuracy/sweep/measure.rs", "evaluates samples"),
+            ("laboratory/accuracy/sweep/survey.rs", "evaluates samples"),
+            ("laboratory/accuracy/tune.rs", "times passes"),
+            ("laboratory/gallery/entry.rs", "times passes"),
+        ],
+    },
+    NamedExecutor {
+        name: "Reference",
+        modules: &["reference", "chiaro_reference"],
+        allowed: &[("cli/render.rs", "chooses the executor that was asked for")],
+    },
+];
+
 /// The rank of a room among the floors of its crate, from 0.
 fn floor_of(krate: &str, room: &str) -> Option<usize> {
     let (_, floors) = CRATES.iter().find(|(name, _)| *name == krate)?;
@@ -324,6 +361,42 @@ fn every_room_stands_on_one_floor() {
         let named = floors.iter().map(|rooms| rooms.len()).sum::<usize>();
         assert_eq!(named, rooms.len(), "CRATES names rooms of `{krate}` that are not there");
     }
+}
+
+/// The lines on which `text` names an executor that one of `modules` has.
+fn executors_named(text: &str, executor: &str, modules: &[&str]) -> Vec<usize> {
+    let found = modules.iter().flat_map(|module| scan::members(text, module));
+    let is_executor = |found: &scan::Found| match &found.reference {
+        Reference::Module(member) => member == executor,
+        other => *other == Reference::WholeCrate,
+    };
+    found.filter(is_executor).map(|found| found.line).collect()
+}
+
+#[test]
+fn who_only_wants_a_picture_does_not_ask_who_draws() {
+    let (src, files) = sources();
+    let mut complaints = Vec::new();
+    for NamedExecutor { name: executor, modules, allowed } in EXECUTORS {
+        let mut idle: BTreeSet<&str> = allowed.iter().map(|(path, _)| *path).collect();
+        for path in files.iter().filter(|path| !modules.iter().any(|own| path.starts_with(own))) {
+            let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+            let name = path.to_str().expect("sources have plain names");
+            for line in executors_named(&text, executor, modules) {
+                if !allowed.iter().any(|(known, _)| *known == name) {
+                    complaints.push(format!("src/{name}:{line}: take a `dyn Executor` instead"));
+                }
+                idle.remove(name);
+            }
+        }
+        assert!(idle.is_empty(), "files that do not name `{executor}` any more: {idle:?}");
+    }
+    assert!(complaints.is_empty(), "executors named:\n{}", complaints.join("\n"));
+    let named = |text: &str| executors_named(text, "Renderer", &["render"]).len();
+    assert_eq!(named("use crate::render::{Gpu, Renderer};"), 1);
+    assert_eq!(named("fn f() { chiaro::render::Renderer::new(gpu) }"), 1);
+    assert_eq!(named("use crate::render::*;"), 1);
+    assert_eq!(named("use crate::render::Gpu; use eframe::Renderer; // render::Renderer"), 0);
 }
 
 /// Cargo finds no test program by itself, because one belongs to another package; so a test program

@@ -182,6 +182,7 @@ pub fn draw(
     let options = PlanOptions { size, samples, time: 0.0 };
     let plan = Planner::default()
         .plan(setup, library, live, &options)
-        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        .value;
     block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
 }

@@ -64,7 +64,8 @@ fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
     let plan = Planner::new(Assets::default())
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-        .unwrap();
+        .unwrap()
+        .value;
     let radius = chiaro::editor::Orbit::default().radius_in_picture();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     let picture =

@@ -164,7 +164,7 @@ fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     let mut planner = Planner::new(Assets::default());
     let setup = open(path, None, &mut planner.assets).unwrap().value;
     let options = PlanOptions { size, samples: 4, time: 0.0 };
-    let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+    let plan = planner.plan(&setup, Library::built_in(), &Live::Keyed, &options).unwrap().value;
     let mut renderer =
         Renderer::new(block_on(Gpu::headless()).expect("an adapter; software Vulkan does"));
     block_on(renderer.picture(&plan)).unwrap()
@@ -719,10 +719,11 @@ fn while_one_look_is_edited_the_others_are_compiled_once() {
     let mut picture = |setup: &Setup, is_new: bool| {
         if is_new {
             let options = Options { live: Live::All, display: true, ..Options::default() };
-            let shader = compile(&setup.looks[0].look, Library::built_in(), &options).unwrap();
+            let shader =
+                compile(&setup.looks[0].look, Library::built_in(), &options).unwrap().value;
             planner.provide(&setup.looks[0].look, &Live::All, Arc::new(shader));
         }
-        let plan = planner.plan(setup, Library::built_in(), &Live::All, &plan).unwrap();
+        let plan = planner.plan(setup, Library::built_in(), &Live::All, &plan).unwrap().value;
         ["ring", "ball"]
             .map(|id| plan.draws.iter().find(|draw| draw.object.as_str() == id).unwrap().clone())
     };

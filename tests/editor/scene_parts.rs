@@ -36,6 +36,10 @@ const DECAL: &str = r#"{"chiaro": "look", "name": "Decal",
  "wires": [{"from": "paper.color", "to": "output.color"}],
  "exposed": [{"name": "picture", "target": "paper.image"}]}"#;
 
+/// A mesh of one triangle.
+const LEAF: &str = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n\
+                    f 1/1/1 2/2/1 3/3/1\n";
+
 const TWO: &str = r#"{
  "chiaro": "scene",
  "objects": [
@@ -496,6 +500,22 @@ fn nodes_beside_the_scene_are_read_again() {
     hand.settle();
     assert_eq!(hand.app().message(), Some("The project's nodes were loaded again"));
     assert_eq!(colors(&mut hand)[1], [255; 3]);
+}
+
+#[test]
+fn the_picture_small_pictures_and_exports_read_a_file_once() {
+    let home = Home::new();
+    fs::write(home.file("leaf.obj"), LEAF).unwrap();
+    fs::write(home.file("two.json"), TWO.replace("shape:sphere", "leaf.obj")).unwrap();
+    let mut hand = home.drawing();
+    assert!(hand.app().small_pictures() > 0, "layers have small pictures");
+    let reads = hand.app().session().asset_reads();
+    assert_eq!(reads, 4, "the creature of the new look and of small pictures, the leaf, the paper");
+    hand.app_mut().save_picture([64, 48], &home.file("out.png"));
+    hand.app_mut().show_reference(&home.file("looks/paper.png"));
+    hand.settle();
+    assert!(home.file("out.png").is_file());
+    assert_eq!(hand.app().session().asset_reads(), reads);
 }
 
 #[test]

@@ -11,6 +11,7 @@ use crate::support::validators::{
 };
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
+use chiaro::frame::Assets;
 use chiaro::library::Library;
 
 /// True if a test that needs `tool` to refuse a shader can run; fails where the tools are required
@@ -268,7 +269,13 @@ fn looks_with_textures_pass_their_validators() {
     {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
         let look = Look::load(&chiaro::files::Disk, path).value.unwrap();
-        let exported = export(&look, Library::built_in(), &stem, &LANGUAGES, Path::new(""));
+        let exported = export(
+            &look,
+            Library::built_in(),
+            &stem,
+            &LANGUAGES,
+            (Path::new(""), &mut Assets::default()),
+        );
         for file in exported.unwrap_or_else(|problems| panic!("{stem}: {problems:?}")).value {
             let path = out.path().join(&stem).join(&file.name);
             fs::create_dir_all(path.parent().unwrap()).unwrap();

@@ -114,6 +114,7 @@ fn random_stacks_are_the_same_unspecialized_and_live() {
         );
         removed += compile(&look.look, Library::built_in(), &Options::default())
             .expect("it compiles")
+            .value
             .removed
             .len();
     }
@@ -303,7 +304,8 @@ fn every_bypass_is_taken() {
     for def in library.nodes.values() {
         for (index, bypass) in def.bypasses.iter().enumerate() {
             let look = bypassed(def, index, &Type::Float, &mut random);
-            let shader = compile(&look.look, library, &Options::default()).expect("it compiles");
+            let shader =
+                compile(&look.look, library, &Options::default()).expect("it compiles").value;
             let (node, call) = (chiaro::ids::NodePath::parse("node"), format!("{}(", def.kind));
             let is_gone = shader.removed.iter().any(|removal| removal.path == node)
                 || !shader.wgsl.contains(&call);
@@ -323,12 +325,12 @@ fn a_value_that_is_edited_prunes_nothing() {
     let mut look = idle_stack(&mut Random::new(73));
     let library = Library::built_in();
     let live = Options { live: Live::All, ..Options::default() };
-    let before = compile(&look.look, library, &live).expect("it compiles");
+    let before = compile(&look.look, library, &live).expect("it compiles").value;
     for node in look.look.graph.nodes.values_mut().filter(|node| node.kind == "light_layer") {
         node.values.insert("opacity".into(), Value::Number(0.4));
         node.values.insert("slope".into(), Value::Number(0.7));
         node.values.insert("convex".into(), Value::Vector(DVec3::splat(0.3).to_array().to_vec()));
     }
-    let after = compile(&look.look, library, &live).expect("it compiles");
+    let after = compile(&look.look, library, &live).expect("it compiles").value;
     assert_eq!(before.wgsl, after.wgsl, "an edited value changed live code");
 }

@@ -76,7 +76,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
     let setup = Setup { scene, looks: vec![look], objects: vec![object], ..Setup::default() };
     let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
-    planner.plan(&setup, Library::built_in(), &Live::All, &options).expect("it is planned")
+    planner.plan(&setup, Library::built_in(), &Live::All, &options).expect("it is planned").value
 }
 
 fn picture(plan: &FramePlan) -> ReferencePicture {

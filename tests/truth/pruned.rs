@@ -150,6 +150,7 @@ fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
         let look = in_64ths(look);
         removed += compile(&look.look, Library::built_in(), &comparison.ways[0])
             .expect("it compiles")
+            .value
             .removed
             .len();
         comparison.prove(&mut ledger, &case, &look);

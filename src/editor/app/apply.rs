@@ -130,7 +130,7 @@ impl App {
             }
             Command::CopyPicture => self.copy_picture(ui),
             Command::CopyWgsl => self.copy_wgsl(ui),
-            Command::ShowReference(Some(path)) => self.bench.viewport.show_reference(path),
+            Command::ShowReference(Some(path)) => self.show_reference(&path),
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }

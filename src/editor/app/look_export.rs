@@ -8,6 +8,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::export::{self, File};
 use crate::files::Outputs;
+use crate::frame::{AssetStore, Assets};
 use crate::library::Library;
 use crate::state::session::Session;
 use crate::state::worker::Worker;
@@ -31,6 +32,8 @@ struct LookExportRequest {
     path: Option<PathBuf>,
     language: &'static str,
     to: Destination,
+    /// Assets that all pictures of the window share.
+    assets: AssetStore,
 }
 
 /// Result of an export.
@@ -119,15 +122,15 @@ fn job(session: &Session, language: &'static str, to: Destination) -> LookExport
         path: session.path().map(Path::to_path_buf),
         language,
         to,
+        assets: session.assets.clone(),
     }
 }
 
 fn run(job: &LookExportRequest) -> LookExportResult {
     let exported = export::languages([job.language]).and_then(|languages| {
-        Ok((
-            export::export(&job.look, &job.library, &job.stem, &languages, &job.folder)?,
-            languages,
-        ))
+        let mut assets = Assets::of(&job.assets);
+        let place = (job.folder.as_path(), &mut assets);
+        Ok((export::export(&job.look, &job.library, &job.stem, &languages, place)?, languages))
     });
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {

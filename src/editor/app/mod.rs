@@ -224,7 +224,7 @@ impl App {
 
     /// Shows an image beside the picture, to work from.
     pub fn show_reference(&mut self, path: &Path) {
-        self.bench.viewport.show_reference(path.to_owned());
+        self.bench.viewport.show_reference(&self.session, path.to_owned());
     }
 
     /// Session of the open look.

@@ -53,6 +53,7 @@ impl BakeDialog {
             setup,
             library: still.library,
             painting: still.painting,
+            assets: still.assets,
             grid: self.grid,
             light,
             to,
@@ -163,6 +164,7 @@ fn before_baking(
             setup: setup(session),
             library: still.library,
             painting: still.painting,
+            assets: still.assets,
         }
     };
     let made = preview.of(&of, job).map(|made| match made {

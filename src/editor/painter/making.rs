@@ -12,7 +12,7 @@ use crate::commands::PictureImport;
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::files::write_atomic;
-use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
+use crate::frame::{AssetStore, Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
 use crate::hcbtf::{FilledSamples, Synthesis, synthesize_filled, write};
 use crate::ids::LightId;
@@ -47,6 +47,8 @@ pub(super) struct Bake {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
     pub(super) painting: Option<Overlay>,
+    /// Assets that all pictures of the window share.
+    pub(super) assets: AssetStore,
     pub(super) grid: Grid,
     pub(super) light: LightId,
     pub(super) to: PathBuf,
@@ -247,8 +249,8 @@ fn tile(
 
 impl Bake {
     fn done(&self, [ready, made]: &Stages) -> Result<usize, Vec<Diagnostic>> {
-        let Self { setup, library, painting, grid, light, to } = self;
-        let mut assets = Assets::default();
+        let Self { setup, library, painting, assets, grid, light, to } = self;
+        let mut assets = Assets::of(assets);
         assets.overlay(painting.clone());
         let assets = tile_assets(setup, library, light, assets, ready)?;
         let hcbtf = bake_look(setup, library, *grid, light, &assets, made)?;

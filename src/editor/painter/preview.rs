@@ -7,7 +7,7 @@ use super::textures::TileTexture;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Tile};
-use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
+use crate::frame::{AssetStore, Assets, Overlay, SetupLook, tile_assets};
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -35,6 +35,8 @@ pub(super) struct PreviewRequest {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
     pub(super) painting: Option<Overlay>,
+    /// Assets that all pictures of the window share.
+    pub(super) assets: AssetStore,
 }
 
 /// Samples seen from straight above, under a light straight above and one halfway down.
@@ -130,8 +132,8 @@ impl PreviewRequest {
                 .next()
                 .unwrap_or_else(|| Diagnostic::error("stopped", "it was stopped"))
         };
-        let Self { setup, library, painting } = self;
-        let mut assets = Assets::default();
+        let Self { setup, library, painting, assets } = self;
+        let mut assets = Assets::of(&assets);
         assets.overlay(painting);
         let assets = tile_assets(&setup, &library, &of.light, assets, progress).map_err(first)?;
         let grid =

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::compile::{CompiledShader, Live, Options, TypedGraph, check, compile_typed};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
 use crate::ids::{NodePath, PortName};
 use crate::library::{Library, Type};
@@ -50,7 +50,7 @@ pub(crate) struct CompileAnswer {
     /// The request, given back.
     pub(crate) request: CompileRequest,
     /// The shaders, or every problem of the look.
-    pub(crate) result: Result<Shaders, Vec<Diagnostic>>,
+    pub(crate) result: Result<Warned<Shaders>, Vec<Diagnostic>>,
 }
 
 /// A look's shaders.
@@ -76,7 +76,7 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Comp
     })
 }
 
-fn compile(request: &CompileRequest) -> Result<Shaders, Vec<Diagnostic>> {
+fn compile(request: &CompileRequest) -> Result<Warned<Shaders>, Vec<Diagnostic>> {
     let shown = request
         .wire
         .as_ref()
@@ -93,11 +93,11 @@ fn compile(request: &CompileRequest) -> Result<Shaders, Vec<Diagnostic>> {
         display: true,
         ..Options::default()
     };
-    let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed), warnings.clone())?);
+    let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed))?);
     let live = match request.only_baked {
         true => None,
-        false => Some(Arc::new(compile_typed(&typed, &with(Live::All), warnings)?)),
+        false => Some(Arc::new(compile_typed(&typed, &with(Live::All))?)),
     };
     milestones::reached("first shaders");
-    Ok(Shaders { live, baked, typed: Arc::new(typed) })
+    Ok(Warned::new(Shaders { live, baked, typed: Arc::new(typed) }, warnings))
 }

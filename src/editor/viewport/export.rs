@@ -12,8 +12,9 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Projection;
 use crate::files::{OutputKind, Outputs};
-use crate::frame::{Assets, Picture, PlanOptions, Planner};
-use crate::render::{Gpu, Renderer};
+use crate::frame::{AssetStore, Assets, Executor, Picture, PlanOptions, Planner};
+use crate::progress::Progress;
+use crate::render::Gpu;
 use crate::state::orbit::Orbit;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
@@ -35,7 +36,7 @@ pub(crate) enum Destination {
 
 enum PictureExportRequest {
     Draw { export: PictureExport, still: Box<RenderSnapshot>, to: Destination },
-    Read(PathBuf),
+    Read(PathBuf, AssetStore),
 }
 
 /// Result of a request.
@@ -56,7 +57,7 @@ impl Exports {
     /// drawn.
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut drawer =
-            gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
+            gpu.map(|gpu| Drawer { executor: gpu.executor(), assets: Assets::default() });
         let work = async move |jobs: Vec<PictureExportRequest>| {
             let mut all = Vec::new();
             for job in jobs {
@@ -73,9 +74,9 @@ impl Exports {
         self.add(PictureExportRequest::Draw { export, still: Box::new(still), to });
     }
 
-    /// Reads an image to be shown.
-    pub(super) fn read(&self, path: PathBuf) {
-        self.add(PictureExportRequest::Read(path));
+    /// Reads an image to be shown, with the assets that the window's pictures share.
+    pub(super) fn read(&self, path: PathBuf, assets: AssetStore) {
+        self.add(PictureExportRequest::Read(path, assets));
     }
 
     fn add(&self, job: PictureExportRequest) {
@@ -102,8 +103,8 @@ async fn run(
     drawer: Option<&mut Drawer>,
 ) -> Result<PictureExportResult, Diagnostic> {
     match job {
-        PictureExportRequest::Read(path) => {
-            let image = Assets::default().image(Path::new(""), &path.display().to_string())?;
+        PictureExportRequest::Read(path, assets) => {
+            let image = Assets::of(&assets).image(Path::new(""), &path.display().to_string())?;
             Ok(PictureExportResult::Read(path, shown(image.size, &image.rgba())))
         }
         PictureExportRequest::Draw { export, still, to } => {
@@ -147,7 +148,7 @@ fn shown(size: [u32; 2], rgba: &[u8]) -> ColorImage {
 }
 
 struct Drawer {
-    renderer: Renderer,
+    executor: Box<dyn Executor + Send>,
     assets: Assets,
 }
 
@@ -191,8 +192,8 @@ impl Drawer {
             setup.scene.backdrop = None;
         }
         let options = PlanOptions { size, samples: 4, time: still.time };
-        let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
-        self.renderer.picture(&plan).await.map_err(|error| vec![error.into()])
+        let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?.value;
+        self.executor.picture(&plan, &Progress::new()).await.map_err(|problem| vec![problem])
     }
 }
 

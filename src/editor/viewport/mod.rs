@@ -538,8 +538,8 @@ impl Viewport {
     }
 
     /// Shows an image with the picture.
-    pub(crate) fn show_reference(&mut self, path: PathBuf) {
-        self.exports.read(path);
+    pub(crate) fn show_reference(&mut self, session: &Session, path: PathBuf) {
+        self.exports.read(path, session.assets.clone());
     }
 
     fn take_exports(&mut self, ui: &Ui, out: &mut Vec<Command>) {

@@ -10,7 +10,7 @@ use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
 use crate::compile::{CompiledShader, Live};
-use crate::diag::{Diagnostic, has_errors};
+use crate::diag::{Diagnostic, Warned, has_errors};
 use crate::document::Look;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
@@ -417,8 +417,7 @@ impl Artist {
         let drawn = self.try_draw(wish).await;
         let unfinished = going.map(|going| self.hand_to_gpu(going));
         match drawn {
-            Ok(effects) => {
-                let problems = std::mem::take(&mut self.planner.warnings);
+            Ok(Warned { value: effects, warnings: problems }) => {
                 let ready = Some(Ready::of(&wish.showing, &wish.still));
                 DrawnPicture {
                     subject,
@@ -454,14 +453,14 @@ impl Artist {
     async fn try_draw(
         &mut self,
         wish: &PictureRequest,
-    ) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
+    ) -> Result<Warned<Option<Vec<Effect>>>, Vec<Diagnostic>> {
         let showing = &wish.showing;
         if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
             self.planner =
                 Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
             (self.library, self.provided) = (Some(wish.still.library.clone()), None);
         }
-        let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?.into_parts();
+        let (mut setup, of_setup) = wish.still.setup(&mut self.planner.assets)?.into_parts();
         setup.edited = Some(0);
         if !self.provided.as_ref().is_some_and(|(shader, look)| {
             Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look)
@@ -470,9 +469,10 @@ impl Artist {
             self.provided = Some((showing.shader.clone(), showing.look.clone()));
         }
         let options = PlanOptions { size: wish.size, samples: 4, time: wish.still.time };
-        let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
-        self.planner.warnings.extend(notes);
-        self.planner.warnings.extend(self.renderer.gpu().warnings(&plan));
+        let planned = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
+        let (plan, mut warnings) = planned.into_parts();
+        warnings.extend(of_setup);
+        warnings.extend(self.renderer.gpu().warnings(&plan));
         let is_told = wish.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
@@ -488,7 +488,7 @@ impl Artist {
             let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
-        Ok(effects)
+        Ok(Warned::new(effects, warnings))
     }
 }
 

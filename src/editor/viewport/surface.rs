@@ -10,13 +10,14 @@ use glam::{DMat3, DVec3, Vec3};
 
 use crate::diag::Diagnostic;
 use crate::document::Camera;
-use crate::frame::{Assets, FramePlan, Pass, PassId, Setup, SetupObject, View};
+use crate::frame::{Assets, FramePlan, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::Precision;
+use crate::library::Context;
 use crate::progress::Progress;
 use crate::reference::{
-    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Shaders,
-    Sides, Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
+    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Sides,
+    Target, Texels, Triangles, Varying, VertexStage, execute_screens, rasterise,
 };
 use crate::state::revision::{FilesRevision, PictureRevision};
 use crate::state::scene::ObjectPlace;
@@ -383,10 +384,6 @@ fn with_kappa(surface: &Surface) -> Surface {
     }
 }
 
-/// Passes that draw normals and measure their curvature.
-const NORMALS: PassId = PassId::named("normals");
-const CURVATURE: PassId = PassId::named("curvature");
-
 fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
     // The texels hold normal, object number and depth, as the pass that draws normals makes them.
@@ -399,21 +396,15 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
             drawn.values[5 * pixel..][..5].copy_from_slice(&[n.x, n.y, n.z, 1.0, depth]);
         }
     }
+    let pass = Context::KAPPA.pass();
+    let nothing = || Diagnostic::error("reference-plan", "no pass measures curvature");
+    let pass = pass.ok_or_else(nothing)?;
+    let plan = FramePlan::of_screens(pass, view, size);
     let mut images = PassImages::default();
-    images.insert(NORMALS, &drawn);
-    let pass = Pass { id: CURVATURE, reason: String::new(), input_hash: 0 };
-    let plan = FramePlan {
-        size,
-        samples: 1,
-        backdrop: None,
-        view,
-        draws: Vec::new(),
-        passes: vec![pass],
-        dropped: Vec::new(),
-    };
+    plan.missing().for_each(|of_meshes| images.insert(of_meshes, &drawn));
     let modules = Modules::new(&plan, Precision::F64)?;
-    let shader = modules.screen(&plan, CURVATURE, &images)?;
-    let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Progress::new())?;
+    execute_screens(&plan, &mut images, &modules, &Options::default(), &Progress::new())?;
+    let texels = images.first(pass).ok_or_else(nothing)?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
 

@@ -53,6 +53,12 @@ impl From<RenderError> for MeasureError {
     }
 }
 
+impl From<Diagnostic> for MeasureError {
+    fn from(problem: Diagnostic) -> Self {
+        vec![problem].into()
+    }
+}
+
 impl From<Vec<Diagnostic>> for MeasureError {
     fn from(problems: Vec<Diagnostic>) -> Self {
         if Stopped::is_among(&problems) { Self::Stopped } else { Self::Problems(problems) }

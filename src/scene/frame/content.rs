@@ -3,7 +3,7 @@
 use super::assets::Image;
 use super::plan::{Draw, FramePlan};
 use super::screen::ScreenModule;
-use crate::compile::{Stage, Uniform};
+use crate::compile::Uniform;
 use crate::geometry::Mesh;
 
 /// Receiver of bytes; the caller marks where one part ends and the next begins.
@@ -31,7 +31,7 @@ impl Draw {
         sink(format!("{how:?}").as_bytes());
         sink(self.look.wgsl.as_bytes());
         uniform(&self.object_uniform, sink);
-        for stage in std::iter::once(Stage::Draw).chain(self.before.keys().copied()) {
+        for stage in std::iter::once(self.look.stage).chain(self.before.keys().copied()) {
             if let Some(values) = self.look_uniforms.get(&stage) {
                 uniform(values, sink);
             }

@@ -98,6 +98,18 @@ pub(crate) fn crate_paths(text: &str, name: &str) -> Vec<Found> {
     found
 }
 
+/// Every path in `text` that goes through the module `name`, up to the member below it.
+pub(crate) fn members(text: &str, name: &str) -> Vec<Found> {
+    let tokens = tokens(text);
+    let mut found = Vec::new();
+    for at in 0..tokens.len() {
+        if is_word(&tokens, at, name) {
+            below(&tokens, at, 0, name, &mut found);
+        }
+    }
+    found
+}
+
 /// True if the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
 fn continues_path(tokens: &[Token], at: usize) -> bool {
     let separated = at >= 1 && tokens[at - 1].kind == Kind::Separator;

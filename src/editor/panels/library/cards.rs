@@ -293,7 +293,7 @@ impl Card {
                 );
             }
             (Content::Scene, Origin::File(path) | Origin::Example(_, path)) => {
-                thumbs.ask_for_scene(self.key, path, self.side);
+                thumbs.ask_for_scene(self.key, path, session, self.side);
             }
             (Content::Painting(_) | Content::Unreadable | Content::HeldBack, _) => {}
         }

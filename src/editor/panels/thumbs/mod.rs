@@ -14,8 +14,11 @@ use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
 use crate::compile::Live;
 use crate::document::Look;
-use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
-use crate::render::{Gpu, Renderer};
+use crate::frame::{
+    AssetStore, Cull, DEFAULT_MESH, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX,
+};
+use crate::progress::Progress;
+use crate::render::Gpu;
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, LookRevision};
 use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
@@ -109,8 +112,8 @@ struct ThumbRequest {
 /// Subject of a thumbnail.
 enum Subject {
     Look(Box<RenderSnapshot>, Shot),
-    /// Scene in a file.
-    Scene(PathBuf),
+    /// Scene in a file, and the store of the window's pictures.
+    Scene(PathBuf, AssetStore),
 }
 
 struct ThumbResult {
@@ -142,7 +145,7 @@ impl Thumbs {
     ) -> Self {
         let start = |gpu: Gpu| {
             let mut artist = Artist {
-                renderer: Renderer::new(gpu),
+                executor: gpu.executor(),
                 planner: Reused::new(|assets| Planner::new(assets).culling(Cull::Objects)),
             };
             Worker::waiting("thumbs", wake, async move |job: ThumbRequest| {
@@ -257,12 +260,12 @@ impl Thumbs {
     }
 
     /// Requests a thumbnail of the scene in a file, as the scene's own camera sees it.
-    pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, side: f32) {
+    pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, session: &Session, side: f32) {
         self.request(
             key,
             || DocumentOrigin::of_file(path),
             side,
-            || Subject::Scene(path.to_owned()),
+            || Subject::Scene(path.to_owned(), session.assets.clone()),
         );
     }
 
@@ -334,9 +337,9 @@ pub(crate) fn stage_of(session: &Session) -> u64 {
     hasher.finish()
 }
 
-/// Renderer of thumbnails, on their thread.
+/// Drawer of thumbnails, on their thread.
 struct Artist {
-    renderer: Renderer,
+    executor: Box<dyn Executor + Send>,
     planner: Reused,
 }
 
@@ -352,11 +355,11 @@ impl Artist {
                 planner.assets.draft();
                 let mut setup = still.setup(&mut planner.assets).ok()?.value;
                 setup.scene.backdrop = None;
-                planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?
+                planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?.value
             }
-            Subject::Scene(path) => scene::plan(path, &options)?,
+            Subject::Scene(path, assets) => scene::plan(path, &options, assets)?,
         };
-        let picture = self.renderer.picture(&plan).await.ok()?;
+        let picture = self.executor.picture(&plan, &Progress::new()).await.ok()?;
         Some(smaller(&picture, matches!(subject, Subject::Look(_, Shot::Lifted))))
     }
 }

@@ -9,8 +9,8 @@ use glam::DVec3;
 use crate::compile::Live;
 use crate::document::{Camera, Document, Projection, Scene};
 use crate::frame::{
-    Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject, View,
-    scene_setup,
+    AssetStore, Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject,
+    View, scene_setup,
 };
 use crate::library::Library;
 
@@ -35,20 +35,20 @@ pub(crate) fn key_of_scene(path: &Path, scene: &Scene, side: f32) -> u64 {
     hasher.finish()
 }
 
-/// Frame plan of the scene in a file; `None` where there is nothing to draw, or too much. Data of
-/// the scene's files is dropped with the picture.
-pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
+/// Frame plan of the scene in a file, read with the window's other pictures; `None` where there is
+/// nothing to draw, or too much. Data of files that no other picture shows is dropped with this
+/// one.
+pub(super) fn plan(path: &Path, options: &PlanOptions, assets: &AssetStore) -> Option<FramePlan> {
     let Document::Scene(loaded) = Document::load(&crate::files::Disk, path) else { return None };
     let scene = loaded.value?;
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     if bytes_of_meshes(&scene, &folder) > MOST_BYTES {
         return None;
     }
-    let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
+    let mut planner = Planner::new(Assets::of(assets)).culling(Cull::Objects);
     planner.assets.draft();
     // Missing files are left out, as in the window.
-    let mut setup =
-        scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
+    let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets).value;
     let nodes = folder.join("nodes");
     let library = if nodes.is_dir() {
         Library::built_in().with_project(&crate::files::Disk, &nodes)
@@ -56,7 +56,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
         Library::built_in().clone()
     };
     setup.scene.camera = fitted(&setup);
-    planner.plan(&setup, &library, &Live::Keyed, options).ok()
+    Some(planner.plan(&setup, &library, &Live::Keyed, options).ok()?.value)
 }
 
 fn bytes_of_meshes(scene: &Scene, folder: &Path) -> u64 {
@@ -117,6 +117,17 @@ mod tests {
     }
 
     #[test]
+    fn a_small_picture_reads_nothing_that_another_picture_has_read() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes/cast.json");
+        let options = PlanOptions { size: [32; 2], samples: 1, time: 0.0 };
+        let store = AssetStore::new();
+        let shown = plan(&path, &options, &store).unwrap();
+        let reads = store.reads();
+        assert!(plan(&path, &options, &store).is_some() && !shown.draws.is_empty());
+        assert!(reads > 0 && store.reads() == reads, "{} after {reads}", store.reads());
+    }
+
+    #[test]
     fn an_orthographic_sphere_fills_the_square() {
         let scene = r#"{"objects": [{"mesh": "shape:sphere", "looks": "none.json"}],
           "camera": {"eye": [0, 0, 5], "projection": "orthographic", "height": 4}}"#;
@@ -124,7 +135,7 @@ mod tests {
         let scene = loaded.value.unwrap();
         let folder = Path::new("");
         let mut assets = Assets::default();
-        let setup = scene_setup(scene, folder, &loaded.source, None, &mut assets, &mut Vec::new());
+        let setup = scene_setup(scene, folder, &loaded.source, None, &mut assets).value;
         let height = fitted(&setup).height;
         assert!((height - 2.0 / FILLED).abs() < 0.02, "{height}");
     }

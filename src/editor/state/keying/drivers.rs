@@ -38,7 +38,7 @@ impl Session {
         let mut trial = self.look().clone();
         trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
         let options = Options { live: Live::Exposed, ..Options::default() };
-        let shader = compile(&trial, &self.project.library, &options).ok()?;
+        let shader = compile(&trial, &self.project.library, &options).ok()?.value;
         let base = |node: &NodePath, port: &PortName| {
             self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };

@@ -62,7 +62,7 @@ impl Session {
         }
         let look = self.look();
         let rig = match &self.keyed.rig {
-            Some(rig) => rig.renewed(look),
+            Some(rig) => rig.renewed(look).value,
             None => Rig::new(look).value,
         };
         let base = |node: &NodePath, port: &PortName| {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::Warned;
 use crate::document::{Object, Scene, SourceMap};
 use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
 use crate::ids::ObjectId;
@@ -95,17 +95,10 @@ impl SceneSnapshot {
     /// The scene with everything that it names, as far as that exists, and the problems. `open` is
     /// the first of its looks, even if no object wears it.
     pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> Warned<Setup> {
-        let mut problems = Vec::new();
         let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
-        let objects = place_objects(
-            &self.scene,
-            &self.base,
-            &self.source,
-            None,
-            assets,
-            &mut worn,
-            &mut problems,
-        );
+        let (objects, problems) =
+            place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn)
+                .into_parts();
         let mut setup =
             Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
         if self.is_alone {
@@ -131,16 +124,19 @@ impl Wardrobe for Worn<'_> {
         self.staged.open.contains(name) || self.staged.others.contains_key(name)
     }
 
-    fn find(&mut self, name: &str, _: &mut Vec<Diagnostic>) -> Option<usize> {
+    fn find(&mut self, name: &str) -> Warned<Option<usize>> {
         if self.staged.open.contains(name) {
-            return Some(0);
+            return Some(0).into();
         }
         // Problems of a broken look were reported when it was read.
-        let look = self.staged.others.get(name)?.as_ref()?;
+        let look = self.staged.others.get(name).and_then(Option::as_ref);
         let looks = &mut self.looks;
-        Some(*self.known.entry(Arc::as_ptr(look)).or_insert_with(|| {
-            looks.push((**look).clone());
-            looks.len() - 1
-        }))
+        let index = look.map(|look| {
+            *self.known.entry(Arc::as_ptr(look)).or_insert_with(|| {
+                looks.push((**look).clone());
+                looks.len() - 1
+            })
+        });
+        index.into()
     }
 }

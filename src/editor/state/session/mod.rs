@@ -483,6 +483,12 @@ impl Session {
         files.chain(&self.compilation.problems).chain(&self.picture_problems)
     }
 
+    /// Number of times that a mesh, an image or an HCBTF was read, or a built-in shape made, for
+    /// any picture of the window.
+    pub fn asset_reads(&self) -> u64 {
+        self.assets.reads()
+    }
+
     /// Takes the problems that the renderer reports.
     pub(crate) fn set_picture_problems(&mut self, problems: &[Diagnostic]) {
         if self.picture_problems != problems {

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use super::Session;
 use crate::compile::{CompiledShader, Live, TypedGraph};
+use crate::diag::Warned;
 use crate::document::{Edit, GraphId, Look};
 use crate::ids::{NodePath, PortName};
 use crate::state::compiling::{CompileAnswer, CompileRequest};
@@ -181,8 +182,8 @@ impl Session {
         }
         self.revisions.problems.advance();
         match result {
-            Ok(shaders) => {
-                self.compilation.problems.clone_from(&shaders.baked.warnings);
+            Ok(Warned { value: shaders, warnings }) => {
+                self.compilation.problems = warnings;
                 if let Some(live) = shaders.live {
                     self.compilation.shaders.live = Some(live);
                     self.compilation.shaders.live_structure = Some(request.structure);

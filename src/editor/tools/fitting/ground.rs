@@ -193,7 +193,7 @@ fn draw(planner: &mut Reused, job: &GroundRequest) -> Result<Ground, Vec<Diagnos
     let planner = planner.of(&still.look, &still.library);
     let setup = still.setup(&mut planner.assets)?.value;
     let options = PlanOptions { size: *size, samples: 1, time: still.time };
-    let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
+    let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?.value;
     let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
     let picture = execute(&plan, &modules, &Options::default(), progress).map_err(one)?;
     let is_worn: Vec<bool> = plan.draws.iter().map(|draw| is_of_open_look(&setup, draw)).collect();

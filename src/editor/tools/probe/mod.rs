@@ -270,7 +270,7 @@ fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> ProbeR
     let mut find = || {
         let setup = still.setup(&mut planner.assets)?.value;
         let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
-        let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
+        let plan = planner.plan(&setup, &still.library, &Live::All, &options)?.value;
         let wires = probe_wires(&plan, spot.pixel, &Options::default(), &progress)
             .map_err(|problem| vec![problem])?;
         let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));

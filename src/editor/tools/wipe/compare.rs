@@ -7,15 +7,16 @@ use crate::accuracy::{Colors, Truth, Variant, compare};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
-use crate::render::{Gpu, Renderer};
+use crate::frame::{Assets, Cull, Executor, Picture, PlanOptions, Planner, Setup};
+use crate::progress::Progress;
+use crate::render::Gpu;
 use crate::state::snapshot::Reused;
 
 /// State of the thread between comparisons.
 pub(super) struct Comparer {
-    /// Renderer, made when first needed, on a device of its own: the window's may not blend 32-bit
+    /// Executor, made when first needed, on a device of its own: the window's may not blend 32-bit
     /// floats, and the rounding of a 16-bit picture would show in the difference.
-    renderer: Option<Renderer>,
+    executor: Option<Box<dyn Executor + Send>>,
     window: Gpu,
     planner: Reused,
 }
@@ -23,7 +24,7 @@ pub(super) struct Comparer {
 impl Comparer {
     pub(super) fn new(window: Gpu) -> Self {
         let planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
-        Self { renderer: None, window, planner }
+        Self { executor: None, window, planner }
     }
 
     pub(super) async fn run(&mut self, job: ComparisonRequest) -> ComparisonResult {
@@ -36,16 +37,16 @@ impl Comparer {
         let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
         let planner = self.planner.of(&job.still.look, &job.still.library);
         let setup = job.still.setup(&mut planner.assets)?.value;
-        let renderer = match &mut self.renderer {
-            Some(renderer) => renderer,
+        let executor = match &mut self.executor {
+            Some(executor) => executor,
             none => {
                 let gpu = Gpu::headless().await.unwrap_or_else(|_| self.window.clone());
-                none.insert(Renderer::new(gpu.precise()))
+                none.insert(gpu.precise().executor())
             }
         };
         let mut draw = async |setup: &Setup| -> Result<Picture, Vec<Diagnostic>> {
-            let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-            renderer.picture(&plan).await.map_err(|error| vec![error.into()])
+            let plan = planner.plan(setup, library, &Live::Keyed, &options)?.value;
+            executor.picture(&plan, &Progress::new()).await.map_err(|problem| vec![problem])
         };
         let present = draw(&setup).await?;
         match job.moment.against {
