@@ -19,6 +19,7 @@ mod picture;
 mod probe;
 pub(crate) mod problems;
 pub(crate) mod start;
+mod statistics;
 mod table;
 mod thumbs;
 mod workbench;
@@ -51,6 +52,7 @@ pub(crate) static PANELS: &[PanelRow] = &[
     cost::PANEL,
     probe::PANEL,
     fit::PANEL,
+    statistics::PANEL,
 ];
 
 /// Row of a panel.
