@@ -19,7 +19,6 @@ mod picture;
 mod probe;
 pub(crate) mod problems;
 pub(crate) mod start;
-mod statistics;
 mod table;
 mod thumbs;
 mod workbench;
@@ -52,7 +51,6 @@ pub(crate) static PANELS: &[PanelRow] = &[
     cost::PANEL,
     probe::PANEL,
     fit::PANEL,
-    statistics::PANEL,
 ];
 
 /// Row of a panel.
