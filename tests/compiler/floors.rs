@@ -75,6 +75,10 @@ const STRANGERS: &[(&str, &str, &[&str])] = &[
     ("editor", "widgets", &["state"]),
 ];
 
+/// Modules of the window's state that know the whole session; all others know its parts alone, so
+/// that no module of the state lies in a ring with another.
+const KNOW_THE_SESSION: &[&str] = &["session", "safety", "fixes"];
+
 /// Packages that only some crates may use: the compiler builds without a GPU and a window, and
 /// users who only want WGSL from a graph pay for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[
@@ -339,6 +343,26 @@ fn the_compiler_has_no_files_and_no_threads() {
         check_bytes_in_text_out(Path::new("a"), "fn f() { std::thread::yield_now() }").len(),
         1
     );
+}
+
+#[test]
+fn parts_of_the_windows_state_do_not_know_the_session() {
+    let (src, files) = sources();
+    let mut modules = BTreeSet::new();
+    for path in &files {
+        let Ok(inside) = path.strip_prefix("editor/state") else { continue };
+        let module = inside.iter().next().unwrap().to_string_lossy();
+        let module = module.trim_end_matches(".rs").to_owned();
+        let text = fs::read_to_string(src.join(path)).unwrap();
+        let knows = text.contains("crate::state::session");
+        assert!(
+            !knows || KNOW_THE_SESSION.contains(&module.as_str()),
+            "{}: `{module}` may know parts of the session, not the whole",
+            path.display()
+        );
+        modules.insert(module);
+    }
+    assert!(modules.len() > 15, "{modules:?}");
 }
 
 #[test]

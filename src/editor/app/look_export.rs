@@ -71,7 +71,9 @@ impl LookExports {
 
     /// Folder to suggest: that of the last export, or a new one beside the look.
     pub(crate) fn suggested(&self, session: &Session) -> PathBuf {
-        self.folder.clone().unwrap_or_else(|| session.folder().join(own_folder(&stem(session))))
+        self.folder
+            .clone()
+            .unwrap_or_else(|| session.look.folder().join(own_folder(&stem(session))))
     }
 
     fn add(&self, job: LookExportRequest) {
@@ -118,7 +120,7 @@ fn job(session: &Session, language: &'static str, to: Destination) -> LookExport
         look: session.look().clone(),
         library: session.project.library.clone(),
         stem: stem(session),
-        folder: session.folder(),
+        folder: session.look.folder(),
         path: session.path().map(Path::to_path_buf),
         language,
         to,

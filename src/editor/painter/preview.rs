@@ -12,7 +12,7 @@ use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::bake_look;
-use crate::state::revision::{DocumentNumber, MeaningRevision};
+use crate::state::revision::{DocumentNumber, MeaningRevision, PaintingRevision};
 use crate::state::worker::Worker;
 
 /// Largest side of a preview, in texels: it should be there at once.
@@ -24,8 +24,8 @@ const LIGHTS: Directions = Directions { theta: 3, phi: 1 };
 /// Inputs of a preview: any change makes another picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PreviewInputs {
-    /// Look's document, the revision of its meaning, and the version of the painting.
-    pub(super) look: (DocumentNumber, MeaningRevision, Option<u64>),
+    /// Look's document, the revision of its meaning, and that of the painting.
+    pub(super) look: (DocumentNumber, MeaningRevision, Option<PaintingRevision>),
     pub(super) size: [u32; 2],
     pub(super) light: LightId,
 }
@@ -87,8 +87,8 @@ impl Preview {
             self.progress.stop();
             self.progress = Progress::new();
             self.asked = Some(of.clone());
-            let wish = (of.clone(), job(), self.progress.clone());
-            self.worker.request(|_| wish);
+            let request = (of.clone(), job(), self.progress.clone());
+            self.worker.request(|_| request);
         }
         self.done.as_ref().filter(|done| done.of == *of).map(|done| &done.made)
     }

@@ -35,7 +35,7 @@ pub(crate) enum Destination {
 }
 
 enum PictureExportRequest {
-    Draw { export: PictureExport, still: Box<RenderSnapshot>, to: Destination },
+    Draw { export: PictureExport, snapshot: Box<RenderSnapshot>, to: Destination },
     Read(PathBuf, AssetStore),
 }
 
@@ -70,8 +70,8 @@ impl Exports {
     }
 
     /// Draws a picture, and saves or copies it.
-    pub(super) fn draw(&self, export: PictureExport, still: RenderSnapshot, to: Destination) {
-        self.add(PictureExportRequest::Draw { export, still: Box::new(still), to });
+    pub(super) fn draw(&self, export: PictureExport, snapshot: RenderSnapshot, to: Destination) {
+        self.add(PictureExportRequest::Draw { export, snapshot: Box::new(snapshot), to });
     }
 
     /// Reads an image to be shown, with the assets that the window's pictures share.
@@ -107,12 +107,12 @@ async fn run(
             let image = Assets::of(&assets).image(Path::new(""), &path.display().to_string())?;
             Ok(PictureExportResult::Read(path, shown(image.size, &image.rgba())))
         }
-        PictureExportRequest::Draw { export, still, to } => {
+        PictureExportRequest::Draw { export, snapshot, to } => {
             let drawer = drawer.ok_or_else(|| {
                 Diagnostic::error("no-gpu", "there is no GPU to draw with")
                     .hint("`chiaro render --on reference` needs none")
             })?;
-            let picture = drawer.draw(export, *still).await?;
+            let picture = drawer.draw(export, *snapshot).await?;
             match to {
                 Destination::File(path) => {
                     // Overwriting was confirmed in the dialog; but the picture must not replace a
@@ -156,18 +156,18 @@ impl Drawer {
     async fn draw(
         &mut self,
         export: PictureExport,
-        mut still: RenderSnapshot,
+        mut snapshot: RenderSnapshot,
     ) -> Result<Picture, Diagnostic> {
         let size = match export {
             PictureExport::Picture(size) => size,
             PictureExport::LitSphere(side) => {
-                still.orbit = before_a_ball(&still.orbit);
-                still.stage = None;
+                snapshot.orbit = before_a_ball(&snapshot.orbit);
+                snapshot.scene = None;
                 [side; 2]
             }
         };
         let mut planner = Planner::new(std::mem::take(&mut self.assets));
-        let drawn = self.try_draw(&mut planner, &still, export, size).await;
+        let drawn = self.try_draw(&mut planner, &snapshot, export, size).await;
         self.assets = planner.assets;
         // The list of problems shows all of them; one is enough for the reason here.
         let picture = drawn.map_err(|mut problems| {
@@ -183,16 +183,16 @@ impl Drawer {
     async fn try_draw(
         &mut self,
         planner: &mut Planner,
-        still: &RenderSnapshot,
+        snapshot: &RenderSnapshot,
         export: PictureExport,
         size: [u32; 2],
     ) -> Result<Picture, Vec<Diagnostic>> {
-        let mut setup = still.setup(&mut planner.assets)?.value;
+        let mut setup = snapshot.setup(&mut planner.assets)?.value;
         if matches!(export, PictureExport::LitSphere(_)) {
             setup.scene.backdrop = None;
         }
-        let options = PlanOptions { size, samples: 4, time: still.time };
-        let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?.value;
+        let options = PlanOptions { size, samples: 4, time: snapshot.time };
+        let plan = planner.plan(&setup, &snapshot.library, &Live::Keyed, &options)?.value;
         self.executor.picture(&plan, &Progress::new()).await.map_err(|problem| vec![problem])
     }
 }

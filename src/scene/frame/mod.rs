@@ -35,7 +35,8 @@ pub use crate::compile::{
 /// The passes of a plan, which the compiler lists: a look's module names those that it reads.
 pub use crate::library::{PassId, PassOutput, PassRow, PassWork, TexelFormat};
 pub use assets::{
-    Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes,
+    Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
+    image_bytes,
 };
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};

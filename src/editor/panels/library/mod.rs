@@ -13,11 +13,12 @@ use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 use super::thumbs::Thumbs;
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
-use crate::state::safety::crashes::CrashLog;
+use crate::state::crashes::CrashLog;
+use crate::state::revision::SuspectsRevision;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 use cards::Card;
-pub(crate) use examples::{Content, example};
+pub(crate) use examples::{ExampleContent, example};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIBRARY,
@@ -52,10 +53,10 @@ pub(crate) struct Library {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
-    /// Cards of recent files; then the files they are of, with the number of changes to the record
-    /// of crashes at that time.
+    /// Cards of recent files; then the files they are of, with the revision of the suspects at that
+    /// time.
     recent: Vec<Card>,
-    recent_of: (Vec<PathBuf>, u64),
+    recent_of: (Vec<PathBuf>, SuspectsRevision),
 }
 
 impl Library {
@@ -92,7 +93,7 @@ impl Library {
         }
         let there: Vec<PathBuf> =
             files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
-        let now = (there, crashes.changes());
+        let now = (there, crashes.suspects_revision());
         if self.recent_of != now {
             let (there, _) = &now;
             self.recent = there

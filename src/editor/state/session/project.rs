@@ -10,12 +10,13 @@ use crate::diag::Diagnostic;
 use crate::files::{Disk, remove_abandoned};
 use crate::ids::NodePath;
 use crate::library::Library;
+use crate::state::revision::RequestNumber;
 use crate::state::worker::Worker;
 
 /// Folders of nodes to read.
 pub(super) struct NodesRequest {
     folders: Vec<PathBuf>,
-    number: u64,
+    number: RequestNumber,
     /// True if a node whose file is broken stays as it was.
     keeps_broken: bool,
 }
@@ -31,7 +32,7 @@ pub(super) struct NodesAnswer {
 pub(super) struct ProjectReader {
     worker: Worker<NodesRequest, NodesAnswer>,
     /// Number of the newest request; the answer to an older one is of another project.
-    newest: u64,
+    newest: RequestNumber,
 }
 
 impl ProjectReader {
@@ -42,14 +43,13 @@ impl ProjectReader {
             let library = request.folders.iter().fold(Library::built_in().clone(), read);
             NodesAnswer { request, library }
         };
-        Self { worker: Worker::new("nodes", wake, read), newest: 0 }
+        Self { worker: Worker::new("nodes", wake, read), newest: RequestNumber::default() }
     }
 
     fn ask(&mut self, folders: Vec<PathBuf>, keeps_broken: bool) {
-        self.newest += 1;
-        let number = self.newest;
-        // A request that still waits is replaced; only its wish to keep or not to keep broken nodes
-        // lasts.
+        let number = self.newest.advance();
+        // A request that still waits is replaced; only its choice to keep or not to keep broken
+        // nodes lasts.
         self.worker.request(|waiting| NodesRequest {
             folders,
             number,
@@ -60,7 +60,7 @@ impl ProjectReader {
 
     /// Ignores the answer to the request under way.
     fn forget(&mut self) {
-        self.newest += 1;
+        self.newest.advance();
     }
 
     /// The nodes that were last asked for, once they are read.
@@ -84,7 +84,7 @@ impl Session {
     /// Leaves the project of a document that has no folder any more: only the nodes that Chiaro
     /// ships remain.
     pub(super) fn leave_project(&mut self) {
-        if self.look.path.is_some() || self.stage.is_some() {
+        if self.look.path.is_some() || self.open_scene.is_some() {
             self.leave_all_projects();
         }
     }
@@ -93,14 +93,14 @@ impl Session {
     /// previous document had a folder.
     pub(super) fn leave_all_projects(&mut self) {
         self.project.reader.forget();
-        self.use_library(Library::built_in().clone());
+        self.project.set_library(Library::built_in().clone());
     }
 
     /// Goes to the project of the document at `path`: with the nodes that Chiaro ships at once, and
     /// with the project's own as soon as they are read.
     pub(super) fn use_project(&mut self, path: &Path) {
         remove_abandoned(path.parent().unwrap_or(Path::new("")));
-        self.use_library(Library::built_in().clone());
+        self.project.set_library(Library::built_in().clone());
         self.read_nodes(path, false);
     }
 
@@ -135,14 +135,17 @@ impl Session {
     fn node_folders_with(&self, look: Option<&Path>) -> Vec<PathBuf> {
         let beside = |path: &Path| path.parent().unwrap_or(Path::new("")).join("nodes");
         let own = look.map(beside);
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.path()).map(beside);
+        let of_scene =
+            self.open_scene.as_ref().and_then(|open_scene| open_scene.path()).map(beside);
         of_scene.filter(|nodes| own.as_ref() != Some(nodes)).into_iter().chain(own).collect()
     }
 
     /// Reads the project's own nodes again. Where a file is broken now, the look goes on with the
     /// node as it was.
     pub(crate) fn reload_library(&mut self) {
-        let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
+        let of_scene = || {
+            self.open_scene.as_ref().and_then(|open_scene| open_scene.path()).map(Path::to_path_buf)
+        };
         let Some(path) = self.look.path.clone().or_else(of_scene) else { return };
         remove_abandoned(path.parent().unwrap_or(Path::new("")));
         if !self.read_nodes(&path, true) {
@@ -152,7 +155,7 @@ impl Session {
 
     fn renew_library(&mut self, library: Library, keeps_broken: bool) {
         let before = self.project.library.clone();
-        self.use_library(library);
+        self.project.set_library(library);
         if keeps_broken {
             let broken =
                 self.project.library.problems.iter().filter_map(kind_of).map(str::to_owned);
@@ -183,10 +186,6 @@ impl Session {
         });
         self.project.problems = placed.collect();
         self.revisions.problems.advance();
-    }
-
-    pub(super) fn use_library(&mut self, library: Library) {
-        self.project.set_library(library);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use eframe::egui::ColorImage;
 
-use super::{Compared, ComparisonRequest, ComparisonResult, ComparisonTarget};
+use super::{ComparisonRequest, ComparisonResult, ComparisonTarget, PictureComparison};
 use crate::accuracy::{Colors, Truth, Variant, compare};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
@@ -10,7 +10,7 @@ use crate::document::Tier;
 use crate::frame::{Assets, Cull, Executor, Picture, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
 use crate::render::Gpu;
-use crate::state::snapshot::Reused;
+use crate::state::snapshot::CachedPlanner;
 
 /// State of the thread between comparisons.
 pub(super) struct Comparer {
@@ -18,12 +18,12 @@ pub(super) struct Comparer {
     /// floats, and the rounding of a 16-bit picture would show in the difference.
     executor: Option<Box<dyn Executor + Send>>,
     window: Gpu,
-    planner: Reused,
+    planner: CachedPlanner,
 }
 
 impl Comparer {
     pub(super) fn new(window: Gpu) -> Self {
-        let planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        let planner = CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects));
         Self { executor: None, window, planner }
     }
 
@@ -32,11 +32,14 @@ impl Comparer {
         ComparisonResult { moment: job.moment, result }
     }
 
-    async fn try_run(&mut self, job: &ComparisonRequest) -> Result<Compared, Vec<Diagnostic>> {
-        let library = &job.still.library;
-        let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
-        let planner = self.planner.of(&job.still.look, &job.still.library);
-        let setup = job.still.setup(&mut planner.assets)?.value;
+    async fn try_run(
+        &mut self,
+        job: &ComparisonRequest,
+    ) -> Result<PictureComparison, Vec<Diagnostic>> {
+        let library = &job.snapshot.library;
+        let options = PlanOptions { size: job.moment.size, samples: 1, time: job.snapshot.time };
+        let planner = self.planner.of(&job.snapshot.look, &job.snapshot.library);
+        let setup = job.snapshot.setup(&mut planner.assets)?.value;
         let executor = match &mut self.executor {
             Some(executor) => executor,
             none => {
@@ -68,8 +71,8 @@ fn truth(
     setup: &Setup,
     options: &PlanOptions,
 ) -> Result<Truth, Vec<Diagnostic>> {
-    let mut planner = Planner::for_truth(Assets::of(&job.still.assets));
-    let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
+    let mut planner = Planner::for_truth(Assets::of(&job.snapshot.assets));
+    let truth = Truth::of(setup, &job.snapshot.library, &mut planner, options, &job.progress);
     Ok(truth?)
 }
 
@@ -78,7 +81,7 @@ fn together(
     other: &Picture,
     wanted: &Colors<'_>,
     is_edge: impl Fn(usize) -> bool,
-) -> Compared {
+) -> PictureComparison {
     let got = Colors::from(present);
     let figures = compare(&got, wanted, &is_edge);
     let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
@@ -102,5 +105,5 @@ fn together(
         )
     };
     let pictures = [image(present), image(other)];
-    Compared { pictures, difference, figures }
+    PictureComparison { pictures, difference, figures }
 }
