@@ -7,7 +7,7 @@
 //! run: `looks`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
-#![allow(clippy::disallowed_methods, reason = "it asks another program to optimise, and the clock")]
+#![allow(clippy::disallowed_methods, reason = "it asks another program to optimize, and the clock")]
 
 #[path = "support/spirv.rs"]
 mod spirv;
@@ -161,7 +161,7 @@ fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f
 /// installed.
 fn instructions(valid: &wgsl::Valid) -> f64 {
     let words = spirv_words(valid).expect("SPIR-V can express it");
-    spirv::instructions(spirv::optimised(&words).as_ref().unwrap_or(&words)) as f64
+    spirv::instructions(spirv::optimized(&words).as_ref().unwrap_or(&words)) as f64
 }
 
 /// Number of instructions that a plan's passes run for a pixel that shows an object, as estimated

@@ -5,14 +5,12 @@
 //! out, and follows each path that starts at the crate's root, by `crate::` or by `super::`. Test
 //! code inside `src/` is held to the same rule.
 
-mod scan;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support;
-use scan::Reference;
+use crate::support::scan::{self, Reference};
 
 /// The crates of `docs/decisions.md`, lowest first, each with its rooms by floors. A room may
 /// import from any line above its own in its crate, and from itself; never from its own line or a
@@ -44,6 +42,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("reference", &[]),
     ("render", &[]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
+    ("sweeps", &[]),
     (
         "editor",
         &[
@@ -75,10 +74,18 @@ const STRANGERS: &[(&str, &str, &[&str])] = &[
     ("editor", "widgets", &["state"]),
 ];
 
+<<<<<<< ours
 /// Modules of the window's state that know the whole session; all others know its parts alone, so
 /// that no module of the state lies in a ring with another.
 const KNOW_THE_SESSION: &[&str] = &["session", "safety", "fixes"];
 
+||||||| base
+=======
+/// Crates of the project that only some may use: sweeps measure nodes for whoever makes them, and
+/// neither the window nor a library carries them.
+const FOR_FEW: &[(&str, &[&str])] = &[("sweeps", &["cli"])];
+
+>>>>>>> theirs
 /// Packages that only some crates may use: the compiler builds without a GPU and a window, and
 /// users who only want WGSL from a graph pay for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[
@@ -273,7 +280,9 @@ fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
         {
             complaints.push(format!("src/{krate}/Cargo.toml: `{krate}` stands below `{other}`"));
         }
+        let own = name.strip_prefix("chiaro-").unwrap_or_default();
         let kept = KEPT_TO.iter().find(|(package, _)| *package == name);
+        let kept = kept.or_else(|| FOR_FEW.iter().find(|(package, _)| *package == own));
         if let Some((_, owners)) = kept.filter(|(_, owners)| !owners.contains(&krate)) {
             complaints.push(format!(
                 "src/{krate}/Cargo.toml: `{name}` belongs to {} only",
@@ -550,6 +559,10 @@ mod rules {
                 "src/compiler/Cargo.toml: `wgpu` belongs to render, editor only",
                 "src/compiler/Cargo.toml: `clap` belongs to cli only"
             ]
+        );
+        assert_eq!(
+            check_manifest("editor", "[dependencies]\nchiaro-sweeps.workspace = true"),
+            ["src/editor/Cargo.toml: `chiaro-sweeps` belongs to cli only"]
         );
         assert!(
             check_manifest("scene", "[dev-dependencies]\negui = \"1\"")[0].contains("editor only")

@@ -261,7 +261,7 @@ fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     let [r, g, ..] = middle(&mut hand);
     assert!(r > 130 && g < 70, "{r} {g}");
     // Along the light the sample has no painted neighbours.
-    hand.choose("neighbours by", "Light's way around");
+    hand.choose("neighbors by", "Light's way around");
     assert!(near(middle(&mut hand), GREY));
 
     // Alt over the map shows another sample while Alt is held.

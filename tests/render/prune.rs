@@ -31,11 +31,6 @@ fn compare_in(library: &Library, errors: &mut Errors, look: &SetupLook, a: &Opti
     }
 }
 
-/// Sources that decide on the verdict on a look that is compiled in two ways, besides the compiled
-/// modules.
-const JUDGES: &[&str] =
-    &["src/scene/frame", "src/render", "tests/drawing/eval.rs", "tests/render/prune.rs"];
-
 /// Ways of compiling that are compared with baked code, with their error bounds.
 fn ways() -> [(&'static str, Options, f64); 2] {
     [
@@ -46,7 +41,7 @@ fn ways() -> [(&'static str, Options, f64); 2] {
 
 /// Key of the verdict on a look that is compiled in two ways.
 fn key(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Key {
-    let mut key = Key::of_sources(JUDGES)
+    let mut key = Key::of_judges(&["tests/render/prune.rs"])
         .with(renderer().gpu().info.driver_info.as_bytes())
         .with(&bound.to_le_bytes());
     for options in [&Options::default(), other] {

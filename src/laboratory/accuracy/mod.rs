@@ -14,7 +14,6 @@ pub mod measure;
 pub mod plot;
 pub mod report;
 pub mod size;
-pub mod sweep;
 pub mod truth;
 pub mod tune;
 pub mod variant;
