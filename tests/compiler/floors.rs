@@ -74,18 +74,14 @@ const STRANGERS: &[(&str, &str, &[&str])] = &[
     ("editor", "widgets", &["state"]),
 ];
 
-<<<<<<< ours
 /// Modules of the window's state that know the whole session; all others know its parts alone, so
 /// that no module of the state lies in a ring with another.
 const KNOW_THE_SESSION: &[&str] = &["session", "safety", "fixes"];
 
-||||||| base
-=======
 /// Crates of the project that only some may use: sweeps measure nodes for whoever makes them, and
 /// neither the window nor a library carries them.
 const FOR_FEW: &[(&str, &[&str])] = &[("sweeps", &["cli"])];
 
->>>>>>> theirs
 /// Packages that only some crates may use: the compiler builds without a GPU and a window, and
 /// users who only want WGSL from a graph pay for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[

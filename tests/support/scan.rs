@@ -98,9 +98,8 @@ pub fn crate_paths(text: &str, name: &str) -> Vec<Found> {
     found
 }
 
-<<<<<<< ours
 /// Every path in `text` that goes through the module `name`, up to the member below it.
-pub(crate) fn members(text: &str, name: &str) -> Vec<Found> {
+pub fn members(text: &str, name: &str) -> Vec<Found> {
     let tokens = tokens(text);
     let mut found = Vec::new();
     for at in 0..tokens.len() {
@@ -111,8 +110,6 @@ pub(crate) fn members(text: &str, name: &str) -> Vec<Found> {
     found
 }
 
-||||||| base
-=======
 /// The literals of a Rust source that are in quotes, as they are written.
 pub fn literals(text: &str) -> Vec<&str> {
     let mut lexer = Lexer { rest: text, line: 1 };
@@ -133,7 +130,6 @@ pub fn literals(text: &str) -> Vec<&str> {
     found
 }
 
->>>>>>> theirs
 /// True if the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
 fn continues_path(tokens: &[Token], at: usize) -> bool {
     let separated = at >= 1 && tokens[at - 1].kind == Kind::Separator;
