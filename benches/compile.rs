@@ -64,7 +64,8 @@ fn benchmark(criterion: &mut Criterion) {
                 },
             );
         }
-        let source = compile(&look, library, &Options::default()).expect("the chain compiles").wgsl;
+        let source =
+            compile(&look, library, &Options::default()).expect("the chain compiles").value.wgsl;
         group.bench_with_input(
             BenchmarkId::new("naga parses and validates", count),
             &source,

@@ -58,6 +58,7 @@ fn plan(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {
     planner
         .plan(setup, Library::built_in(), live, &OPTIONS)
         .unwrap_or_else(|problems| panic!("{problems:?}"))
+        .value
 }
 
 #[expect(clippy::disallowed_methods, reason = "a benchmark is about time")]

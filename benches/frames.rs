@@ -7,7 +7,7 @@
 //! run: `looks`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
-#![allow(clippy::disallowed_methods, reason = "it asks another program to optimise, and the clock")]
+#![allow(clippy::disallowed_methods, reason = "it asks another program to optimize, and the clock")]
 
 #[path = "support/spirv.rs"]
 mod spirv;
@@ -39,7 +39,7 @@ const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let planned = Planner::default().plan(setup, Library::built_in(), &Live::Keyed, &options);
-    planned.unwrap_or_else(|problems| panic!("{problems:?}"))
+    planned.unwrap_or_else(|problems| panic!("{problems:?}")).value
 }
 
 fn measure(renderer: &mut Renderer, plans: &[FramePlan], rounds: usize) -> Vec<Series> {
@@ -161,7 +161,7 @@ fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f
 /// installed.
 fn instructions(valid: &wgsl::Valid) -> f64 {
     let words = spirv_words(valid).expect("SPIR-V can express it");
-    spirv::instructions(spirv::optimised(&words).as_ref().unwrap_or(&words)) as f64
+    spirv::instructions(spirv::optimized(&words).as_ref().unwrap_or(&words)) as f64
 }
 
 /// Number of instructions that a plan's passes run for a pixel that shows an object, as estimated

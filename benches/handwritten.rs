@@ -8,7 +8,7 @@
 //! median with its 95% interval) and lines (without comments).
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
-#![allow(clippy::disallowed_methods, reason = "it asks another program to optimise")]
+#![allow(clippy::disallowed_methods, reason = "it asks another program to optimize")]
 
 #[path = "support/spirv.rs"]
 mod spirv;
@@ -21,7 +21,7 @@ use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
 use chiaro_test_drawing::handwritten;
 use chiaro_test_drawing::wait::block_on;
-use spirv::{instructions, optimised};
+use spirv::{instructions, optimized};
 
 const SIZE: [u32; 2] = [800, 600];
 const ROUNDS: usize = 41;
@@ -29,7 +29,7 @@ const ROUNDS: usize = 41;
 /// Instructions of a module as naga writes it, and as `spirv-opt -O` leaves it.
 fn sizes(shader: &CompiledShader) -> [Option<usize>; 2] {
     let words = spirv_words(&shader.valid).expect("SPIR-V can express it");
-    [Some(instructions(&words)), optimised(&words).map(|words| instructions(&words))]
+    [Some(instructions(&words)), optimized(&words).map(|words| instructions(&words))]
 }
 
 /// Number of lines that hold more than a comment.
@@ -72,10 +72,10 @@ fn main() {
                     }
                     _ => "?".to_owned(),
                 });
-            let [naga, optimised] = ratios.collect::<Vec<_>>().try_into().expect("two");
+            let [naga, optimized] = ratios.collect::<Vec<_>>().try_into().expect("two");
             let (own, hand) = (lines(shader), by_hand.2);
             println!(
-                "| {look} | {tier:?} | {naga} | {optimised} | {:.2} ({:.2} to {:.2}) | {:.2} ms | \
+                "| {look} | {tier:?} | {naga} | {optimized} | {:.2} ({:.2} to {:.2}) | {:.2} ms | \
                  {own} / {hand} = {:.2} |",
                 time.median,
                 time.low,

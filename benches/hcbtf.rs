@@ -135,7 +135,8 @@ fn frames(path: &Path) {
                 let setup = Variant::Looks(tier).of(&setup);
                 let plan = planner
                     .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-                    .expect("it compiles");
+                    .expect("it compiles")
+                    .value;
                 all.push((format!("{scene}, {kind} {lookup}, {}, {tier:?}", storage.word()), plan));
             }
         }

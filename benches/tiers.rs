@@ -348,7 +348,7 @@ fn looks(filter: &str) {
                 let options = PlanOptions { size: [800, 600], samples: 1, time: 0.0 };
                 let plan =
                     Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
-                plans.push(plan.unwrap_or_else(|problems| panic!("{problems:?}")));
+                plans.push(plan.unwrap_or_else(|problems| panic!("{problems:?}")).value);
             }
         }
         let mut times = [const { Vec::new() }; 3];

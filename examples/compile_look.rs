@@ -23,7 +23,9 @@ fn main() -> ExitCode {
     }
     let Some(look) = loaded.value else { return ExitCode::FAILURE };
     match compile(&look, Library::built_in(), &Options::default()) {
-        Ok(shader) => {
+        Ok(compiled) => {
+            compiled.warnings.iter().for_each(|warning| eprintln!("{warning}"));
+            let shader = compiled.value;
             println!("{}", shader.wgsl);
             for removal in &shader.removed {
                 eprintln!("left out `{}`: {}", removal.path, removal.reason);

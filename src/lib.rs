@@ -20,21 +20,28 @@ pub use chiaro_compiler::{catalog, compile, document, examples, library};
 #[doc(inline)]
 pub use chiaro_files as files;
 
+#[cfg(feature = "scene")]
 #[doc(inline)]
 pub use chiaro_scene::{directions, drawing, export, frame, geometry, hcbtf, threads};
 
+#[cfg(feature = "scene")]
 #[doc(inline)]
 pub use chiaro_reference as reference;
 #[cfg(feature = "gpu")]
 #[doc(inline)]
 pub use chiaro_render as render;
 
+#[cfg(feature = "scene")]
 #[doc(inline)]
 pub use chiaro_laboratory::fit;
 #[cfg(feature = "gpu")]
 #[doc(inline)]
 pub use chiaro_laboratory::{accuracy, gallery};
+#[cfg(feature = "sweeps")]
+#[doc(inline)]
+pub use chiaro_sweeps as sweeps;
 
+#[cfg(feature = "cli")]
 #[doc(inline)]
 pub use chiaro_cli as cli;
 #[cfg(feature = "editor")]

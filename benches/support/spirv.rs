@@ -16,7 +16,7 @@ pub(crate) fn instructions(words: &[u32]) -> usize {
 }
 
 /// The module that `spirv-opt -O` makes of a module; `None` if it is not installed.
-pub(crate) fn optimised(words: &[u32]) -> Option<Vec<u32>> {
+pub(crate) fn optimized(words: &[u32]) -> Option<Vec<u32>> {
     let folder = tempfile::tempdir().ok()?;
     let [before, after] = ["before.spv", "after.spv"].map(|name| folder.path().join(name));
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();

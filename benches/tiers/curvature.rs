@@ -141,7 +141,7 @@ fn length_of(matrix: DMat4) -> f64 {
 
 fn plan(setup: &Setup, options: &PlanOptions) -> FramePlan {
     let planned = Planner::default().plan(setup, Library::built_in(), &Live::Keyed, options);
-    planned.unwrap_or_else(|problems| panic!("{problems:?}"))
+    planned.unwrap_or_else(|problems| panic!("{problems:?}")).value
 }
 
 fn told(series: &Series, exact: &Series) -> String {

@@ -6,9 +6,7 @@ use super::output::Output;
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
 use crate::library::Library;
-use chiaro_laboratory::accuracy::sweep::{
-    AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey,
-};
+use chiaro_sweeps::{AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey};
 
 const EXAMPLES: &str = "\
 Examples:

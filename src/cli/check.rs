@@ -159,10 +159,10 @@ impl Checker<'_> {
             Ok(Warned { value: typed, warnings }) => {
                 missing_images(&typed, folder, &mut self.assets, &mut found);
                 let options = Options { live: Live::Exposed, ..Options::default() };
-                match compile_typed(&typed, &options, warnings) {
+                match compile_typed(&typed, &options) {
                     Ok(compiled) => {
                         let too_deep = too_deep(&compiled);
-                        found.extend(compiled.warnings);
+                        found.extend(warnings);
                         found.extend(too_deep.map(|message| {
                             Diagnostic::warning("deep-shader", message).hint(SHORTEN)
                         }));
@@ -193,8 +193,8 @@ impl Checker<'_> {
         // An object that is hidden now may be shown later.
         let mut all = scene.clone();
         all.objects.values_mut().for_each(|object| object.visible = true);
-        let mut of_setup = Vec::new();
-        let setup = scene_setup(all, folder, &loaded.source, None, &mut self.assets, &mut of_setup);
+        let (setup, of_setup) =
+            scene_setup(all, folder, &loaded.source, None, &mut self.assets).into_parts();
         self.problems.extend(missing_uvs(&setup, library));
         // Problems of the looks were told with the looks.
         let file = path.display().to_string();

@@ -9,6 +9,7 @@ use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
+use crate::frame::Assets;
 use chiaro_scene::export;
 
 const EXAMPLES: &str = "\
@@ -70,8 +71,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         .look
         .file_stem()
         .map_or_else(|| "look".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let place = (setup.folder.as_path(), &mut Assets::default());
     let exported =
-        export::export(&setup.look, &library, &stem, &languages, &setup.folder).map_err(located)?;
+        export::export(&setup.look, &library, &stem, &languages, place).map_err(located)?;
     output.diagnostics(&located(exported.warnings));
     let Some(folder) = folder else {
         let own = format!("{stem}.wgsl");

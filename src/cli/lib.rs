@@ -10,7 +10,7 @@ use chiaro_language::{clock, diag, figures, ids, milestones, progress};
 use chiaro_reference as reference;
 use chiaro_scene::{frame, threads};
 
-#[cfg(feature = "gpu")]
+#[cfg(feature = "sweeps")]
 mod accuracy;
 #[cfg(feature = "gpu")]
 mod bench;
@@ -115,7 +115,7 @@ enum Command {
     /// Tell the value on every wire at one pixel, f32 beside f64
     Probe(probe::Arguments),
     /// Measure how far every node and every example look is from the truth, and write it down
-    #[cfg(feature = "gpu")]
+    #[cfg(feature = "sweeps")]
     Accuracy(accuracy::Arguments),
     /// Show looks and scenes as a web page, with their graphs, shaders and costs
     #[cfg(feature = "gpu")]
@@ -218,7 +218,7 @@ async fn carry_out(command: &Command, output: &Output) -> Outcome {
         Command::Tune(arguments) => tune::run(arguments, output).await,
         Command::Fit(arguments) => fit::run(arguments, output),
         Command::Probe(arguments) => probe::run(arguments, output),
-        #[cfg(feature = "gpu")]
+        #[cfg(feature = "sweeps")]
         Command::Accuracy(arguments) => accuracy::run(arguments, output).await,
         #[cfg(feature = "gpu")]
         Command::Gallery(arguments) => gallery::run(arguments, output).await,

@@ -66,7 +66,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         open(&arguments.document, arguments.mesh.as_deref(), &mut assets)?.into_parts();
     output.diagnostics(&warnings);
     let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
-    let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?;
+    let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?.value;
     let wires = probe_wires(&plan, arguments.at, &Options::default(), &Progress::new())
         .map_err(|one| vec![one])?;
     let Some(wires) = wires else {

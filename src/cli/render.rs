@@ -15,13 +15,11 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Camera, Scene, Tier, parse_hex};
 use crate::files::OutputKind;
-use crate::frame::{
-    self, Assets, Executor, FramePlan, PassId, Picture, PlanOptions, Planner, open,
-};
+use crate::frame::{self, Assets, Executor, PassId, PlanOptions, open};
 use crate::milestones;
 use crate::reference::Reference;
 #[cfg(feature = "gpu")]
-use chiaro_render::{Gpu, Renderer};
+use chiaro_render::Gpu;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -154,25 +152,29 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
-    // The reference draws the truth, in which nothing is folded.
-    let is_truth = arguments.on == Some(On::Reference);
-    let mut planner = if is_truth { Planner::for_truth(assets) } else { Planner::new(assets) };
+    let mut executor = executor(arguments.on, output).await.map_err(one)?;
+    let style = executor.plan_style();
+    let mut planner = style.planner(assets);
     let options = PlanOptions { size, samples: arguments.samples, time: arguments.time };
-    let live = if arguments.live || is_truth { Live::All } else { Live::Keyed };
-    let plan = planner.plan(&setup, &library, &live, &options)?;
+    let live = if arguments.live { Live::All } else { style.live() };
+    let plan = planner.plan(&setup, &library, &live, &options)?.tell(&mut warnings);
     milestones::reached("first shaders");
-    warnings.extend(planner.warnings);
     output.diagnostics(&warnings);
-    let RenderedPicture { picture, passes, adapter, warnings: of_device } =
-        draw(&plan, arguments.on, output).await.map_err(one)?;
+    let of_device = executor.warnings(&plan);
+    let picture = output
+        .watch_async("drawing", async |progress| executor.picture(&plan, progress).await)
+        .await
+        .map_err(one)?;
+    milestones::reached("first picture");
     output.diagnostics(&of_device);
     warnings.extend(of_device);
     let png = picture.to_png().map_err(one)?;
     reads_all(&mut outputs, &arguments.document, &setup, &planner.assets);
     outputs.write(target, OutputKind::PICTURE, &png).map_err(one)?;
     let [width, height] = picture.size;
-    let file = target.display().to_string();
+    let (file, adapter) = (target.display().to_string(), executor.name());
     if arguments.json {
+        let passes: Vec<PassId> = plan.passes.iter().map(|pass| pass.id).collect();
         output.json(&json!({
             "file": file, "width": width, "height": height, "samples": arguments.samples,
             "time": arguments.time,
@@ -194,36 +196,12 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
     [(SIDE * aspect).round() as u32, SIDE as u32]
 }
 
-/// A picture, and the executor that drew it.
-struct RenderedPicture {
-    picture: Picture,
-    passes: Vec<PassId>,
-    adapter: String,
-    /// Warnings about options that the device could not fulfill.
-    warnings: Vec<Diagnostic>,
-}
-
-async fn draw(
-    plan: &FramePlan,
-    on: Option<On>,
-    output: &Output,
-) -> Result<RenderedPicture, Diagnostic> {
-    let mut executor = executor(on, output).await?;
-    let warnings = executor.warnings(plan);
-    let picture = output
-        .watch_async("drawing", async |progress| executor.picture(plan, progress).await)
-        .await?;
-    milestones::reached("first picture");
-    let passes = plan.passes.iter().map(|pass| pass.id).collect();
-    Ok(RenderedPicture { picture, passes, adapter: executor.name(), warnings })
-}
-
 /// The executor: a GPU if there is one and the reference was not asked for, else the reference.
 async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
     #[cfg(feature = "gpu")]
     if on != Some(On::Reference) {
         match Gpu::headless().await {
-            Ok(gpu) => return Ok(Box::new(Renderer::new(gpu))),
+            Ok(gpu) => return Ok(gpu.executor()),
             Err(error) if on.is_none() => output.message(&format!(
                 "{error}: drawing on the reference, in software, which takes seconds"
             )),
@@ -238,7 +216,11 @@ async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, 
     }
     #[cfg(not(feature = "gpu"))]
     let _ = output;
-    Ok(Box::new(Reference::default()))
+    Ok(Box::new(if on == Some(On::Reference) {
+        Reference::of_truth()
+    } else {
+        Reference::default()
+    }))
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

@@ -14,7 +14,7 @@ use chiaro_reference as reference;
 use chiaro_render as render;
 use chiaro_scene::frame;
 #[cfg(feature = "gpu")]
-use chiaro_scene::{drawing, export, hcbtf};
+use chiaro_scene::{drawing, export};
 
 /// Samples that docs and gallery show each kind of node with, by kind: values, sources and shape,
 /// as JSON.

@@ -111,23 +111,55 @@ pub fn execute(
         // Later passes also read this pass's pixels around the wanted ones.
         let around = options.widened(plan.margin(id));
         let made = match id.stage() {
-            Some(Stage::Draw) => {
-                let raster = draw(plan, (id, Stage::Draw), &images, shaders, options, &progress)?;
+            Some(stage) if id.writes_picture() => {
+                let raster = draw(plan, (id, stage), &images, shaders, options, &progress)?;
                 let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
                 picture = Some(ReferencePicture::new(raster, plan.samples, objects));
                 continue;
             }
             Some(stage) => draw(plan, (id, stage), &images, shaders, &around, &progress)?.texels,
-            None => {
-                let shader = shaders.screen(plan, id, &images)?;
-                shade_all(plan.size, channels(id), shader.as_ref(), &around, &progress)?
-            }
+            None => screen(plan, id, &images, shaders, &around, &progress)?,
         };
         images.insert_rounded(id, &made, options.images);
     }
     picture.ok_or_else(|| {
         Diagnostic::error("reference-plan", "the plan has no pass that makes the picture")
     })
+}
+
+/// Runs the passes of `plan` over the picture, without those that draw meshes, and adds their
+/// results to `images`, which hold what the plan is [missing](FramePlan::missing).
+///
+/// # Errors
+/// As [`execute`].
+pub fn execute_screens(
+    plan: &FramePlan,
+    images: &mut PassImages,
+    shaders: &dyn Shaders,
+    options: &Options,
+    progress: &Progress,
+) -> Result<(), Diagnostic> {
+    let screens = || plan.passes.iter().map(|pass| pass.id).filter(|id| id.is_screen());
+    progress.begin(screens().count() as u64);
+    for id in screens() {
+        let around = options.widened(plan.margin(id));
+        let made = screen(plan, id, images, shaders, &around, &progress.part(1))?;
+        images.insert_rounded(id, &made, options.images);
+    }
+    Ok(())
+}
+
+/// Draws one pass over the picture.
+fn screen(
+    plan: &FramePlan,
+    pass: PassId,
+    images: &PassImages,
+    shaders: &dyn Shaders,
+    options: &Options,
+    progress: &Progress,
+) -> Result<Texels, Diagnostic> {
+    let shader = shaders.screen(plan, pass, images)?;
+    shade_all(plan.size, channels(pass), shader.as_ref(), options, progress)
 }
 
 /// Draws one pass of meshes.
@@ -150,7 +182,7 @@ fn draw(
         Triangles { indices: indices.unwrap_or_default(), shader: shader.as_ref(), sides }
     });
     let triangles: Vec<_> = triangles.collect();
-    let (target, samples) = if stage == Stage::Draw {
+    let (target, samples) = if pass.writes_picture() {
         let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
         (Target::Picture([r * a, g * a, b * a, a]), plan.samples)
     } else {

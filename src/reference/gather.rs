@@ -218,7 +218,7 @@ impl Shaders for Recorder<'_> {
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
         let inner = self.modules.draw(plan, draw, pass, images)?;
         let place = plan.draws.iter().position(|other| std::ptr::eq(other, draw));
-        let (PassId::LOOK, Some(number)) = (pass, place) else { return Ok(inner) };
+        let Some(number) = place.filter(|_| pass.writes_picture()) else { return Ok(inner) };
         let bindings = self.modules.bindings_of(plan, draw, images)?;
         self.bindings.lock().unwrap_or_else(PoisonError::into_inner)[number] = Some(bindings);
         let discards = draw.look.wgsl.contains("discard");

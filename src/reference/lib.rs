@@ -53,7 +53,7 @@ mod tiles;
 mod uniform;
 
 pub use eval::evaluate;
-pub use executor::{PassImages, Shaders, execute};
+pub use executor::{PassImages, Shaders, execute, execute_screens};
 pub use fullscreen::shade_all;
 pub use gather::{Gathered, Seen, Sheet};
 pub use geometry::Triangles;

@@ -15,7 +15,7 @@ use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{
     Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
-    ScreenModule, ScreenResource, Stage,
+    ScreenModule, ScreenResource,
 };
 use crate::interp::{
     self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind,
@@ -134,7 +134,7 @@ impl Modules {
         draw: &Draw,
         images: &PassImages,
     ) -> Result<Bindings, Diagnostic> {
-        self.bindings_for(plan, draw, &draw.look, Stage::Draw, images)
+        self.bindings_for(plan, draw, &draw.look, images)
     }
 
     /// The look of a draw with its [bindings](Self::bindings_of), but for `numbers` in the look's
@@ -159,7 +159,6 @@ impl Modules {
         plan: &FramePlan,
         draw: &Draw,
         shader: &Arc<CompiledShader>,
-        stage: Stage,
         images: &PassImages,
     ) -> Result<Bindings, Diagnostic> {
         let stages = self.stages(shader)?;
@@ -174,13 +173,17 @@ impl Modules {
                     buffer(&mut bindings, stages, at, &draw.object_uniform.numbers);
                 }
                 BindingKind::Look => {
-                    let numbers =
-                        draw.look_uniforms.get(&stage).map(|uniform| uniform.numbers.as_slice());
+                    let numbers = draw
+                        .look_uniforms
+                        .get(&shader.stage)
+                        .map(|uniform| uniform.numbers.as_slice());
                     buffer(&mut bindings, stages, at, numbers.unwrap_or_default());
                 }
                 BindingKind::Image(index) | BindingKind::Hcbtf(index) => {
-                    let key =
-                        draw.images_of(stage).get(*index).zip(shader.needs.images.get(*index));
+                    let key = draw
+                        .images_of(shader.stage)
+                        .get(*index)
+                        .zip(shader.needs.images.get(*index));
                     let texture = key
                         .and_then(|(image, used)| self.images.get(&(image.hash, used.is_decoded)));
                     bindings.texture(0, at, texture.ok_or_else(|| missing("an image"))?.clone());
@@ -221,10 +224,10 @@ impl Shaders for Modules {
         let stage = pass.stage().ok_or_else(|| missing("the module of a pass"))?;
         let shader = draw.module(stage).ok_or_else(|| missing("a module of a draw"))?;
         let stages = self.stages(shader)?;
-        let bindings = self.bindings_for(plan, draw, shader, stage, images)?;
+        let bindings = self.bindings_for(plan, draw, shader, images)?;
         let mut bindable = Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
         let place = plan.draws.iter().position(|other| std::ptr::eq(other, draw));
-        bindable.watch = self.watch.as_ref().zip(place).filter(|_| stage == Stage::Draw);
+        bindable.watch = self.watch.as_ref().zip(place).filter(|_| pass.writes_picture());
         Ok(Box::new(bindable))
     }
 
@@ -238,13 +241,13 @@ impl Shaders for Modules {
             self.screens.get(&pass).ok_or_else(|| missing("the module of a pass"))?;
         let mut bindings = Bindings::new();
         for binding in &module.bindings {
-            match binding.holds {
+            match &binding.holds {
                 ScreenResource::Image(image) => {
-                    let texels = images.get(image).ok_or_else(|| misplaced(pass, image.pass))?;
+                    let texels = images.get(*image).ok_or_else(|| misplaced(pass, image.pass))?;
                     bindings.texture(0, binding.binding, texture(texels)?);
                 }
-                ScreenResource::View => {
-                    let numbers = plan.view.screen_numbers(plan.samples);
+                ScreenResource::Numbers(numbers) => {
+                    let numbers = plan.view.numbers(numbers, plan.samples);
                     buffer(&mut bindings, stages, binding.binding, &numbers);
                 }
             }

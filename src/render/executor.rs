@@ -1,9 +1,16 @@
 //! The renderer as an executor of frame plans.
 
-use crate::Renderer;
 use crate::diag::Diagnostic;
 use crate::frame::{Executor, FramePlan, PictureFuture};
 use crate::progress::Progress;
+use crate::{Gpu, Renderer};
+
+impl Gpu {
+    /// An executor on this device, for callers that only want pictures.
+    pub fn executor(&self) -> Box<dyn Executor + Send> {
+        Box::new(Renderer::new(self.clone()))
+    }
+}
 
 impl Executor for Renderer {
     fn name(&self) -> String {

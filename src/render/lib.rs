@@ -24,7 +24,6 @@ mod timer;
 
 use std::collections::HashMap;
 
-use crate::compile::Stage;
 use crate::frame::{FramePlan, PassId};
 
 pub use crate::frame::Picture;
@@ -101,7 +100,7 @@ impl Renderer {
             }
             match pass.id.stage() {
                 None => self.draw_screen(plan, pass.id, &mut encoder)?,
-                Some(Stage::Draw) => self.draw_look(plan, &mut encoder)?,
+                Some(_) if pass.id.writes_picture() => self.draw_look(plan, &mut encoder)?,
                 Some(stage) => self.draw_meshes(plan, (pass.id, stage), &mut encoder)?,
             }
             ran.push(pass.id);

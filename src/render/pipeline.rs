@@ -8,7 +8,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use super::target::{DEPTH, format_of};
 use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
-use crate::frame::{PassId, stack_of};
+use crate::frame::{PassId, PassOutput, TexelFormat, stack_of};
 
 /// Stack that any thread has to spare, in bytes; the smallest of our threads have 2 MiB.
 const SMALL_STACK: usize = 1 << 20;
@@ -132,7 +132,7 @@ fn make(gpu: &Gpu, shader: &CompiledShader, samples: u32, sides: Sides) -> LookP
         bind_group_layouts: &[Some(&layout)],
         immediate_size: 0,
     });
-    let is_mesh = shader.stage != Stage::Eval;
+    let is_mesh = shader.stage.draws_meshes();
     let attributes = if is_mesh { shader.needs.attributes() } else { Vec::new() };
     let formats: Vec<[wgpu::VertexAttribute; 1]> =
         attributes.iter().map(|attribute| [vertex_attribute(*attribute)]).collect();
@@ -185,32 +185,30 @@ fn targets(stage: Stage, gpu: &Gpu) -> Vec<Option<wgpu::ColorTargetState>> {
     let plain = |format| {
         Some(wgpu::ColorTargetState { format, blend: None, write_mask: wgpu::ColorWrites::ALL })
     };
-    match stage {
-        Stage::Eval => vec![plain(wgpu::TextureFormat::Rgba32Float)],
-        Stage::Draw => {
-            // The shader outputs straight color; the target is premultiplied, so that samples can
-            // be averaged.
-            let over = |src_factor| wgpu::BlendComponent {
-                src_factor,
-                dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
-                operation: wgpu::BlendOperation::Add,
-            };
-            let blend = wgpu::BlendState {
-                color: over(wgpu::BlendFactor::SrcAlpha),
-                alpha: over(wgpu::BlendFactor::One),
-            };
-            vec![Some(wgpu::ColorTargetState {
-                format: gpu.picture,
-                blend: Some(blend),
-                write_mask: wgpu::ColorWrites::ALL,
-            })]
-        }
-        before => {
-            let pass = PassId::of_stage(before);
-            let writes = pass.iter().flat_map(|pass| pass.row().writes);
-            writes.map(|output| plain(format_of(gpu, output.format))).collect()
-        }
-    }
+    let Some(pass) = PassId::of_stage(stage) else {
+        // Values of samples.
+        return vec![plain(wgpu::TextureFormat::Rgba32Float)];
+    };
+    let target = |output: &PassOutput| {
+        let format = format_of(gpu, output.format);
+        if output.format == TexelFormat::Picture { blended(format) } else { plain(format) }
+    };
+    pass.row().writes.iter().map(target).collect()
+}
+
+/// The target of the picture. The shader outputs straight color; the target is premultiplied, so
+/// that samples can be averaged.
+fn blended(format: wgpu::TextureFormat) -> Option<wgpu::ColorTargetState> {
+    let over = |src_factor| wgpu::BlendComponent {
+        src_factor,
+        dst_factor: wgpu::BlendFactor::OneMinusSrcAlpha,
+        operation: wgpu::BlendOperation::Add,
+    };
+    let blend = wgpu::BlendState {
+        color: over(wgpu::BlendFactor::SrcAlpha),
+        alpha: over(wgpu::BlendFactor::One),
+    };
+    Some(wgpu::ColorTargetState { format, blend: Some(blend), write_mask: wgpu::ColorWrites::ALL })
 }
 
 fn vertex_attribute(attribute: Attribute) -> wgpu::VertexAttribute {

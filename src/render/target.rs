@@ -46,7 +46,7 @@ impl Targets {
             };
             is_new = true;
         }
-        for pass in plan.passes.iter().map(|pass| pass.id).filter(|id| *id != PassId::LOOK) {
+        for pass in plan.passes.iter().map(|pass| pass.id).filter(|id| !id.writes_picture()) {
             for image in PassImage::written(pass) {
                 let format = format_of(gpu, pass.row().writes[image.output].format);
                 self.images.entry(image).or_insert_with(|| {

@@ -5,14 +5,12 @@
 //! out, and follows each path that starts at the crate's root, by `crate::` or by `super::`. Test
 //! code inside `src/` is held to the same rule.
 
-mod scan;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support;
-use scan::Reference;
+use crate::support::scan::{self, Reference};
 
 /// The crates of `docs/decisions.md`, lowest first, each with its rooms by floors. A room may
 /// import from any line above its own in its crate, and from itself; never from its own line or a
@@ -44,6 +42,7 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("reference", &[]),
     ("render", &[]),
     ("laboratory", &[&["accuracy", "fit"], &["gallery"]]),
+    ("sweeps", &[]),
     (
         "editor",
         &[
@@ -100,6 +99,14 @@ const STRANGERS: &[(&str, &str, &[&str])] = &[
     ("editor", "widgets", &["state"]),
 ];
 
+/// Modules of the window's state that know the whole session; all others know its parts alone, so
+/// that no module of the state lies in a ring with another.
+const KNOW_THE_SESSION: &[&str] = &["session", "safety", "fixes"];
+
+/// Crates of the project that only some may use: sweeps measure nodes for whoever makes them, and
+/// neither the window nor a library carries them.
+const FOR_FEW: &[(&str, &[&str])] = &[("sweeps", &["cli"])];
+
 /// Packages that only some crates may use: the compiler builds without a GPU and a window, and
 /// users who only want WGSL from a graph pay for no command line and no archives.
 const KEPT_TO: &[(&str, &[&str])] = &[
@@ -116,6 +123,43 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("faer", &["scene"]),
     ("gltf", &["scene"]),
     ("rayon", &["scene", "reference", "laboratory"]),
+];
+
+/// An executor by name.
+struct NamedExecutor {
+    name: &'static str,
+    /// Modules that have the executor.
+    modules: &'static [&'static str],
+    /// Files that may name the executor, each with what it does that an `Executor` does not.
+    allowed: &'static [(&'static str, &'static str)],
+}
+
+/// All executors. Code that only wants a picture takes a `dyn Executor`, and does not know who
+/// draws.
+const EXECUTORS: &[NamedExecutor] = &[
+    NamedExecutor {
+        name: "Renderer",
+        modules: &["render", "chiaro_render"],
+        allowed: &[
+            ("cli/bench.rs", "times passes"),
+            ("cli/eval.rs", "evaluates samples"),
+            ("cli/explain/mod.rs", "times passes"),
+            ("cli/tune.rs", "times passes"),
+            ("editor/panels/cost/mod.rs", "times passes"),
+            ("editor/viewport/picture.rs", "shows the texture itself, and times passes"),
+            ("laboratory/accuracy/bench.rs", "times passes"),
+            ("laboratory/accuracy/cost.rs", "times passes"),
+            ("laboratory/accuracy/sweep/measure.rs", "evaluates samples"),
+            ("laboratory/accuracy/sweep/survey.rs", "evaluates samples"),
+            ("laboratory/accuracy/tune.rs", "times passes"),
+            ("laboratory/gallery/entry.rs", "times passes"),
+        ],
+    },
+    NamedExecutor {
+        name: "Reference",
+        modules: &["reference", "chiaro_reference"],
+        allowed: &[("cli/render.rs", "chooses the executor that was asked for")],
+    },
 ];
 
 /// The rank of a room among the floors of its crate, from 0.
@@ -257,7 +301,9 @@ fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
         {
             complaints.push(format!("src/{krate}/Cargo.toml: `{krate}` stands below `{other}`"));
         }
+        let own = name.strip_prefix("chiaro-").unwrap_or_default();
         let kept = KEPT_TO.iter().find(|(package, _)| *package == name);
+        let kept = kept.or_else(|| FOR_FEW.iter().find(|(package, _)| *package == own));
         if let Some((_, owners)) = kept.filter(|(_, owners)| !owners.contains(&krate)) {
             complaints.push(format!(
                 "src/{krate}/Cargo.toml: `{name}` belongs to {} only",
@@ -362,6 +408,26 @@ fn scenes_read_through_files_alone() {
 }
 
 #[test]
+fn parts_of_the_windows_state_do_not_know_the_session() {
+    let (src, files) = sources();
+    let mut modules = BTreeSet::new();
+    for path in &files {
+        let Ok(inside) = path.strip_prefix("editor/state") else { continue };
+        let module = inside.iter().next().unwrap().to_string_lossy();
+        let module = module.trim_end_matches(".rs").to_owned();
+        let text = fs::read_to_string(src.join(path)).unwrap();
+        let knows = text.contains("crate::state::session");
+        assert!(
+            !knows || KNOW_THE_SESSION.contains(&module.as_str()),
+            "{}: `{module}` may know parts of the session, not the whole",
+            path.display()
+        );
+        modules.insert(module);
+    }
+    assert!(modules.len() > 15, "{modules:?}");
+}
+
+#[test]
 fn every_room_stands_on_one_floor() {
     let (_, files) = sources();
     for (krate, floors) in CRATES.iter().filter(|(_, floors)| !floors.is_empty()) {
@@ -381,6 +447,42 @@ fn every_room_stands_on_one_floor() {
         let named = floors.iter().map(|rooms| rooms.len()).sum::<usize>();
         assert_eq!(named, rooms.len(), "CRATES names rooms of `{krate}` that are not there");
     }
+}
+
+/// The lines on which `text` names an executor that one of `modules` has.
+fn executors_named(text: &str, executor: &str, modules: &[&str]) -> Vec<usize> {
+    let found = modules.iter().flat_map(|module| scan::members(text, module));
+    let is_executor = |found: &scan::Found| match &found.reference {
+        Reference::Module(member) => member == executor,
+        other => *other == Reference::WholeCrate,
+    };
+    found.filter(is_executor).map(|found| found.line).collect()
+}
+
+#[test]
+fn who_only_wants_a_picture_does_not_ask_who_draws() {
+    let (src, files) = sources();
+    let mut complaints = Vec::new();
+    for NamedExecutor { name: executor, modules, allowed } in EXECUTORS {
+        let mut idle: BTreeSet<&str> = allowed.iter().map(|(path, _)| *path).collect();
+        for path in files.iter().filter(|path| !modules.iter().any(|own| path.starts_with(own))) {
+            let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+            let name = path.to_str().expect("sources have plain names");
+            for line in executors_named(&text, executor, modules) {
+                if !allowed.iter().any(|(known, _)| *known == name) {
+                    complaints.push(format!("src/{name}:{line}: take a `dyn Executor` instead"));
+                }
+                idle.remove(name);
+            }
+        }
+        assert!(idle.is_empty(), "files that do not name `{executor}` any more: {idle:?}");
+    }
+    assert!(complaints.is_empty(), "executors named:\n{}", complaints.join("\n"));
+    let named = |text: &str| executors_named(text, "Renderer", &["render"]).len();
+    assert_eq!(named("use crate::render::{Gpu, Renderer};"), 1);
+    assert_eq!(named("fn f() { chiaro::render::Renderer::new(gpu) }"), 1);
+    assert_eq!(named("use crate::render::*;"), 1);
+    assert_eq!(named("use crate::render::Gpu; use eframe::Renderer; // render::Renderer"), 0);
 }
 
 /// Cargo finds no test program by itself, because one belongs to another package; so a test program
@@ -510,6 +612,10 @@ mod rules {
                 "src/compiler/Cargo.toml: `wgpu` belongs to render, editor only",
                 "src/compiler/Cargo.toml: `clap` belongs to cli only"
             ]
+        );
+        assert_eq!(
+            check_manifest("editor", "[dependencies]\nchiaro-sweeps.workspace = true"),
+            ["src/editor/Cargo.toml: `chiaro-sweeps` belongs to cli only"]
         );
         assert!(
             check_manifest("scene", "[dev-dependencies]\negui = \"1\"")[0].contains("editor only")

@@ -140,7 +140,7 @@ fn every_look_runs_in_lanes_as_it_runs_alone() {
             [(Stage::Draw, Live::Exposed), (Stage::Normals, Live::All), (Stage::Eval, Live::All)]
         {
             let options = Options { live, stage, ..Options::default() };
-            let shader = compile(&look, Library::built_in(), &options).unwrap();
+            let shader = compile(&look, Library::built_in(), &options).unwrap().value;
             let module = &shader.valid.module;
             for entry in &module.entry_points {
                 if entry.stage == naga::ShaderStage::Compute {
@@ -200,7 +200,7 @@ fn compare(program: &Program, path: &Path) {
 fn measure() {
     for path in looks() {
         let look = Look::load(&crate::support::chiaro_files::Disk, &path).value.unwrap();
-        let shader = compile(&look, Library::built_in(), &Options::default()).unwrap();
+        let shader = compile(&look, Library::built_in(), &Options::default()).unwrap().value;
         let program =
             Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl))
                 .unwrap();

@@ -8,6 +8,7 @@ use chiaro_compiler::document::{Look, Scene};
 use chiaro_compiler::library::{Library, Type};
 use chiaro_language::diag::Diagnostic;
 use chiaro_language::ids::{NodePath, ObjectId, PortName};
+use chiaro_language::wgsl::code;
 use chiaro_render::{Gpu, Picture, Renderer};
 use chiaro_scene::frame::{
     Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, SetupObject, eval_batches,
@@ -75,7 +76,7 @@ pub fn eval_with(
 }
 
 /// Hands `sink` everything that the values of a look's samples depend on, except the engines that
-/// run the shaders: modules, numbers and images.
+/// run the shaders: modules without their comments, numbers and images.
 pub fn content(
     look: &SetupLook,
     library: &Library,
@@ -86,7 +87,7 @@ pub fn content(
     let batches = eval_batches(look, library, samples, options, &mut Assets::default())
         .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));
     for batch in &batches {
-        sink(batch.shader.wgsl.as_bytes());
+        sink(code(&batch.shader.wgsl).as_bytes());
         let numbers = batch.samples.numbers.iter().flat_map(|number| number.to_le_bytes());
         sink(&numbers.collect::<Vec<u8>>());
         batch.images.iter().for_each(|image| sink(&image.bytes));
@@ -182,6 +183,7 @@ pub fn draw(
     let options = PlanOptions { size, samples, time: 0.0 };
     let plan = Planner::default()
         .plan(setup, library, live, &options)
-        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        .value;
     block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
 }

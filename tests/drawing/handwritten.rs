@@ -32,7 +32,7 @@ pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
     }
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
-    plan.unwrap_or_else(|problems| panic!("{}", problems[0]))
+    plan.unwrap_or_else(|problems| panic!("{}", problems[0])).value
 }
 
 /// The frame plan with the module written by hand in the generated one's place, with the same
@@ -40,7 +40,7 @@ pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
 pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
     let options = Options { display: true, ..Options::default() };
     let mut shader =
-        compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example");
+        compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example").value;
     let path = root("benches/handwritten").join(format!("{look}.wgsl"));
     shader.wgsl = std::fs::read_to_string(&path).expect("a file that can be read");
     shader.valid = wgsl::parse(&shader.wgsl)

@@ -56,7 +56,7 @@ fn select(hand: &mut Hand, ids: &[&str]) {
 }
 
 fn selected(hand: &Hand) -> Vec<String> {
-    hand.app().session().selected().map(ToString::to_string).collect()
+    hand.app().session().selection().nodes().map(ToString::to_string).collect()
 }
 
 fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<String> {
@@ -68,7 +68,7 @@ fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<String> {
 }
 
 fn errors(hand: &Hand) -> Vec<String> {
-    let problems = hand.app().session().problems().iter();
+    let problems = hand.app().session().compilation().problems().iter();
     problems.filter(|problem| problem.is_error()).map(ToString::to_string).collect()
 }
 
@@ -127,7 +127,7 @@ fn a_group_is_made_opened_edited_and_dissolved() {
     // A double click on the group's title opens the group.
     hand.double_click(node_center(&hand, "group"));
     hand.settle();
-    assert_eq!(hand.app().session().open_groups(), ["group".into()]);
+    assert_eq!(hand.app().session().selection().open_groups(), ["group".into()]);
     assert!(
         hand.app().canvas().node_rect("sum").is_some()
             && hand.app().canvas().node_rect("a").is_none()
@@ -149,7 +149,7 @@ fn a_group_is_made_opened_edited_and_dissolved() {
     // The breadcrumbs lead back to the look.
     let at = hand.harness.get_by_label("Go to Look").rect().center();
     hand.click(at);
-    assert!(hand.app().session().open_groups().is_empty());
+    assert!(hand.app().session().selection().open_groups().is_empty());
     assert_eq!(selected(&hand), ["group"], "where one came from is selected");
 
     hand.hover(node_center(&hand, "group"));
@@ -168,13 +168,13 @@ fn a_group_opens_by_key_and_undo_leaves_one_that_is_gone() {
     select(&mut hand, &["sum"]);
     hand.key_with(CTRL, Key::G);
     hand.key_with(CTRL, Key::Enter);
-    assert_eq!(hand.app().session().open_groups().len(), 1);
+    assert_eq!(hand.app().session().selection().open_groups().len(), 1);
     hand.key(Key::U);
-    assert!(hand.app().session().open_groups().is_empty());
+    assert!(hand.app().session().selection().open_groups().is_empty());
     hand.key_with(CTRL, Key::Enter);
-    assert_eq!(hand.app().session().open_groups().len(), 1);
+    assert_eq!(hand.app().session().selection().open_groups().len(), 1);
     hand.undo();
-    assert!(hand.app().session().open_groups().is_empty(), "the group is no more");
+    assert!(hand.app().session().selection().open_groups().is_empty(), "the group is no more");
     assert!(hand.app().canvas().node_rect("a").is_some());
 }
 
@@ -184,7 +184,7 @@ fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
     let before = hand.look().to_text();
     hand.double_click(node_center(&hand, "diffuse"));
     hand.settle();
-    assert!(hand.app().session().is_read_only());
+    assert!(hand.app().session().graph_view().is_read_only());
     let inner = hand.app().session().graph().nodes.keys().next().unwrap().clone();
     hand.click(node_center(&hand, inner.as_str()));
     hand.key(Key::Delete);
@@ -193,7 +193,7 @@ fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
         hand.harness.get_all_by_label("Make it the look's own").next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
-    assert!(!hand.app().session().is_read_only());
+    assert!(!hand.app().session().graph_view().is_read_only());
     assert!(hand.look().definitions.contains_key("light_layer"));
     hand.click(node_center(&hand, inner.as_str()));
     hand.key(Key::Delete);
@@ -201,7 +201,7 @@ fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
     // After the undo the layer is the library's again.
     undoes_to(&mut hand, &before);
     hand.settle();
-    assert!(hand.app().session().is_read_only());
+    assert!(hand.app().session().graph_view().is_read_only());
     assert!(errors(&hand).is_empty(), "{:?}", errors(&hand));
 }
 
@@ -602,7 +602,7 @@ fn a_problem_in_a_group_leads_into_it() {
     let at = hand.harness.get_all_by_label("group / bad").next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
-    assert_eq!(hand.app().session().open_groups(), ["group".into()]);
+    assert_eq!(hand.app().session().selection().open_groups(), ["group".into()]);
     assert_eq!(selected(&hand), ["bad"]);
     assert!(hand.app().canvas().has_error("bad"));
 }
@@ -627,7 +627,7 @@ fn the_sheet_lists_keys_and_the_palette_runs_commands() {
     assert!(
         !hand.look().graph.nodes.contains_key("group"),
         "{:?}",
-        hand.app().session().undo_label()
+        hand.app().session().steps().undo_label()
     );
 }
 
@@ -663,7 +663,7 @@ fn a_script_may_edit_inside_a_group() {
     select(&mut hand, &["sum"]);
     hand.key_with(CTRL, Key::G);
     hand.key_with(CTRL, Key::Enter);
-    let graph = hand.app().session().graph_id().clone();
+    let graph = hand.app().session().selection().graph_id().clone();
     let node = Node { kind: "clamp_range".to_owned(), position: [260.0, 300.0], ..Node::default() };
     let add = Edit::AddNode { graph, id: "clamp_range".into(), node, index: None };
     hand.app_mut().session_mut().apply(add, None).unwrap();

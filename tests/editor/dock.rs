@@ -175,9 +175,9 @@ fn a_painting_that_is_left_gives_the_view_of_before_back() {
     let middle = hand.app().viewport().rect().unwrap().center();
     hand.drag(middle, middle + vec2(70.0, -30.0));
     hand.settle();
-    let before = hand.app().session().orbit().clone();
+    let before = hand.app().session().view().orbit().clone();
     new_painting(&mut hand);
-    let sheet = hand.app().session().orbit().clone();
+    let sheet = hand.app().session().view().orbit().clone();
     assert!(
         sheet.mesh == "shape:plane" && sheet.z_is_up,
         "a painting is seen on a square that lies"
@@ -188,15 +188,15 @@ fn a_painting_that_is_left_gives_the_view_of_before_back() {
     new_painting(&mut hand);
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
-    assert_eq!(*hand.app().session().orbit(), before);
+    assert_eq!(*hand.app().session().view().orbit(), before);
     // The command that goes back to the painting shows the square again; a new look then has the
     // view of before.
     hand.press("Paint");
     hand.press_a(Role::MenuItem, "Back to New HCBTF");
-    assert_eq!(hand.app().session().orbit().mesh, "shape:plane");
+    assert_eq!(hand.app().session().view().orbit().mesh, "shape:plane");
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
-    assert_eq!(*hand.app().session().orbit(), before);
+    assert_eq!(*hand.app().session().view().orbit(), before);
 }
 
 #[test]
@@ -207,7 +207,7 @@ fn a_mesh_that_was_chosen_while_painting_stays_and_stands_as_it_stood() {
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
     assert_eq!(
-        *hand.app().session().orbit(),
+        *hand.app().session().view().orbit(),
         Orbit { mesh: "shape:knot".to_owned(), ..Orbit::default() }
     );
 }
@@ -223,10 +223,12 @@ fn after_a_restart_a_painting_gives_the_view_of_the_beginning() {
     hand.app_mut().session_mut().close_journal(true);
     drop(hand);
     let mut hand = home.window(None);
-    assert!(hand.has("Painting canvas") && hand.app().session().orbit().mesh == "shape:plane");
+    assert!(
+        hand.has("Painting canvas") && hand.app().session().view().orbit().mesh == "shape:plane"
+    );
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
-    assert_eq!(*hand.app().session().orbit(), Orbit::default());
+    assert_eq!(*hand.app().session().view().orbit(), Orbit::default());
 }
 
 #[test]

@@ -43,7 +43,7 @@ fn paint_light(hand: &mut Hand) {
 /// A place of the picture, in parts of the ball's radius from the ball's middle.
 fn at(hand: &Hand, x: f32, y: f32) -> Pos2 {
     let rect = hand.app().viewport().rect().unwrap();
-    let radius = hand.app().session().orbit().radius_in_picture() as f32 * rect.height();
+    let radius = hand.app().session().view().orbit().radius_in_picture() as f32 * rect.height();
     rect.center() + vec2(x, -y) * radius
 }
 
@@ -64,7 +64,8 @@ fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
     let plan = Planner::new(Assets::default())
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-        .unwrap();
+        .unwrap()
+        .value;
     let radius = chiaro::editor::Orbit::default().radius_in_picture();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     let picture =
@@ -89,7 +90,10 @@ fn light_is_painted_fitted_applied_and_undone() {
     let before = hand.look().clone();
     paint_both_sides(&mut hand);
     assert!(hand.app().fitting().painted() > 20, "{}", hand.app().fitting().painted());
-    assert_eq!(hand.app().session().steps().collect::<Vec<_>>(), ["paint light", "paint dark"]);
+    assert_eq!(
+        hand.app().session().steps().labels().collect::<Vec<_>>(),
+        ["paint light", "paint dark"]
+    );
 
     hand.press("Fit this look");
     let [was, is] = hand
@@ -100,13 +104,13 @@ fn light_is_painted_fitted_applied_and_undone() {
     assert!(is < 0.7 * was, "{is} of {was}");
     assert_eq!(*hand.look(), before, "a preview is no edit");
     assert!(
-        hand.app().session().preview().is_some()
+        hand.app().session().sketchbook().preview().is_some()
             && hand.says("Preview of the fit") | hand.has("Apply")
     );
 
     hand.press("Apply");
     let after = hand.look().clone();
-    assert!(after != before && hand.app().session().preview().is_none());
+    assert!(after != before && hand.app().session().sketchbook().preview().is_none());
     let [left, right] = [LEFT, RIGHT].map(|place| {
         let place = place.map(f64::from);
         brightness(&after, place) - brightness(&before, place)
@@ -165,7 +169,7 @@ fn new_layers_take_the_place_of_the_nodes() {
 #[test]
 fn strokes_are_undone_cleared_and_belong_to_their_view() {
     let mut hand = painter("examples/looks/figure3-profile.json");
-    let orbit = hand.app().session().orbit().clone();
+    let orbit = hand.app().session().view().orbit().clone();
     paint_both_sides(&mut hand);
     let both = hand.app().fitting().painted();
     hand.undo();
@@ -175,16 +179,16 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
     hand.redo();
     hand.settle();
     assert_eq!(hand.app().fitting().painted(), both);
-    assert_eq!(*hand.app().session().orbit(), orbit, "the brush turns nothing");
+    assert_eq!(*hand.app().session().view().orbit(), orbit, "the brush turns nothing");
     let middle = at(&hand, 0.0, 0.0);
     hand.wheel(middle, 60.0);
-    assert_eq!(*hand.app().session().orbit(), orbit, "a wheel does not lose the view");
+    assert_eq!(*hand.app().session().view().orbit(), orbit, "a wheel does not lose the view");
 
     // From another view the strokes are not seen, and painting is refused; a button leads back.
     let (from, to) = (at(&hand, 0.0, 0.0), at(&hand, 0.5, 0.0));
     hand.drag_with(Modifiers::ALT, from, to);
     hand.settle();
-    assert_ne!(*hand.app().session().orbit(), orbit);
+    assert_ne!(*hand.app().session().view().orbit(), orbit);
     hand.press("Fit this look");
     assert!(
         hand.app().fitting().told().unwrap().contains("another view"),
@@ -192,21 +196,25 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
         hand.app().fitting().told()
     );
     hand.press("Back to the painted view");
-    assert_eq!(*hand.app().session().orbit(), orbit);
+    assert_eq!(*hand.app().session().view().orbit(), orbit);
 
     stroke(&mut hand, "Erase", &[[0.3, 0.7], [0.5, 0.3], [0.6, 0.0], [0.5, -0.4]]);
     assert!(hand.app().fitting().painted() < both);
     hand.press("Clear");
-    assert!(hand.app().session().sketch().is_empty() && hand.app().fitting().painted() == 0);
+    assert!(
+        hand.app().session().sketchbook().sketch().is_empty()
+            && hand.app().fitting().painted() == 0
+    );
     hand.undo();
-    assert!(!hand.app().session().sketch().is_empty());
+    assert!(!hand.app().session().sketchbook().sketch().is_empty());
     // While strokes are not shown, undo takes back steps of the look.
     hand.key(Key::Escape);
     assert!(!hand.app().fitting().is_on());
-    assert_eq!(hand.app().session().undo_label(), None);
+    assert_eq!(hand.app().session().steps().undo_label(), None);
     paint_light(&mut hand);
     assert!(
-        hand.app().session().undo_label().is_some() && !hand.app().session().sketch().is_empty()
+        hand.app().session().steps().undo_label().is_some()
+            && !hand.app().session().sketchbook().sketch().is_empty()
     );
 }
 
@@ -218,7 +226,7 @@ fn what_cannot_be_fitted_is_told() {
     assert!(told(&hand).contains("Nothing is painted"), "{}", told(&hand));
     // A stroke beside the object.
     stroke(&mut hand, "Light", &[[-1.1, 0.95], [-1.0, 1.0]]);
-    assert!(hand.app().session().sketch().is_empty());
+    assert!(hand.app().session().sketchbook().sketch().is_empty());
     assert!(
         hand.app().message().unwrap_or_default().contains("met no object"),
         "{:?}",
@@ -274,13 +282,16 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
             assert!(
                 is < was
                     && told.contains("best so far")
-                    && hand.app().session().preview().is_some(),
+                    && hand.app().session().sketchbook().preview().is_some(),
                 "{told}"
             );
             hand.press("Discard");
         }
         None => {
-            assert!(told.contains("stopped") && hand.app().session().preview().is_none(), "{told}");
+            assert!(
+                told.contains("stopped") && hand.app().session().sketchbook().preview().is_none(),
+                "{told}"
+            );
         }
     }
 
@@ -302,7 +313,7 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
         "{:?}",
         hand.app().fitting().told()
     );
-    assert!(hand.app().session().preview().is_none());
+    assert!(hand.app().session().sketchbook().preview().is_none());
 }
 
 #[test]
@@ -311,18 +322,25 @@ fn strokes_wait_for_their_look_and_undoing_one_ends_a_preview() {
     let mut hand = painter("examples/looks/figure3-profile.json");
     paint_both_sides(&mut hand);
     hand.press("Fit this look");
-    assert!(hand.app().session().preview().is_some(), "{:?}", hand.app().fitting().told());
+    assert!(
+        hand.app().session().sketchbook().preview().is_some(),
+        "{:?}",
+        hand.app().fitting().told()
+    );
     hand.undo();
-    assert!(hand.app().session().preview().is_none() && hand.app().fitting().errors().is_none());
+    assert!(
+        hand.app().session().sketchbook().preview().is_none()
+            && hand.app().fitting().errors().is_none()
+    );
     assert_eq!(hand.app().fitting().told(), Some("The strokes were changed: fit again"));
 
-    let tile = hand.app().session().sketch().tile().cloned();
+    let tile = hand.app().session().sketchbook().sketch().tile().cloned();
     hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
-    assert!(hand.app().session().sketch().is_empty() && !hand.app().fitting().is_on());
+    assert!(hand.app().session().sketchbook().sketch().is_empty() && !hand.app().fitting().is_on());
     hand.app_mut().open(example);
     hand.settle();
-    assert!(tile.is_some() && hand.app().session().sketch().tile() == tile.as_ref());
+    assert!(tile.is_some() && hand.app().session().sketchbook().sketch().tile() == tile.as_ref());
 }
 
 #[test]
@@ -340,7 +358,7 @@ fn tools_leave_the_picture_its_size_and_a_stroke_waits_until_it_is_read() {
     hand.drag_through(&points);
     hand.settle();
     assert_eq!(
-        hand.app().session().steps().collect::<Vec<_>>(),
+        hand.app().session().steps().labels().collect::<Vec<_>>(),
         ["paint light"],
         "{:?}",
         hand.app().message()
@@ -354,23 +372,23 @@ fn a_preview_is_discarded_or_goes_with_an_edit() {
     let before = hand.look().clone();
     paint_both_sides(&mut hand);
     hand.press("Fit this look");
-    assert!(hand.app().session().preview().is_some());
+    assert!(hand.app().session().sketchbook().preview().is_some());
     hand.press("Discard");
     assert!(
-        hand.app().session().preview().is_none()
+        hand.app().session().sketchbook().preview().is_none()
             && *hand.look() == before
             && hand.app().fitting().is_on()
     );
     hand.press("Fit this look");
-    assert!(hand.app().session().preview().is_some());
+    assert!(hand.app().session().sketchbook().preview().is_some());
     let edit = chiaro::document::Edit::SetLookName { name: "Another".to_owned() };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
-    assert!(hand.app().session().preview().is_none() && !hand.has("Apply"));
+    assert!(hand.app().session().sketchbook().preview().is_none() && !hand.has("Apply"));
     // Strokes belong to a look: another look has none.
     hand.app_mut().open(Path::new("examples/looks/figure2-diffuse.json"));
     hand.settle();
-    assert!(hand.app().session().sketch().is_empty());
+    assert!(hand.app().session().sketchbook().sketch().is_empty());
     assert!(matches!(
         Document::load(&chiaro::files::Disk, Path::new("examples/looks/figure2-diffuse.json")),
         Document::Look(_)

@@ -179,14 +179,14 @@ fn direction_keys_are_made_from_nothing() {
     let look = hand.look().clone();
     click(&mut hand, "Go to key");
     assert_eq!(*hand.look(), look);
-    let light = hand.app().session().orbit().illumination
+    let light = hand.app().session().view().orbit().illumination
         * glam::DVec3::from(look.lights["key"].direction).normalize();
     assert!((light - glam::DVec3::from(moved).normalize()).length() < 1e-3, "{light}");
     click(&mut hand, "Back");
-    assert_eq!(hand.app().session().orbit().illumination, glam::DQuat::IDENTITY);
+    assert_eq!(hand.app().session().view().orbit().illumination, glam::DQuat::IDENTITY);
     click(&mut hand, "Delete key");
     assert_eq!(keys(&hand).len(), 1);
-    while hand.app().session().undo_label().is_some() {
+    while hand.app().session().steps().undo_label().is_some() {
         hand.undo();
     }
     assert_eq!(*hand.look(), before);
@@ -206,7 +206,7 @@ fn keys_by_drivers_are_made_from_nothing() {
     assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Distance]));
     let far = set(&hand).keys[0].direction[0];
     assert!(
-        (far - hand.app().session().orbit().distance).abs() < 1e-3,
+        (far - hand.app().session().view().orbit().distance).abs() < 1e-3,
         "the key lies where it is now: {far}"
     );
     assert!(has(&hand, &format!("Distance to the eye now: {}", number_text(far, 3))));
@@ -222,7 +222,7 @@ fn keys_by_drivers_are_made_from_nothing() {
     hand.settle();
     assert!(close(set(&hand).keys[1].direction[0], 0.5), "{:?}", set(&hand).keys[1]);
     // The heaviest key is still the first one, which lies at the eye's own distance.
-    let weights = hand.app().session().key_weights(0);
+    let weights = hand.app().session().keys().key_weights(0);
     assert_eq!(weights, [1.0, 0.0]);
     // A second driver: keys lie on a plane, at first all at the driver's value of now.
     click(&mut hand, "Add driver");
@@ -235,9 +235,9 @@ fn keys_by_drivers_are_made_from_nothing() {
     assert!(
         set(&hand).keys.iter().all(|key| key.direction[0] == turned[0] && key.direction[1] == 0.0)
     );
-    let problems = hand.app().session().problems();
+    let problems = hand.app().session().compilation().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
-    while hand.app().session().undo_label().is_some() {
+    while hand.app().session().steps().undo_label().is_some() {
         hand.undo();
     }
     assert_eq!(*hand.look(), before);
@@ -282,7 +282,7 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     click(&mut hand, "Copy key");
     assert_eq!(set(&hand).keys[1].direction[0], 2.5);
     hand.settle();
-    assert_eq!(hand.app().session().key_weights(0), [1.0, 0.0]);
+    assert_eq!(hand.app().session().keys().key_weights(0), [1.0, 0.0]);
     let value = Value::Number(2.25);
     let moved = Edit::SetValue {
         graph: GraphId::Look,
@@ -293,12 +293,12 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     };
     hand.app_mut().session_mut().apply(moved, None).expect("it applies");
     hand.settle();
-    let weights = hand.app().session().key_weights(0);
+    let weights = hand.app().session().keys().key_weights(0);
     assert!(close(weights[0], 0.5), "half-way between the keys: {weights:?}");
     assert!(has(&hand, "Value of \"Mood\" now: 2.25"));
-    let problems = hand.app().session().problems();
+    let problems = hand.app().session().compilation().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
-    while hand.app().session().undo_label().is_some() {
+    while hand.app().session().steps().undo_label().is_some() {
         hand.undo();
     }
     assert_eq!(*hand.look(), before);
@@ -393,7 +393,7 @@ fn a_key_takes_the_values_that_are_seen() {
     let back = at(&hand, "Direction key 2");
     hand.drag(back, back + vec2(12.0, 4.0));
     assert_ne!(hand.look().direction_keys[0].keys[1].direction, [0.2, 0.5, -0.85]);
-    assert_eq!(hand.app().session().undo_label(), Some("change keys"));
+    assert_eq!(hand.app().session().steps().undo_label(), Some("change keys"));
     hand.undo();
     assert_eq!(hand.look().direction_keys[0].keys[1].direction, [0.2, 0.5, -0.85]);
 }
@@ -413,7 +413,7 @@ fn what_is_keyed_follows_without_compiling() {
     let edit = chiaro::document::Edit::SetDirectionKeys { index: 0, keys };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
-    let problems = hand.app().session().problems();
+    let problems = hand.app().session().compilation().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
 }
 
@@ -429,7 +429,7 @@ fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
     for way in ["Key in time", "New keys by the view", "Expose"] {
         click(&mut hand, "Keys of Concave color");
         click(&mut hand, way);
-        let problems = hand.app().session().problems();
+        let problems = hand.app().session().compilation().problems();
         assert!(problems.iter().all(|problem| !problem.is_error()), "{way}: {problems:?}");
         assert_ne!(*hand.look(), before, "{way}");
         hand.undo();
@@ -454,7 +454,7 @@ fn a_value_is_keyed_in_time_and_played() {
     let ruler = hand.harness.get_by_label("Playhead").rect();
     hand.click(pos2(ruler.left() + 0.6 * ruler.width(), ruler.top() + 6.0));
     hand.settle();
-    let time = hand.app().session().time();
+    let time = hand.app().session().view().time();
     assert!(time > 1.0 && close(time * 24.0, (time * 24.0).round()), "{time} is on a frame");
     set(&mut hand, "Opacity", "0.5");
     let keys = |hand: &Hand| hand.look().time_keys[0].keys.clone();
@@ -470,10 +470,11 @@ fn a_value_is_keyed_in_time_and_played() {
     // The timeline plays, and only then asks for frames.
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
     click(&mut hand, "Play");
-    let started = hand.app().session().time();
+    let started = hand.app().session().view().time();
     hand.harness.run_steps(12);
     assert!(
-        hand.app().session().time() > started || hand.app().session().time() < started,
+        hand.app().session().view().time() > started
+            || hand.app().session().view().time() < started,
         "it moves"
     );
     assert!(hand.repaint_delay() < std::time::Duration::from_millis(60));
@@ -483,7 +484,7 @@ fn a_value_is_keyed_in_time_and_played() {
     assert_eq!(hand.repaint_delay(), std::time::Duration::MAX);
     click(&mut hand, "Delete time key");
     assert_eq!(keys(&hand).len(), 1);
-    while hand.app().session().undo_label().is_some() {
+    while hand.app().session().steps().undo_label().is_some() {
         hand.undo();
     }
     assert_eq!(*hand.look(), before);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use chiaro::document::{Edit, Endpoint, GraphId, History, Look, Node, Value, Wire};
-use chiaro::editor::Session;
+use chiaro::editor::{GestureId, Session};
 use chiaro::files::journal::{left_behind, recover};
 use chiaro::ids::NodeId;
 use chiaro::library::Library;
@@ -96,7 +96,7 @@ fn killed_program() {
             Gesture::Edits(frames) => {
                 for frame in frames {
                     for edit in frame {
-                        let _ = session.apply(edit, Some(number));
+                        let _ = session.apply(edit, Some(GestureId(number)));
                     }
                     session.commit(true);
                 }

@@ -232,7 +232,7 @@ impl Monkey {
     /// Text of the scene, which is checked to be read back as the same scene; empty where none is
     /// open.
     fn check_scene(&self) -> String {
-        let Some(stage) = self.hand.app().session().stage() else { return String::new() };
+        let Some(stage) = self.hand.app().session().open_scene() else { return String::new() };
         let text = stage.scene().to_text();
         let loaded = Scene::read(&text, "monkey");
         assert!(!loaded.has_errors(), "after {} gestures: {:?}", self.done, loaded.diagnostics);
@@ -367,7 +367,7 @@ fn a_monkey_breaks_no_scene() {
         }
     }
     while monkey.done < gestures() {
-        if monkey.hand.app().session().stage().is_none() {
+        if monkey.hand.app().session().open_scene().is_none() {
             monkey.hand.app_mut().open(&folder.path().join("scenes/cast.json"));
         }
         for _ in 0..ROUND {

@@ -157,7 +157,7 @@ fn samples_are_copied_and_deleted_and_nothing_else_changes() {
     // The camera and the lights of the picture turn to the eye and the light of the sample at work:
     // the eye is 45 degrees high.
     hand.press("Show in the picture");
-    let orbit = hand.app().session().orbit();
+    let orbit = hand.app().session().view().orbit();
     assert!(editor_support::close(orbit.pitch, std::f64::consts::FRAC_PI_4), "{orbit:?}");
     hand.press("Delete painting");
     assert_eq!(hcbtf(&hand).painted.len(), 1);
@@ -424,7 +424,7 @@ fn the_panels_are_about_the_look_that_is_open() {
     hand.drag(at, at + eframe::egui::vec2(0.5, 0.0));
     hand.settle();
     let painted = hcbtf(&hand).clone();
-    assert!(hand.app().session().undo_label().is_some());
+    assert!(hand.app().session().steps().undo_label().is_some());
     show_example(&mut hand, "Half-tone metal");
     assert!(hand.has("Node canvas"), "the look's own panels are back");
     hand.press("View");
@@ -435,11 +435,15 @@ fn the_panels_are_about_the_look_that_is_open() {
         hand.has("Paint a copy of halftone") && !hand.has("80 empty"),
         "another look's samples are not its own"
     );
-    assert_eq!(hand.app().session().undo_label(), None, "nothing is taken back that nobody sees");
+    assert_eq!(
+        hand.app().session().steps().undo_label(),
+        None,
+        "nothing is taken back that nobody sees"
+    );
     hand.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(hcbtf(&hand), &painted);
     hand.press("Back to surface.hcbtf");
-    assert!(hand.app().session().undo_label().is_some());
+    assert!(hand.app().session().steps().undo_label().is_some());
     assert!(hand.has("Painting canvas") && hand.has("80 empty"));
     hand.key_with(Modifiers::COMMAND, Key::N);
     hand.settle();
@@ -475,7 +479,7 @@ fn a_copy_of_an_example_is_no_change_and_is_gone_back_to_in_the_look_that_it_was
         "what changed is told"
     );
     let look = hand.look().clone();
-    let seen = hand.app().session().orbit().clone();
+    let seen = hand.app().session().view().orbit().clone();
     assert_eq!(seen.mesh, "shape:torus");
 
     hand.key_with(Modifiers::COMMAND, Key::N);
@@ -486,7 +490,7 @@ fn a_copy_of_an_example_is_no_change_and_is_gone_back_to_in_the_look_that_it_was
     assert!(!hand.says("Paint a copy of"), "this look shows none");
     hand.press_a(Role::MenuItem, "Back to halftone (copy of the example)");
     assert_eq!((hand.look(), hcbtf(&hand)), (&look, &painted));
-    assert_eq!(hand.app().session().orbit().mesh, "shape:torus");
+    assert_eq!(hand.app().session().view().orbit().mesh, "shape:torus");
     assert!(hand.has("Painting canvas") && !hand.says("Work that was not saved"));
 
     // After a crash the painting comes back, with its look.
@@ -655,11 +659,11 @@ fn a_sample_is_marked_in_the_picture_of_any_mesh_and_turned_to() {
             .flat_map(|y| (rect.min.x as u32..rect.max.x as u32).map(move |x| (x, y)));
         all.filter(|(x, y)| is_marked(*x, *y)).count()
     };
-    let mesh = hand.app().session().orbit().mesh.clone();
+    let mesh = hand.app().session().view().orbit().mesh.clone();
     assert_eq!((mesh.as_str(), marked(&mut hand)), ("shape:sphere", 0));
     go_to(&mut hand, [1, 2], [1, 1]);
     hand.press("Show in the picture");
-    assert_eq!(hand.app().session().orbit().mesh, "shape:plane");
+    assert_eq!(hand.app().session().view().orbit().mesh, "shape:plane");
     assert_eq!(marked(&mut hand), 0);
     hand.press("Where it shows");
     let found = marked(&mut hand);
@@ -667,7 +671,7 @@ fn a_sample_is_marked_in_the_picture_of_any_mesh_and_turned_to() {
     hand.press("Where it shows");
     assert_eq!(marked(&mut hand), 0, "nothing of it is painted");
     hand.press("Back to the mesh");
-    assert_eq!(hand.app().session().orbit().mesh, mesh);
+    assert_eq!(hand.app().session().view().orbit().mesh, mesh);
 }
 
 #[test]

@@ -261,7 +261,7 @@ fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     let [r, g, ..] = middle(&mut hand);
     assert!(r > 130 && g < 70, "{r} {g}");
     // Along the light the sample has no painted neighbours.
-    hand.choose("neighbours by", "Light's way around");
+    hand.choose("neighbors by", "Light's way around");
     assert!(near(middle(&mut hand), GREY));
 
     // Alt over the map shows another sample while Alt is held.
@@ -479,12 +479,12 @@ fn what_has_a_file_now_never_goes_back_to_having_none() {
     let own = Value::Text(path.display().to_string());
     assert_eq!(sheet(&hand), own);
     let mut seen = Vec::new();
-    while hand.app().session().undo_label().is_some() {
+    while hand.app().session().steps().undo_label().is_some() {
         hand.undo();
         seen.push(sheet(&hand));
     }
     assert_eq!(seen, [own.clone(), Value::Text("other.hcbtf".to_owned()), own.clone()]);
-    while hand.app().session().redo_label().is_some() {
+    while hand.app().session().steps().redo_label().is_some() {
         hand.redo();
     }
     assert_eq!(sheet(&hand), own);

@@ -33,7 +33,7 @@ fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
     std::fs::write(&path, text).unwrap();
     hand.app_mut().open(&path);
     hand.settle();
-    let problems = hand.app().session().problems();
+    let problems = hand.app().session().compilation().problems();
     assert!(problems.iter().all(|problem| !problem.is_error()), "{problems:?}");
     folder
 }
@@ -207,7 +207,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
     assert!(figures.pixels > 10_000 && figures.broken == 0);
     assert!(figures.max < 1.0 / 255.0, "exact is close to the truth: {figures:?}");
     // The divider follows the pointer, and the camera stays.
-    let before = hand.app().session().orbit().clone();
+    let before = hand.app().session().view().orbit().clone();
     let rect = picture(&hand);
     hand.drag(rect.center(), rect.center() + vec2(80.0, 0.0));
     assert!(
@@ -215,7 +215,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
         "{}",
         hand.app().wipe().split()
     );
-    assert_eq!(*hand.app().session().orbit(), before);
+    assert_eq!(*hand.app().session().view().orbit(), before);
     // In the magnified difference equal pixels are black: the whole background.
     click_label(&mut hand, "×256");
     let image = hand.harness.render().unwrap();
@@ -351,7 +351,11 @@ fn any_wire_is_shown_in_place_of_the_picture() {
         level[..3].iter().all(|c| c.abs_diff(191) <= 1),
         "2 everywhere crosses nothing: {level:?}"
     );
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(
+        hand.app().session().compilation().problems().is_empty(),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
     assert!(!hand.app().session().is_dirty());
     click_label(&mut hand, "Show the look");
     assert_eq!(middle(&mut hand), grey);
@@ -391,7 +395,10 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
     let expected = (tone * 255.0).round() as u8;
     assert!(grey[..3].iter().all(|c| c.abs_diff(expected) <= 8), "{grey:?} for {tone}");
     assert!(hand.harness.query_by_label("Showing Tone of Diffuse / tone as color").is_some());
-    assert!(!hand.app().session().is_dirty() && hand.app().session().problems().is_empty());
+    assert!(
+        !hand.app().session().is_dirty()
+            && hand.app().session().compilation().problems().is_empty()
+    );
     for style in ["heat", "isolines"] {
         hand.key(Key::I);
         hand.click(at);
@@ -401,9 +408,9 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
         click_label(&mut hand, &format!("Show Tone as {style}"));
         hand.settle();
         assert!(
-            hand.app().session().problems().is_empty(),
+            hand.app().session().compilation().problems().is_empty(),
             "{:?}",
-            hand.app().session().problems()
+            hand.app().session().compilation().problems()
         );
         assert_ne!(color_at(&mut hand, at), grey, "{style}");
         hand.key(Key::Escape);
@@ -490,12 +497,12 @@ fn the_backdrop_is_picked_within_its_menu() {
     let mut hand = Hand::new();
     hand.press("Options");
     hand.press("Backdrop");
-    let own = hand.app().session().orbit().backdrop;
+    let own = hand.app().session().view().orbit().backdrop;
     assert!(own.is_some());
     let square = hand.place_like("Saturation and brightness");
     hand.click(square.right_top() + vec2(-10.0, 10.0));
     hand.settle();
-    assert_ne!(hand.app().session().orbit().backdrop, own);
+    assert_ne!(hand.app().session().view().orbit().backdrop, own);
     assert!(is_picking(&hand), "it stays, for the next try");
     hand.key(Key::Escape);
     hand.settle();

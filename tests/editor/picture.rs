@@ -165,7 +165,7 @@ fn a_baked_ball_shows_what_the_look_shows() {
     hand.app_mut().bake_litsphere(512, &file("ball.png"));
     hand.app_mut().save_picture([320, 240], &file("own.png"));
     hand.settle();
-    let orbit = hand.app().session().orbit().clone();
+    let orbit = hand.app().session().view().orbit().clone();
     std::fs::write(file("ball.json"), LITSPHERE).unwrap();
     hand.app_mut().open(&file("ball.json"));
     hand.app_mut().show_on("shape:knot");
@@ -174,7 +174,7 @@ fn a_baked_ball_shows_what_the_look_shows() {
     hand.drag(rect.min + vec2(4.0, 30.0), rect.min + vec2(60.0, 50.0));
     hand.settle();
     assert!(
-        (hand.app().session().orbit().direction() - orbit.direction()).length() < 1e-9,
+        (hand.app().session().view().orbit().direction() - orbit.direction()).length() < 1e-9,
         "seen from the same place"
     );
     hand.app_mut().save_picture([320, 240], &file("baked.png"));

@@ -105,7 +105,7 @@ fn the_camera_is_where_it_was_after_a_crash_and_is_no_step() {
     let mut hand = home.window(None);
     set_offset(&mut hand, 0.3);
     let steps = hand.steps();
-    let before = hand.app().session().orbit().clone();
+    let before = hand.app().session().view().orbit().clone();
     // A drag beside the object walks around it, a drag on the object turns the lights; the wheel
     // comes nearer.
     let picture = hand.app().viewport().rect().unwrap();
@@ -113,7 +113,7 @@ fn the_camera_is_where_it_was_after_a_crash_and_is_no_step() {
     hand.drag(picture.center() + vec2(0.0, 30.0), picture.center() + vec2(50.0, 60.0));
     hand.wheel(picture.center(), 120.0);
     hand.settle();
-    let orbit = hand.app().session().orbit().clone();
+    let orbit = hand.app().session().view().orbit().clone();
     assert!(orbit.yaw != before.yaw && orbit.distance < before.distance);
     assert!(orbit.illumination.angle_between(before.illumination) > 0.05);
     assert_eq!(hand.steps(), steps, "looking around is no step");
@@ -122,9 +122,13 @@ fn the_camera_is_where_it_was_after_a_crash_and_is_no_step() {
 
     let later = home.after_a_crash();
     let mut hand = later.window(None);
-    assert_eq!(hand.app().session().orbit().yaw, before.yaw, "nothing is taken back unasked");
+    assert_eq!(
+        hand.app().session().view().orbit().yaw,
+        before.yaw,
+        "nothing is taken back unasked"
+    );
     hand.press("Restore it");
-    let taken = hand.app().session().orbit();
+    let taken = hand.app().session().view().orbit();
     assert!(taken.illumination.angle_between(orbit.illumination) < 1e-9);
     assert_eq!((taken.yaw, taken.pitch, taken.distance), (orbit.yaw, orbit.pitch, orbit.distance));
     assert_eq!((hand.steps(), offset(&hand)), (steps, Some(0.3)));
@@ -335,7 +339,8 @@ fn a_file_changed_by_others_is_loaded_again_as_one_step() {
     hand.settle();
     assert_eq!(hand.look().graph.nodes["diffuse"].name, "Theirs");
     assert!(!hand.app().session().is_dirty() && hand.says("loaded again"));
-    let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
+    let selected: Vec<String> =
+        hand.app().session().selection().nodes().map(ToString::to_string).collect();
     assert_eq!(selected, ["diffuse"]);
     hand.undo();
     assert_eq!(hand.look().graph.nodes["diffuse"].name, "Diffuse");
@@ -470,8 +475,12 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
         "wires": [{"from": "mine", "to": "output.color"}]}"#;
     fs::write(&path, text).unwrap();
     let mut hand = home.window(Some(&path));
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
-    let wgsl = |hand: &Hand| hand.app().session().baked().unwrap().wgsl.clone();
+    assert!(
+        hand.app().session().compilation().problems().is_empty(),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
+    let wgsl = |hand: &Hand| hand.app().session().compilation().baked().unwrap().wgsl.clone();
     let first = wgsl(&hand);
 
     fs::write(&node, NODE.replace("2.0 * value", "7.5 * value")).unwrap();
@@ -487,7 +496,7 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
     assert!(hand.says("valu"));
     assert_eq!(wgsl(&hand), good, "the last good one stays");
     set_value(&mut hand);
-    assert!(hand.app().session().problems().is_empty(), "and goes on to work");
+    assert!(hand.app().session().compilation().problems().is_empty(), "and goes on to work");
 
     fs::write(&node, NODE).unwrap();
     hand.app_mut().look_at_files();
@@ -574,13 +583,14 @@ fn frames_go_on_while_a_folder_of_nodes_is_walked_through() {
     hand.harness.run_steps(4);
     disk.wait_for_walk();
     hand.harness.run_steps(4);
-    let nodes = &hand.look().graph.nodes;
-    assert!(nodes.contains_key("mine") && hand.app().session().is_compiling());
-    assert!(hand.app().session().baked().is_none(), "it is not compiled without the nodes");
+    let session = hand.app().session();
+    assert!(session.look().graph.nodes.contains_key("mine") && session.is_compiling());
+    assert!(session.compilation().baked().is_none(), "it is not compiled without the nodes");
     disk.set_closed(false);
     hand.settle();
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
-    let good = hand.app().session().baked().unwrap().wgsl.clone();
+    let compilation = hand.app().session().compilation();
+    assert!(compilation.problems().is_empty(), "{:?}", compilation.problems());
+    let good = compilation.baked().unwrap().wgsl.clone();
 
     // A check whether files have changed walks there, too, and the look goes on meanwhile.
     disk.set_closed(true);
@@ -589,11 +599,11 @@ fn frames_go_on_while_a_folder_of_nodes_is_walked_through() {
     disk.wait_for_walk();
     hand.harness.run_steps(4);
     assert!(!hand.app().session().is_compiling() && !hand.says("nodes were loaded again"));
-    assert_eq!(hand.app().session().baked().unwrap().wgsl, good);
+    assert_eq!(hand.app().session().compilation().baked().unwrap().wgsl, good);
     disk.set_closed(false);
     hand.settle();
     assert!(hand.says("nodes were loaded again"));
-    assert_ne!(hand.app().session().baked().unwrap().wgsl, good);
+    assert_ne!(hand.app().session().compilation().baked().unwrap().wgsl, good);
 }
 
 fn set_value(hand: &mut Hand) {
@@ -609,7 +619,7 @@ fn a_mesh_that_was_stood_up_stays_so() {
     let mesh = home.file("tri.obj");
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n").unwrap();
     let mesh = mesh.to_string_lossy().into_owned();
-    let stands = |hand: &Hand| hand.app().session().orbit().z_is_up;
+    let stands = |hand: &Hand| hand.app().session().view().orbit().z_is_up;
     let mut hand = home.window(None);
     hand.app_mut().show_on(&mesh);
     hand.settle();
@@ -624,15 +634,15 @@ fn a_mesh_that_was_stood_up_stays_so() {
     assert!(stands(&hand));
     drop(hand);
     let mut hand = home.window(None);
-    assert!(stands(&hand) && hand.app().session().orbit().mesh == mesh);
+    assert!(stands(&hand) && hand.app().session().view().orbit().mesh == mesh);
     hand.app_mut().show_on(&mesh);
     assert!(stands(&hand), "named again it is the same");
     // The mesh chosen next has its own setting, which is remembered too.
     hand.choose("On", "Torus");
-    assert!(!stands(&hand) && hand.app().session().orbit().mesh == "shape:torus");
+    assert!(!stands(&hand) && hand.app().session().view().orbit().mesh == "shape:torus");
     drop(hand);
     let hand = home.window(None);
-    assert!(!stands(&hand) && hand.app().session().orbit().mesh == "shape:torus");
+    assert!(!stands(&hand) && hand.app().session().view().orbit().mesh == "shape:torus");
 }
 
 #[test]
@@ -649,7 +659,11 @@ fn meshes_and_images_are_loaded_again() {
         "wires": [{"from": "skin", "to": "output.color"}]}"#;
     fs::write(&path, text).unwrap();
     let mut hand = home.window(Some(&path));
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(
+        hand.app().session().compilation().problems().is_empty(),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
     hand.app_mut().show_on(&mesh.to_string_lossy());
     hand.settle();
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n# longer\n").unwrap();

@@ -36,6 +36,10 @@ const DECAL: &str = r#"{"chiaro": "look", "name": "Decal",
  "wires": [{"from": "paper.color", "to": "output.color"}],
  "exposed": [{"name": "picture", "target": "paper.image"}]}"#;
 
+/// A mesh of one triangle.
+const LEAF: &str = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 1\n\
+                    f 1/1/1 2/2/1 3/3/1\n";
+
 const TWO: &str = r#"{
  "chiaro": "scene",
  "objects": [
@@ -89,14 +93,14 @@ impl Home {
         hand.app_mut().open(&self.file("two.json"));
         hand.settle();
         assert_eq!(hand.app().message(), None);
-        let told: Vec<&str> = hand.app().session().stage().unwrap().problem_texts().collect();
+        let told: Vec<&str> = hand.app().session().open_scene().unwrap().problem_texts().collect();
         assert!(told.is_empty(), "{told:?}");
         hand
     }
 }
 
 fn scene(hand: &Hand) -> &Scene {
-    hand.app().session().stage().expect("a scene is open").scene()
+    hand.app().session().open_scene().expect("a scene is open").scene()
 }
 
 fn light<'h>(hand: &'h Hand, id: &str) -> &'h Light {
@@ -158,7 +162,7 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
     hand.settle();
     assert_eq!(light(&hand, "key").name, "Sun");
     assert_eq!(*hand.look(), look, "the look's own light is as it was");
-    let steps: Vec<String> = hand.app().session().steps().map(str::to_owned).collect();
+    let steps: Vec<String> = hand.app().session().steps().labels().map(str::to_owned).collect();
     assert_eq!(steps, ["change the light key"; 5]);
     // One order of undo also covers the look's light.
     hand.bring(Role::SpinButton, "Intensity of back");
@@ -225,7 +229,7 @@ fn the_list_of_meshes_shows_the_way_to_ones_own() {
     hand.app_mut().answer_dialog(&mesh);
     hand.choose("On", "From a file...");
     assert_eq!(
-        hand.app().session().orbit().mesh,
+        hand.app().session().view().orbit().mesh,
         mesh.display().to_string(),
         "nothing is in front of it"
     );
@@ -309,19 +313,21 @@ fn a_scenes_light_goes_out_for_all_looks_and_is_shown_alone() {
     let lit = colors(&mut hand);
     assert!(lit[0][1] > 60 && lit[1][1] > 120, "green light on both: {lit:?}");
     hand.press("Light key of the scene shines");
-    assert!(!hand.app().session().shines("key") && hand.says("Muted: light key"));
+    assert!(!hand.app().session().view().shines("key") && hand.says("Muted: light key"));
     let dark = colors(&mut hand);
     assert!(dark[0][1] < 20 && dark[1][1] < 20, "{dark:?}");
     // Muting belongs to the window: another look of the same scene is seen the same way.
     hand.tab("Objects");
     hand.press("Object ball");
-    assert!(!hand.app().session().shines("key"));
+    assert!(!hand.app().session().view().shines("key"));
     hand.tab("Lights");
     hand.press("Show all");
     assert_eq!(colors(&mut hand), lit);
     assert!(!hand.app().session().is_dirty());
     hand.press("Solo key of the scene");
-    assert!(hand.app().session().shines("key") && !hand.app().session().shines("back"));
+    assert!(
+        hand.app().session().view().shines("key") && !hand.app().session().view().shines("back")
+    );
     assert_eq!(colors(&mut hand), lit);
     // Removing a light ends its solo: the other lights are not left dark.
     hand.press("More of key of the scene");
@@ -331,7 +337,7 @@ fn a_scenes_light_goes_out_for_all_looks_and_is_shown_alone() {
     hand.press("In place of back");
     hand.press("More of back of the scene");
     hand.press("Remove light");
-    assert!(!hand.app().session().shines("key"), "the look has it still");
+    assert!(!hand.app().session().view().shines("key"), "the look has it still");
 }
 
 #[test]
@@ -342,7 +348,7 @@ fn a_scenes_light_is_dragged_on_the_object() {
     hand.settle();
     let before = (hand.look().clone(), light(&hand, "key").clone());
     let rect = hand.app().viewport().rect().unwrap();
-    let orbit = hand.app().session().orbit();
+    let orbit = hand.app().session().view().orbit();
     let scale = rect.height() / orbit.height() as f32;
     let ring = rect.center() - vec2(1.2 * scale, 0.0);
     hand.hover(ring);
@@ -354,7 +360,7 @@ fn a_scenes_light_is_dragged_on_the_object() {
     assert!(turned.y > 0.4 && turned.x.abs() < 0.35, "from the right to above: {turned}");
     assert_eq!(*hand.look(), before.0, "the look's own light stays");
     assert_eq!(
-        hand.app().session().steps().collect::<Vec<_>>(),
+        hand.app().session().steps().labels().collect::<Vec<_>>(),
         ["change the light key"],
         "one step a gesture"
     );
@@ -388,7 +394,7 @@ fn objects_set_what_their_looks_expose() {
     assert_eq!(values(&hand)["kind"], Value::Text("specular".into()));
     assert_eq!(values(&hand)["by"], Value::Text("back".into()));
     assert!(hand.errors().is_empty(), "{:?}", hand.errors());
-    let steps: Vec<String> = hand.app().session().steps().map(str::to_owned).collect();
+    let steps: Vec<String> = hand.app().session().steps().labels().map(str::to_owned).collect();
     assert_eq!(steps, ["change ring"; 3]);
     // Values go back to the look's one by one, and undo sets them again.
     hand.press("Back to the look's Strength");
@@ -499,6 +505,22 @@ fn nodes_beside_the_scene_are_read_again() {
 }
 
 #[test]
+fn the_picture_small_pictures_and_exports_read_a_file_once() {
+    let home = Home::new();
+    fs::write(home.file("leaf.obj"), LEAF).unwrap();
+    fs::write(home.file("two.json"), TWO.replace("shape:sphere", "leaf.obj")).unwrap();
+    let mut hand = home.drawing();
+    assert!(hand.app().small_pictures() > 0, "layers have small pictures");
+    let reads = hand.app().session().asset_reads();
+    assert_eq!(reads, 4, "the creature of the new look and of small pictures, the leaf, the paper");
+    hand.app_mut().save_picture([64, 48], &home.file("out.png"));
+    hand.app_mut().show_reference(&home.file("looks/paper.png"));
+    hand.settle();
+    assert!(home.file("out.png").is_file());
+    assert_eq!(hand.app().session().asset_reads(), reads);
+}
+
+#[test]
 fn scenes_have_small_pictures_of_their_own() {
     let home = Home::new();
     let places = home.places();
@@ -528,5 +550,8 @@ fn scenes_have_small_pictures_of_their_own() {
     assert!(corner[0].abs_diff(41) < 4 && corner[2].abs_diff(46) < 4, "{corner:?}");
     assert!(!hand.says("a scene"), "no words where the picture is");
     hand.press("Open the scene two");
-    assert_eq!(hand.app().session().stage().unwrap().path(), Some(home.file("two.json").as_path()));
+    assert_eq!(
+        hand.app().session().open_scene().unwrap().path(),
+        Some(home.file("two.json").as_path())
+    );
 }

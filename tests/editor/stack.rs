@@ -127,7 +127,11 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
     let look = hand.look();
     assert_eq!(look.graph.nodes["back_light"].values["light"], Value::Text("back".into()));
     assert!(look.lights["back"].direction[2] < 0.0, "it shines from behind");
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(
+        hand.app().session().compilation().problems().is_empty(),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
     hand.undo();
     hand.settle();
     assert_eq!(*hand.look(), before, "one step");
@@ -140,7 +144,11 @@ fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
             "it is called as it was chosen"
         );
     }
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(
+        hand.app().session().compilation().problems().is_empty(),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
     assert_eq!(chain(hand.look()).len(), 7);
 }
 
@@ -158,15 +166,15 @@ fn an_eye_mutes_a_layer_of_the_look_and_undo_takes_it_back() {
 #[test]
 fn solo_is_of_the_window_and_nobody_can_forget_it() {
     let mut hand = figure1();
-    let full = hand.app().session().baked().unwrap().wgsl.clone();
+    let full = hand.app().session().compilation().baked().unwrap().wgsl.clone();
     hand.press("Solo Specular");
     assert!(!hand.app().session().is_dirty(), "the document is as it was");
     assert!(hand.says("Solo: Specular"));
-    let alone = hand.app().session().baked().unwrap().wgsl.clone();
+    let alone = hand.app().session().compilation().baked().unwrap().wgsl.clone();
     assert!(full.contains("diffuse") && !alone.contains("diffuse") && alone.contains("specular"));
     // An edit during the solo is shown alone, too.
     hand.press("Show Fill");
-    assert!(!hand.app().session().baked().unwrap().wgsl.contains("diffuse"));
+    assert!(!hand.app().session().compilation().baked().unwrap().wgsl.contains("diffuse"));
     hand.undo();
     hand.settle();
     // Another layer takes the solo over; Ctrl adds a layer to it.
@@ -178,7 +186,7 @@ fn solo_is_of_the_window_and_nobody_can_forget_it() {
     assert!(hand.says("Solo: Diffuse, Specular"));
     hand.press("Show all");
     assert!(!hand.says("Solo: "));
-    assert_eq!(hand.app().session().baked().unwrap().wgsl, full);
+    assert_eq!(hand.app().session().compilation().baked().unwrap().wgsl, full);
 }
 
 #[test]
@@ -206,7 +214,7 @@ fn a_layer_is_renamed_duplicated_and_deleted_in_the_list() {
     hand.key(Key::Delete);
     hand.settle();
     assert_eq!(chain(hand.look()), ["back", "specular_2", "specular", "fill", "base"]);
-    assert!(hand.app().session().problems().is_empty());
+    assert!(hand.app().session().compilation().problems().is_empty());
     // A layer is deleted from the menu of its row.
     hand.press("More of Fill");
     hand.press("Delete layer");
@@ -234,7 +242,7 @@ fn blending_and_opacity_are_set_in_the_row() {
         panic!("{:?}", hand.look().graph.nodes["diffuse"].values)
     };
     assert!((0.4..0.6).contains(opacity), "{opacity}");
-    assert_eq!(hand.app().session().steps().count(), 1, "one gesture");
+    assert_eq!(hand.app().session().steps().labels().count(), 1, "one gesture");
     hand.press("Blending of Diffuse");
     hand.press("Alpha");
     assert_eq!(hand.look().graph.nodes["diffuse"].values["blend"], Value::Text("alpha".into()));
@@ -291,7 +299,7 @@ fn rows_set_keyed_values_at_their_key() {
         own,
         "what is said without keys stays"
     );
-    assert_eq!(hand.app().session().steps().count(), 2, "one step a gesture");
+    assert_eq!(hand.app().session().steps().labels().count(), 2, "one step a gesture");
 }
 
 #[test]
@@ -316,17 +324,21 @@ fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     hand.drag(drag, drag + vec2(30.0, 0.0));
     hand.settle();
     assert!(hand.look().lights["key"].intensity > 1.1, "{}", hand.look().lights["key"].intensity);
-    assert_eq!(hand.app().session().steps().count(), 1, "one gesture");
+    assert_eq!(hand.app().session().steps().labels().count(), 1, "one gesture");
     hand.undo();
     hand.settle();
     hand.press("Light key shines");
-    assert!(!hand.app().session().shines("key") && hand.app().session().shines("back"));
+    assert!(
+        !hand.app().session().view().shines("key") && hand.app().session().view().shines("back")
+    );
     assert!(!hand.app().session().is_dirty() && hand.says("Muted: light key"));
     hand.press("Show all");
     hand.press("Solo back");
-    assert!(!hand.app().session().shines("key") && hand.app().session().shines("back"));
+    assert!(
+        !hand.app().session().view().shines("key") && hand.app().session().view().shines("back")
+    );
     hand.press("Solo back");
-    assert!(hand.app().session().shines("key"));
+    assert!(hand.app().session().view().shines("key"));
     let before = hand.look().clone();
     hand.press("More of key");
     hand.press("Duplicate light");
@@ -347,7 +359,7 @@ fn lights_are_muted_in_the_window_and_edited_in_the_look() {
     hand.press("Add light");
     hand.press("Spot");
     assert_eq!(hand.look().lights.len(), 3);
-    assert_eq!(hand.app().session().steps().count(), 4);
+    assert_eq!(hand.app().session().steps().labels().count(), 4);
 }
 
 /// A look with problems of many kinds.
@@ -371,7 +383,7 @@ fn every_problem_that_has_a_fix_is_mended_by_a_click() {
     let fixes = ["Use ", "Make it ", "Wire ", "Add ", "Set ", "Remove "];
     let skipped = ["Add layer", "Wire of"];
     for round in 0.. {
-        let problems = hand.app().session().problems().to_vec();
+        let problems = hand.app().session().compilation().problems().to_vec();
         if problems.is_empty() {
             break;
         }
@@ -400,7 +412,7 @@ fn every_problem_that_has_a_fix_is_mended_by_a_click() {
     assert_eq!(nodes["diffuse"].values["blend"], Value::Text("add".into()));
     assert_eq!(nodes["base"].values["color"], Value::Vector(vec![0.2, 0.2, 0.3]));
     assert!(hand.says("No problems") && !hand.has("Open the list of problems"));
-    let steps = hand.app().session().steps().count();
+    let steps = hand.app().session().steps().labels().count();
     for _ in 0..steps {
         hand.undo();
     }
@@ -438,7 +450,7 @@ fn the_history_is_a_list_that_leads_back_and_forth() {
     assert_eq!(*hand.look(), last);
     hand.key(Key::ArrowUp);
     hand.settle();
-    assert_eq!(hand.app().session().place(), 2);
+    assert_eq!(hand.app().session().steps().done(), 2);
 }
 
 #[test]

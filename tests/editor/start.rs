@@ -88,7 +88,7 @@ fn copied_by_keys(hand: &mut Hand) -> Option<String> {
 
 fn compiles(hand: &Hand) -> bool {
     let session = hand.app().session();
-    session.problems().is_empty() && session.baked().is_some()
+    session.compilation().problems().is_empty() && session.compilation().baked().is_some()
 }
 
 fn layers(look: &Look) -> usize {
@@ -161,7 +161,8 @@ fn a_file_that_cannot_be_opened_is_told_above_the_start_page() {
         // The problem is told once: the open look has no problem, and the status bar does not
         // repeat it.
         assert!(
-            hand.app().message().is_none() && hand.app().session().problems().is_empty(),
+            hand.app().message().is_none()
+                && hand.app().session().compilation().problems().is_empty(),
             "{name}"
         );
         assert!(!says(&hand, "1 error"), "{name}");
@@ -414,7 +415,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
 
     goes_on(&mut hand, "Its profile");
     is_at(&hand, "Turn the light");
-    let before = hand.app().session().orbit().illumination;
+    let before = hand.app().session().view().orbit().illumination;
     let picture = hand.app().viewport().rect().unwrap();
     // A drag beside the object turns the camera, which does not complete the step.
     hand.drag(picture.left_top() + vec2(6.0, 6.0), picture.left_top() + vec2(40.0, 20.0));
@@ -422,7 +423,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
     is_at(&hand, "Turn the light");
     hand.drag(picture.center() + vec2(20.0, 34.0), picture.center() + vec2(80.0, 60.0));
     hand.settle();
-    assert!(hand.app().session().orbit().illumination.angle_between(before) > 0.05);
+    assert!(hand.app().session().view().orbit().illumination.angle_between(before) > 0.05);
 
     goes_on(&mut hand, "Turn the light");
     is_at(&hand, "A rim from behind");
@@ -501,7 +502,7 @@ fn the_tour_shows_every_step_and_ends_in_a_look() {
 
     // Changes by *Show me* are steps like others.
     for _ in 0..5 {
-        assert!(hand.app().session().undo_label().is_some());
+        assert!(hand.app().session().steps().undo_label().is_some());
         hand.undo();
     }
     assert_eq!(*hand.look(), nothing);
@@ -562,12 +563,12 @@ fn the_rim_of_the_tour_is_seen_however_the_lights_were_turned() {
         hand.drag(picture.center() + vec2(-60.0, 20.0), picture.center() + vec2(60.0, 20.0));
     }
     hand.settle();
-    let turned = hand.app().session().orbit().illumination;
+    let turned = hand.app().session().view().orbit().illumination;
     assert!(turned.angle_between(glam::DQuat::IDENTITY) > 1.0);
     goes_on(&mut hand, "Turn the light");
     press(&mut hand, "Show me");
     let light = glam::DVec3::from(hand.look().lights["back"].direction).normalize();
-    let to_eye = (turned * light).dot(hand.app().session().orbit().direction());
+    let to_eye = (turned * light).dot(hand.app().session().view().orbit().direction());
     assert!(
         (-0.8..0.0).contains(&to_eye),
         "behind what is seen, and not so far that its rim is not: {to_eye}"
@@ -706,10 +707,16 @@ fn what_the_last_program_ended_over_is_drawn_by_hand_alone() {
         assert!(hand.app().shows_start_page());
         press(&mut hand, "Open the look a, which was not drawn");
         assert_eq!(hand.app().session().path(), Some(path.as_path()));
-        assert!(hand.app().session().baked().is_none() && hand.app().session().live().is_none());
+        assert!(
+            hand.app().session().compilation().baked().is_none()
+                && hand.app().session().compilation().live().is_none()
+        );
         assert!(says(&hand, "a.json is open without being drawn: Chiaro ended while"));
         press(&mut hand, "Try again");
-        assert!(hand.app().session().baked().is_some() && !says(&hand, "without being drawn"));
+        assert!(
+            hand.app().session().compilation().baked().is_some()
+                && !says(&hand, "without being drawn")
+        );
         drop(hand);
         let hand = home.window(None);
         assert!(has(&hand, "Open the look a"), "it was drawn, and is as any other");
@@ -729,7 +736,7 @@ fn what_is_held_back_can_be_mended() {
     assert!(compiles(&hand) && !says(&hand, "without being drawn"));
     hand.app_mut().open(&path);
     hand.settle();
-    assert!(hand.app().session().baked().is_none());
+    assert!(hand.app().session().compilation().baked().is_none());
     let removed = hand.app_mut().session_mut().apply(
         chiaro::document::Edit::RemoveNode {
             graph: chiaro::document::GraphId::Look,
@@ -739,7 +746,7 @@ fn what_is_held_back_can_be_mended() {
     );
     assert!(removed.is_ok(), "it can be mended while it is not drawn");
     hand.settle();
-    assert!(hand.app().session().baked().is_none());
+    assert!(hand.app().session().compilation().baked().is_none());
 }
 
 #[test]
@@ -753,7 +760,7 @@ fn what_the_last_program_ended_over_while_reading_is_not_read() {
     assert!(hand.app().session().path().is_none());
     press(&mut hand, "Try again");
     assert_eq!(hand.app().session().path(), Some(path.as_path()));
-    assert!(hand.app().session().baked().is_some() && !says(&hand, "was not opened"));
+    assert!(hand.app().session().compilation().baked().is_some() && !says(&hand, "was not opened"));
 }
 
 #[test]
@@ -845,7 +852,7 @@ fn a_window_that_is_killed_while_it_compiles_is_remembered_by_the_next_one() {
 fn the_shader_is_copied_as_wgsl() {
     let mut hand = Hand::new();
     let wgsl = copied_by_keys(&mut hand).expect("the shader is in the clipboard");
-    assert_eq!(Some(&wgsl), hand.app().session().baked().map(|shader| &shader.wgsl));
+    assert_eq!(Some(&wgsl), hand.app().session().compilation().baked().map(|shader| &shader.wgsl));
     assert!(hand.app().message().unwrap().contains("WGSL"));
     press(&mut hand, "Copy as");
     for label in [
@@ -866,7 +873,7 @@ fn the_shader_is_copied_as_wgsl() {
     };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
-    let is_none = hand.app().session().baked().is_none();
+    let is_none = hand.app().session().compilation().baked().is_none();
     assert_eq!(copied_by_keys(&mut hand).is_none(), is_none);
     assert!(matches!(hand.look().graph.nodes["base"].values["color"], Value::Vector(_)));
 }
@@ -891,7 +898,7 @@ fn an_example_of_an_hcbtf_brings_its_file_along_wherever_it_is_saved() {
     let name = Look::load(&chiaro::files::Disk, &metal).value.unwrap().name;
     open_card(&mut hand, &format!("Open the look {name}"));
     assert_eq!((hand.look().name.as_str(), hand.app().session().path()), (name.as_str(), None));
-    assert!(compiles(&hand), "{:?}", hand.app().session().problems());
+    assert!(compiles(&hand), "{:?}", hand.app().session().compilation().problems());
     let saved = home.file("mine.json");
     assert!(hand.app_mut().save_as(&saved));
     let (setup, problems) =
@@ -914,13 +921,17 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     let mut hand = home.window(None);
     open_card(&mut hand, "Open the scene Painted surfaces");
     assert!(!hand.app().shows_start_page());
-    let stage = hand.app().session().stage().expect("a scene");
+    let stage = hand.app().session().open_scene().expect("a scene");
     assert_eq!(
         (stage.scene().objects.len(), stage.path(), hand.app().session().path()),
         (10, None, None)
     );
     let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
-    assert!(wrong.is_empty() && compiles(&hand), "{wrong:?} {:?}", hand.app().session().problems());
+    assert!(
+        wrong.is_empty() && compiles(&hand),
+        "{wrong:?} {:?}",
+        hand.app().session().compilation().problems()
+    );
     // The scene is saved with the names of the examples that it wears, which are found again.
     let (look, scene) = (home.file("arch.json"), home.file("scene.json"));
     assert!(hand.app_mut().save_as(&look));

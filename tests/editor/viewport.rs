@@ -29,7 +29,7 @@ fn number(hand: &Hand, port: &str) -> Option<f64> {
 
 /// Normal of the unit ball at a point of the screen, by intersecting the point's ray with the ball.
 fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
-    let (rect, orbit) = (rect(hand), hand.app().session().orbit());
+    let (rect, orbit) = (rect(hand), hand.app().session().view().orbit());
     let offset = (at - rect.center()) / rect.height();
     let (right, up) = orbit.right_and_up();
     let eye = orbit.target + orbit.direction() * orbit.distance;
@@ -45,7 +45,7 @@ fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
 
 /// Point of the screen at which the ball has a normal.
 fn screen_at(hand: &Hand, normal: DVec3) -> Pos2 {
-    let (rect, orbit) = (rect(hand), hand.app().session().orbit());
+    let (rect, orbit) = (rect(hand), hand.app().session().view().orbit());
     let (right, up) = orbit.right_and_up();
     let eye = orbit.target + orbit.direction() * orbit.distance;
     let from_eye = normal - eye;
@@ -56,7 +56,7 @@ fn screen_at(hand: &Hand, normal: DVec3) -> Pos2 {
 
 fn light(hand: &Hand) -> DVec3 {
     let look = hand.look();
-    (hand.app().session().orbit().illumination * DVec3::from(look.lights["key"].direction))
+    (hand.app().session().view().orbit().illumination * DVec3::from(look.lights["key"].direction))
         .normalize()
 }
 
@@ -78,7 +78,7 @@ fn lines_lie_where_the_angle_is() {
         let normal = normal_at(&hand, at).expect("on the ball");
         let angle = normal.angle_between(l);
         // The grid of the line is a pixel or two wide; at the rim a pixel is several degrees.
-        let facing = normal.dot(hand.app().session().orbit().direction());
+        let facing = normal.dot(hand.app().session().view().orbit().direction());
         if facing > 0.25 {
             assert!((angle - std::f64::consts::FRAC_PI_2).abs() < 0.01, "{angle} at {at}");
         }
@@ -152,7 +152,7 @@ fn a_line_of_a_keyed_value_sets_its_key() {
         (None, None),
         "the node's own values stay"
     );
-    assert_eq!(hand.app().session().steps().count(), 1);
+    assert_eq!(hand.app().session().steps().labels().count(), 1);
 }
 
 #[test]
@@ -193,7 +193,7 @@ fn the_bright_middle_follows_the_pointer() {
     hand.drag(middle, to);
     let wanted = normal_at(&hand, to).unwrap();
     assert!(light(&hand).angle_between(wanted) < 0.02, "{} for {wanted}", light(&hand));
-    assert_eq!(hand.app().session().undo_label(), Some("change the light key"));
+    assert_eq!(hand.app().session().steps().undo_label(), Some("change the light key"));
     hand.undo();
     assert!(!hand.app().session().is_dirty(), "one step");
     // With Shift a drag from any place moves the light.
@@ -219,7 +219,7 @@ fn a_highlight_follows_the_pointer() {
         (rect(&hand).center() + vec2(-20.0, 60.0), rect(&hand).center() + vec2(50.0, -35.0));
     hand.drag_with(Modifiers::SHIFT, from, to);
     let n = normal_at(&hand, to).unwrap();
-    let orbit = hand.app().session().orbit();
+    let orbit = hand.app().session().view().orbit();
     let v = (orbit.target + orbit.direction() * orbit.distance - n).normalize();
     let mirrored = 2.0 * n.dot(v) * n - v;
     assert!(light(&hand).angle_between(mirrored) < 0.03, "{} for {mirrored}", light(&hand));
@@ -231,7 +231,7 @@ fn beyond_the_outline_the_light_goes_behind() {
     let from = hand.app().viewport().middle().unwrap();
     let rect = rect(&hand);
     hand.drag(from, pos2(rect.min.x + 4.0, rect.min.y + 4.0));
-    let forward = hand.app().session().orbit().direction();
+    let forward = hand.app().session().view().orbit().direction();
     assert!(light(&hand).dot(forward) < -0.05, "{}", light(&hand));
 }
 
@@ -245,9 +245,12 @@ fn a_needle_is_dragged_over_the_rim_to_the_other_side() {
     hand.hover(center);
     let out = center + (end - center).normalized() * rect(&hand).height() * 0.49;
     hand.drag_through(&[end, out, center + (end - center) * 0.5]);
-    let forward = hand.app().session().orbit().direction();
+    let forward = hand.app().session().view().orbit().direction();
     assert!(light(&hand).dot(forward) < -0.5, "{}", light(&hand));
-    assert!(hand.app().session().orbit().illumination.is_near_identity(), "the frame itself stays");
+    assert!(
+        hand.app().session().view().orbit().illumination.is_near_identity(),
+        "the frame itself stays"
+    );
 }
 
 #[test]
@@ -257,7 +260,7 @@ fn without_a_layer_all_lights_turn() {
     hand.settle();
     let center = rect(&hand).center();
     hand.drag(center, center + vec2(60.0, 0.0));
-    assert!(!hand.app().session().orbit().illumination.is_near_identity());
+    assert!(!hand.app().session().view().orbit().illumination.is_near_identity());
     assert!(!hand.app().session().is_dirty(), "the look stays as it was");
     assert!(hand.app().viewport().curve("cutoff").is_empty());
 }
@@ -265,16 +268,16 @@ fn without_a_layer_all_lights_turn() {
 #[test]
 fn escape_gives_a_drag_up() {
     let mut hand = on_ball();
-    let before = hand.app().session().orbit().clone();
+    let before = hand.app().session().view().orbit().clone();
     let corner = rect(&hand).left_top() + vec2(12.0, 12.0);
     hand.hold(corner);
     hand.move_to(corner + vec2(60.0, 20.0));
-    assert_ne!(*hand.app().session().orbit(), before);
+    assert_ne!(*hand.app().session().view().orbit(), before);
     hand.key(Key::Escape);
-    assert_eq!(*hand.app().session().orbit(), before);
+    assert_eq!(*hand.app().session().view().orbit(), before);
     hand.move_to(corner + vec2(90.0, 20.0));
     hand.release(corner + vec2(90.0, 20.0));
-    assert_eq!(*hand.app().session().orbit(), before, "the hand holds nothing any more");
+    assert_eq!(*hand.app().session().view().orbit(), before, "the hand holds nothing any more");
     hand.settle();
     // Escape also takes back a value that a drag of a line has set, and leaves no step to undo.
     let from = grip(&hand, "cutoff");
@@ -284,7 +287,7 @@ fn escape_gives_a_drag_up() {
     hand.move_to(to);
     assert!(number(&hand, "cutoff").is_some());
     hand.key(Key::Escape);
-    assert_eq!((number(&hand, "cutoff"), hand.app().session().undo_label()), (None, None));
+    assert_eq!((number(&hand, "cutoff"), hand.app().session().steps().undo_label()), (None, None));
     hand.release(to);
     assert!(!hand.app().session().is_dirty());
     // An edit made before the drag stays.
@@ -359,7 +362,7 @@ fn arrows_point_at_the_light() {
             toward,
             toward - normal * normal.dot(toward),
             {
-                let orbit = hand.app().session().orbit();
+                let orbit = hand.app().session().view().orbit();
                 let eye = orbit.target + orbit.direction() * orbit.distance;
                 let view = (eye - normal).normalize();
                 view - normal * normal.dot(view)

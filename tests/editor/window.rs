@@ -24,8 +24,12 @@ fn number(hand: &Hand, node: &str, port: &str) -> Option<f64> {
 #[test]
 fn a_new_look_compiles() {
     let hand = Hand::new();
-    assert!(hand.app().session().baked().unwrap().wgsl.contains("fn "));
-    assert!(hand.app().session().problems().is_empty(), "{:?}", hand.app().session().problems());
+    assert!(hand.app().session().compilation().baked().unwrap().wgsl.contains("fn "));
+    assert!(
+        hand.app().session().compilation().problems().is_empty(),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
     assert!(!hand.app().session().is_dirty());
 }
 
@@ -38,7 +42,8 @@ fn a_node_is_added_by_search() {
     hand.key(Key::Enter);
     let graph = &hand.look().graph;
     assert_eq!(graph.nodes["profile"].kind, "profile");
-    let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
+    let selected: Vec<String> =
+        hand.app().session().selection().nodes().map(ToString::to_string).collect();
     assert_eq!(selected, ["profile"]);
     assert!(hand.app().session().is_dirty());
     // The new node lies where the pointer was.
@@ -130,7 +135,7 @@ fn values_are_edited_and_a_drag_is_one_step() {
     hand.drag(slider.left_center() + vec2(4.0, 0.0), slider.center());
     let offset = number(&hand, "diffuse", "offset").expect("it has a value now");
     assert!(offset > 0.5 && offset < 2.6, "radians: {offset}");
-    assert!(hand.app().session().undo_label().unwrap().contains("offset"));
+    assert!(hand.app().session().steps().undo_label().unwrap().contains("offset"));
     hand.undo();
     assert_eq!(number(&hand, "diffuse", "offset"), None, "the whole drag is taken back at once");
     assert!(!hand.app().session().is_dirty());
@@ -154,15 +159,15 @@ fn an_angle_is_typed_in_degrees() {
 #[test]
 fn a_value_edit_compiles_no_live_shader() {
     let mut hand = Hand::new();
-    let before = hand.app().session().live().unwrap().clone();
+    let before = hand.app().session().compilation().live().unwrap().clone();
     hand.click(node_center(&hand, "diffuse"));
     let slider = hand.slider("Offset");
     hand.drag(slider.left_center() + vec2(4.0, 0.0), slider.center());
-    assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
+    assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().compilation().live().unwrap()));
     // Another wire compiles a live shader.
     hand.drag(hand.output("base", "below"), hand.input("output", "color"));
     hand.settle();
-    assert!(!std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
+    assert!(!std::sync::Arc::ptr_eq(&before, hand.app().session().compilation().live().unwrap()));
 }
 
 /// In a look with more than 16 KiB of values a value becomes a uniform when it is touched, at the
@@ -186,7 +191,7 @@ fn a_touched_value_of_a_long_look_becomes_live() {
     let mut hand = Hand::new();
     hand.app_mut().open(&path);
     hand.settle();
-    let live_values = |hand: &Hand| match &hand.app().session().live().unwrap().live {
+    let live_values = |hand: &Hand| match &hand.app().session().compilation().live().unwrap().live {
         Live::Touched(values) => {
             values.iter().map(|(node, port)| format!("{node}.{port}")).collect::<Vec<_>>()
         }
@@ -202,9 +207,9 @@ fn a_touched_value_of_a_long_look_becomes_live() {
     touch(&mut hand, "n7", 0.25);
     assert_eq!(live_values(&hand), ["n7.b"]);
     // A live value then changes without a compile.
-    let before = hand.app().session().live().unwrap().clone();
+    let before = hand.app().session().compilation().live().unwrap().clone();
     touch(&mut hand, "n7", 0.5);
-    assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().live().unwrap()));
+    assert!(std::sync::Arc::ptr_eq(&before, hand.app().session().compilation().live().unwrap()));
     touch(&mut hand, "n8", 0.5);
     assert_eq!(live_values(&hand).len(), 2);
 }
@@ -252,8 +257,9 @@ fn keys_undo_and_redo() {
 #[test]
 fn nodes_are_selected_by_click_shift_and_box() {
     let mut hand = Hand::new();
-    let selected =
-        |hand: &Hand| hand.app().session().selected().map(ToString::to_string).collect::<Vec<_>>();
+    let selected = |hand: &Hand| {
+        hand.app().session().selection().nodes().map(ToString::to_string).collect::<Vec<_>>()
+    };
     hand.click(node_center(&hand, "base"));
     assert_eq!(selected(&hand), ["base"]);
     hand.click_with(Modifiers::SHIFT, node_center(&hand, "output"));
@@ -288,7 +294,8 @@ fn a_copy_has_the_wires_of_its_original() {
     hand.click(node_center(&hand, "diffuse"));
     hand.key_with(Modifiers::COMMAND, Key::D);
     assert_eq!(wire_into(&hand, "diffuse_2", "below").unwrap().node.as_str(), "base");
-    let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
+    let selected: Vec<String> =
+        hand.app().session().selection().nodes().map(ToString::to_string).collect();
     assert_eq!(selected, ["diffuse_2"]);
 }
 
@@ -357,20 +364,24 @@ fn changes_are_not_thrown_away_unasked() {
 #[test]
 fn an_error_shows_on_its_node_and_goes() {
     let mut hand = Hand::new();
-    let good = hand.app().session().baked().unwrap().clone();
+    let good = hand.app().session().compilation().baked().unwrap().clone();
     let nothing = hand.empty_place();
     // Without a wire the output shows nothing, which is an error of the output node.
     hand.drag(hand.input("output", "color"), nothing);
     hand.settle();
-    assert!(hand.app().canvas().has_error("output"), "{:?}", hand.app().session().problems());
     assert!(
-        std::sync::Arc::ptr_eq(&good, hand.app().session().baked().unwrap()),
+        hand.app().canvas().has_error("output"),
+        "{:?}",
+        hand.app().session().compilation().problems()
+    );
+    assert!(
+        std::sync::Arc::ptr_eq(&good, hand.app().session().compilation().baked().unwrap()),
         "the last good one stays"
     );
     hand.undo();
     hand.settle();
     assert!(!hand.app().canvas().has_error("output"));
-    assert!(hand.app().session().problems().is_empty());
+    assert!(hand.app().session().compilation().problems().is_empty());
 }
 
 #[test]
@@ -388,7 +399,8 @@ fn a_click_on_a_problem_selects_its_node() {
         .rect()
         .center();
     hand.click(at);
-    let selected: Vec<String> = hand.app().session().selected().map(ToString::to_string).collect();
+    let selected: Vec<String> =
+        hand.app().session().selection().nodes().map(ToString::to_string).collect();
     assert_eq!(selected, ["output"]);
 }
 
@@ -396,22 +408,22 @@ fn a_click_on_a_problem_selects_its_node() {
 fn the_camera_orbits_beside_the_object_and_lights_turn_on_it() {
     let mut hand = Hand::new();
     let rect = hand.app().viewport().rect().unwrap();
-    let before = hand.app().session().orbit().clone();
+    let before = hand.app().session().view().orbit().clone();
     let corner = rect.left_top() + vec2(12.0, 12.0);
     hand.drag(corner, corner + vec2(60.0, 20.0));
-    let orbited = hand.app().session().orbit().clone();
+    let orbited = hand.app().session().view().orbit().clone();
     assert!(orbited.yaw != before.yaw && orbited.pitch > before.pitch);
     assert_eq!(orbited.illumination, before.illumination);
 
     hand.drag(rect.center(), rect.center() + vec2(50.0, 0.0));
-    let turned = hand.app().session().orbit().clone();
+    let turned = hand.app().session().view().orbit().clone();
     assert_ne!(turned.illumination, orbited.illumination);
     assert_eq!((turned.yaw, turned.pitch), (orbited.yaw, orbited.pitch));
     assert!(!hand.app().session().is_dirty(), "neither belongs to the look");
 
     hand.hover(rect.center());
     hand.key(Key::R);
-    assert_eq!(*hand.app().session().orbit(), before);
+    assert_eq!(*hand.app().session().view().orbit(), before);
 }
 
 #[test]
@@ -464,15 +476,15 @@ fn looking_changes_nothing() {
     hand.app_mut().open(&path);
     hand.settle();
     assert!(
-        hand.app().session().problems().iter().all(|problem| !problem.is_error()),
+        hand.app().session().compilation().problems().iter().all(|problem| !problem.is_error()),
         "{:?}",
-        hand.app().session().problems()
+        hand.app().session().compilation().problems()
     );
     let ids: Vec<NodeId> = hand.look().graph.nodes.keys().cloned().collect();
     for id in ids {
         hand.app_mut().session_mut().select(vec![id.clone()]);
         hand.settle();
-        assert_eq!(hand.app().session().undo_label(), None, "showing {id} changed it");
+        assert_eq!(hand.app().session().steps().undo_label(), None, "showing {id} changed it");
     }
     hand.app_mut().save_as(&path);
     assert_eq!(std::fs::read_to_string(&path).unwrap(), MIXED);

@@ -14,6 +14,7 @@ use chiaro::compile::{
 };
 use chiaro::document::{Directions, Grid, Hcbtf, Look, Tile};
 use chiaro::export::{File, LANGUAGES, export};
+use chiaro::frame::Assets;
 use chiaro::hcbtf;
 use chiaro::interp::{Derivatives, Options, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
@@ -33,7 +34,13 @@ fn read_look(text: &str, name: &str) -> Look {
 
 /// All files of a look in all languages.
 fn export_all(look: &Look, stem: &str) -> Vec<File> {
-    let exported = export(look, Library::built_in(), stem, &LANGUAGES, Path::new(""));
+    let exported = export(
+        look,
+        Library::built_in(),
+        stem,
+        &LANGUAGES,
+        (Path::new(""), &mut Assets::default()),
+    );
     let exported = exported.unwrap_or_else(|problems| {
         panic!(
             "{stem}: {}",
@@ -265,7 +272,13 @@ fn images_and_hcbtfs_are_carried_along() {
         ]
     });
     let look = read_look(&look.to_string(), "moss.json");
-    let exported = export(&look, Library::built_in(), "moss", &LANGUAGES, folder.path());
+    let exported = export(
+        &look,
+        Library::built_in(),
+        "moss",
+        &LANGUAGES,
+        (folder.path(), &mut Assets::default()),
+    );
     let exported = exported.unwrap_or_else(|problems| panic!("{problems:?}"));
     let (complaints, _) = judged(&exported.value);
     assert!(complaints.is_empty(), "{}", complaints.join("\n\n"));
@@ -605,7 +618,7 @@ fn the_described_host_computes_what_the_compilers_does() {
 /// Values of a module's `host` by the compiler's own program.
 fn compiled_host(look: &Look, stage: CompileStage, values: &BTreeMap<&str, Json>) -> Vec<Vec<f64>> {
     let options = CompileOptions { live: Live::Exposed, stage, ..CompileOptions::default() };
-    let shader = compile(look, Library::built_in(), &options).expect("a right look");
+    let shader = compile(look, Library::built_in(), &options).expect("a right look").value;
     let params: HashMap<usize, _> = values
         .iter()
         .filter_map(|(name, value)| {

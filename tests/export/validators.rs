@@ -11,6 +11,7 @@ use crate::support::validators::{
 };
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
+use chiaro::frame::Assets;
 use chiaro::library::Library;
 
 /// True if a test that needs `tool` to refuse a shader can run; fails where the tools are required
@@ -187,21 +188,24 @@ fn spirv_val_takes_what_is_right_and_refuses_what_is_not() {
     }
 }
 
+/// The sweep of exported files: outside compilers judge, as the project drives them.
+const SWEEP: &[&str] = &["tests/export/validators.rs", "tests/support/validators.rs", "tests/tint"];
+
 /// Has every exported file judged that is due by the ledger, and closes the ledger. A file's
 /// extension says who judges the file; an unknown extension is a mistake. Files lie under `root`.
 fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
-    let versions =
-        Key::of_sources(&["tests/support/validators.rs", "tests/tint"]).with(versions().as_bytes());
+    let versions = Key::of_judges(SWEEP).with(versions().as_bytes());
     let mut wgsl = Vec::new();
     for path in files {
         let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().into_owned();
         let extension = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         let bytes = fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let key = versions.with(&bytes);
+        let text = String::from_utf8_lossy(&bytes);
+        let key =
+            if extension == "spv" { versions.with(&bytes) } else { versions.with_source(&text) };
         if !ledger.is_due(&name, &key) {
             continue;
         }
-        let text = String::from_utf8_lossy(&bytes);
         let verdict = match extension.as_str() {
             "wgsl" => {
                 wgsl.push((name, key, path));
@@ -268,7 +272,13 @@ fn looks_with_textures_pass_their_validators() {
     {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
         let look = Look::load(&chiaro::files::Disk, path).value.unwrap();
-        let exported = export(&look, Library::built_in(), &stem, &LANGUAGES, Path::new(""));
+        let exported = export(
+            &look,
+            Library::built_in(),
+            &stem,
+            &LANGUAGES,
+            (Path::new(""), &mut Assets::default()),
+        );
         for file in exported.unwrap_or_else(|problems| panic!("{stem}: {problems:?}")).value {
             let path = out.path().join(&stem).join(&file.name);
             fs::create_dir_all(path.parent().unwrap()).unwrap();

@@ -819,17 +819,15 @@ fn what_drives_keys_is_explained_and_checked() {
     let look = |wire: &str| {
         let text = format!(
             r##"{{
-            "nodes": [
-                {{"kind": "time"}}, {{"id": "later", "kind": "add", "values": {{"b": 2.5}}}},
-                {{"kind": "facing"}},
-                {{"id": "grey", "kind": "number"}}, {{"kind": "output"}}
+            "nodes": [{{"kind": "time"}}, {{"id": "later", "kind": "add", "values": {{"b": 2.5}}}},
+                {{"kind": "facing"}}, {{"id": "grey", "kind": "number"}}, {{"kind": "output"}}
             ],
-            "wires": [{{"from": "time", "to": "later.a"}}, {{"from": "grey",
-            "to": "output.color"}}],
+            "wires": [{{"from": "time", "to": "later.a"}},
+                {{"from": "grey", "to": "output.color"}}],
             "direction_keys": [
                 {{"name": "Mood", "by": {{"drivers": [{{"wire": "{wire}"}}, "distance"]}}, "keys": [
-                    {{"at": [2.5, 1], "values": {{"grey.value": 1}}}}, {{"at": [9, 1],
-                    "values": {{"grey.value": 0}}}}
+                    {{"at": [2.5, 1], "values": {{"grey.value": 1}}}},
+                    {{"at": [9, 1], "values": {{"grey.value": 0}}}}
                 ]}}
             ]
             }}"##
@@ -975,7 +973,7 @@ fn docs_nodes_md_is_what_the_code_says() {
     let kept = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         kept == printed,
-        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test cli writes it \
+        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test program writes it \
          anew"
     );
 }

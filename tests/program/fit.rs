@@ -390,7 +390,8 @@ fn gathered_fragments_are_shaded_as_in_the_picture() {
     let options = PlanOptions { size: [40, 32], samples: 1, time: 0.0 };
     let plan = Planner::new(Assets::default())
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-        .unwrap();
+        .unwrap()
+        .value;
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     let how = reference::Options::default();
     let picture = reference::execute(&plan, &modules, &how, &Progress::new()).unwrap();

@@ -99,16 +99,8 @@ fn pages(found: &HashSet<String>) -> usize {
     found.iter().filter(|name| name.ends_with(".html") && *name != "index.html").count()
 }
 
-/// Sources that decide on the verdict on a page, besides the document's content.
-const JUDGES: &[&str] = &[
-    "src/compiler/catalog",
-    "src/laboratory/gallery",
-    "src/render",
-    "src/scene/drawing",
-    "src/scene/frame",
-    "src/scene/hcbtf",
-    "tests/program/gallery.rs",
-];
+/// The sweep of pages: a page shows the catalog's words and the drawing of a graph too.
+const SWEEP: &[&str] = &["src/compiler/catalog", "src/scene/drawing", "tests/program/gallery.rs"];
 
 /// Maker of keys: meshes and HCBTFs are read once, and HCBTFs are filled for few directions, since
 /// keys hold the files themselves.
@@ -132,7 +124,7 @@ impl KeyMaker {
 
     /// Key of the verdict on a document's page.
     fn key(&mut self, shown: &GalleryDocument, library: &Library) -> Key {
-        let mut key = Key::of_sources(JUDGES).with(gpu().info.driver_info.as_bytes());
+        let mut key = Key::of_judges(SWEEP).with(gpu().info.driver_info.as_bytes());
         let mut looks = String::new();
         let mut sink = |bytes: &[u8]| {
             key.add(bytes);
@@ -254,7 +246,7 @@ fn every_example_has_a_page() {
     };
     let mut ledger = Ledger::open("gallery");
     let whole = format!("{list:?}").replace(&root().display().to_string(), "");
-    let whole = Key::of_sources(JUDGES).with(whole.as_bytes());
+    let whole = Key::of_judges(SWEEP).with(whole.as_bytes());
     ledger.prove("the whole", &whole, || gallery(&list));
     let library = Library::built_in();
     let keys = |shown: &[&GalleryDocument]| -> Vec<Key> {

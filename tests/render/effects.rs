@@ -27,6 +27,7 @@ fn planned(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {
     planner
         .plan(setup, Library::built_in(), live, &options)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        .value
 }
 
 fn plan(setup: &Setup, cull: Cull) -> FramePlan {
@@ -416,10 +417,11 @@ fn every_kind_of_removal_changes_no_bit() {
     let mut proofs = HashSet::new();
     for (proof, node, nodes, wires) in removable() {
         let look = removable_look(&nodes, &wires, node == "output");
-        let pruned = compile(&look.look, library, &Options::default()).expect("it compiles");
+        let pruned = compile(&look.look, library, &Options::default()).expect("it compiles").value;
         let whole =
             compile(&look.look, library, &Options { unspecialized: true, ..Options::default() })
-                .expect("it compiles");
+                .expect("it compiles")
+                .value;
         // Either of two equal nodes may be the one that is removed.
         let is_it =
             |removal: &&Removal| removal.path.to_string() == node || removal.proof == Proof::Equal;
@@ -471,7 +473,7 @@ fn live_values_are_never_proved_by_ranges() {
     for (_, node, nodes, wires) in removable() {
         let look = removable_look(&nodes, &wires, node == "output");
         let live = Options { live: Live::All, ..Options::default() };
-        let shader = compile(&look.look, Library::built_in(), &live).expect("it compiles");
+        let shader = compile(&look.look, Library::built_in(), &live).expect("it compiles").value;
         let proved: Vec<_> =
             shader.removed.iter().filter(|removal| removal.proof == Proof::Ranges).collect();
         // An opaque look stays opaque, whatever is edited.

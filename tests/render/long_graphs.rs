@@ -49,7 +49,8 @@ fn lines_of_longest_function(wgsl: &str) -> usize {
 
 fn compiles(count: usize) {
     let shader = compile(&look_of(chain(count)), Library::built_in(), &Options::default())
-        .expect("it compiles");
+        .expect("it compiles")
+        .value;
     assert!(shader.wgsl.len() > 20 * count, "where did {count} nodes go?");
     let longest = lines_of_longest_function(&shader.wgsl);
     assert!(longest < 100, "a function of {longest} lines");
@@ -120,7 +121,7 @@ fn what_is_read_again_much_later_is_handed_on() {
     let source = loaded.source.clone().into();
     let look = loaded.value.expect("a look");
     let options = Options { live: Live::All, ..Options::default() };
-    let shader = compile(&look, Library::built_in(), &options).expect("it compiles");
+    let shader = compile(&look, Library::built_in(), &options).expect("it compiles").value;
     assert!(
         lines_of_longest_function(&shader.wgsl) < 150,
         "{}",

@@ -7,10 +7,10 @@ use std::path::Path;
 use crate::support;
 use crate::support::wait::block_on;
 use chiaro::compile::{CompiledShader, Options, compile};
-use chiaro::diag::{Diagnostic, Severity};
+use chiaro::diag::{Diagnostic, Severity, Warned};
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
-use chiaro::frame::{MAX_DEPTH, too_deep};
+use chiaro::frame::{Assets, MAX_DEPTH, too_deep};
 use chiaro::library::Library;
 use serde_json::{Value as Json, json};
 
@@ -31,7 +31,7 @@ fn read(json: &Json) -> Look {
     loaded.value.expect("a look")
 }
 
-fn compiled(code: &str) -> Result<CompiledShader, Vec<Diagnostic>> {
+fn compiled(code: &str) -> Result<Warned<CompiledShader>, Vec<Diagnostic>> {
     compile(&read(&look_json(code)), Library::built_in(), &Options::default())
 }
 
@@ -111,20 +111,25 @@ const UNSEEN: &str = "fn f(x: f32) -> f32 \
 
 #[test]
 fn a_loop_without_an_end_to_be_seen_is_counted_in_the_shader_and_in_every_export() {
-    let shader = compiled(UNSEEN).expect("it compiles");
+    let (shader, warnings) = compiled(UNSEEN).expect("it compiles").into_parts();
     assert!(
         shader.wgsl.contains("        if rounds == 4096u { break; } rounds += 1u;\n"),
         "{}",
         shader.wgsl
     );
-    let [note] = shader.warnings.as_slice() else { panic!("{:?}", shader.warnings) };
+    let [note] = warnings.as_slice() else { panic!("{warnings:?}") };
     assert_eq!((note.severity, note.code), (Severity::Note, "counted-loop"));
     assert!(
         note.message.starts_with("line 3, column 5 of the code: ") && note.place.node.is_some(),
         "{note}"
     );
-    let exported =
-        export(&read(&look_json(UNSEEN)), Library::built_in(), "own", &LANGUAGES, Path::new(""));
+    let exported = export(
+        &read(&look_json(UNSEEN)),
+        Library::built_in(),
+        "own",
+        &LANGUAGES,
+        (Path::new(""), &mut Assets::default()),
+    );
     let files = exported.expect("it is exported").value;
     let texts: Vec<_> = files.iter().filter(|file| !file.name.ends_with(".json")).collect();
     assert!(texts.len() >= LANGUAGES.len());
@@ -140,8 +145,8 @@ fn a_loop_without_an_end_to_be_seen_is_counted_in_the_shader_and_in_every_export
         );
     }
     let seen = UNSEEN.replace("while (y < x)", "for (var i = 0; i < 64; i++)").replace("1.0", "x");
-    let shader = compiled(&seen).expect("it compiles");
-    assert!(shader.warnings.is_empty() && shader.wgsl.contains(&seen), "{}", shader.wgsl);
+    let (shader, warnings) = compiled(&seen).expect("it compiles").into_parts();
+    assert!(warnings.is_empty() && shader.wgsl.contains(&seen), "{}", shader.wgsl);
 }
 
 #[test]
@@ -151,10 +156,11 @@ fn a_project_s_loops_are_noted_once_and_have_the_same_end() {
     assert!(library.problems.is_empty(), "{:?}", library.problems);
     let mut json = look_json("");
     json["nodes"][1] = json!({"id": "own", "kind": "f"});
-    let shader = compile(&read(&json), &library, &Options::default()).expect("it compiles");
+    let (shader, warnings) =
+        compile(&read(&json), &library, &Options::default()).expect("it compiles").into_parts();
     assert!(shader.wgsl.contains("rounds == 4096u"), "{}", shader.wgsl);
     assert_eq!(
-        shader.warnings[0].to_string().lines().next(),
+        warnings[0].to_string().lines().next(),
         Some(
             "nodes/own/f.wgsl:3:5: note[counted-loop]: the end of this loop cannot be seen: it \
              ends after 4096 rounds at the latest"
@@ -170,7 +176,7 @@ fn the_interpreter_ends_where_the_shader_does() {
     let mut json = look_json(endless);
     json["wires"] = json!([{"from": "own", "to": "output.color"}]);
     let shader =
-        compile(&read(&json), Library::built_in(), &Options::default()).expect("it compiles");
+        compile(&read(&json), Library::built_in(), &Options::default()).expect("it compiles").value;
     assert!(!shader.wgsl.contains("rounds") && shader.wgsl.contains("4096.0"), "{}", shader.wgsl);
 }
 
@@ -228,7 +234,8 @@ fn sines(count: usize) -> Json {
 fn what_a_driver_would_recurse_over_is_told() {
     let depth = |count| {
         let shader = compile(&read(&sines(count)), Library::built_in(), &Options::default())
-            .expect("it compiles");
+            .expect("it compiles")
+            .value;
         too_deep(&shader)
     };
     assert_eq!(depth(1000), None);

@@ -24,8 +24,10 @@ fn probed(look: &Json, pixel: [u32; 2]) -> (Option<Vec<WireValue>>, [f64; 4]) {
     let mut assets = Assets::default();
     let setup = default_setup(look, "shape:sphere", &mut assets).unwrap().value;
     let options = PlanOptions { size: [SIZE; 2], samples: 1, time: 0.0 };
-    let plan =
-        Planner::for_truth(assets).plan(&setup, Library::built_in(), &Live::All, &options).unwrap();
+    let plan = Planner::for_truth(assets)
+        .plan(&setup, Library::built_in(), &Live::All, &options)
+        .unwrap()
+        .value;
     let modules = chiaro::reference::Modules::new(&plan, chiaro::interp::Precision::F64).unwrap();
     let picture = execute(&plan, &modules, &Options::default(), &Progress::new()).unwrap();
     let wires = probe_wires(&plan, pixel, &Options::default(), &Progress::new()).unwrap();

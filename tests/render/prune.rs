@@ -31,11 +31,6 @@ fn compare_in(library: &Library, errors: &mut Errors, look: &SetupLook, a: &Opti
     }
 }
 
-/// Sources that decide on the verdict on a look that is compiled in two ways, besides the compiled
-/// modules.
-const JUDGES: &[&str] =
-    &["src/scene/frame", "src/render", "tests/drawing/eval.rs", "tests/render/prune.rs"];
-
 /// Ways of compiling that are compared with baked code, with their error bounds.
 fn ways() -> [(&'static str, Options, f64); 2] {
     [
@@ -46,7 +41,7 @@ fn ways() -> [(&'static str, Options, f64); 2] {
 
 /// Key of the verdict on a look that is compiled in two ways.
 fn key(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Key {
-    let mut key = Key::of_sources(JUDGES)
+    let mut key = Key::of_judges(&["tests/render/prune.rs"])
         .with(renderer().gpu().info.driver_info.as_bytes())
         .with(&bound.to_le_bytes());
     for options in [&Options::default(), other] {
@@ -114,6 +109,7 @@ fn random_stacks_are_the_same_unspecialized_and_live() {
         );
         removed += compile(&look.look, Library::built_in(), &Options::default())
             .expect("it compiles")
+            .value
             .removed
             .len();
     }
@@ -303,7 +299,8 @@ fn every_bypass_is_taken() {
     for def in library.nodes.values() {
         for (index, bypass) in def.bypasses.iter().enumerate() {
             let look = bypassed(def, index, &Type::Float, &mut random);
-            let shader = compile(&look.look, library, &Options::default()).expect("it compiles");
+            let shader =
+                compile(&look.look, library, &Options::default()).expect("it compiles").value;
             let (node, call) = (chiaro::ids::NodePath::parse("node"), format!("{}(", def.kind));
             let is_gone = shader.removed.iter().any(|removal| removal.path == node)
                 || !shader.wgsl.contains(&call);
@@ -323,12 +320,12 @@ fn a_value_that_is_edited_prunes_nothing() {
     let mut look = idle_stack(&mut Random::new(73));
     let library = Library::built_in();
     let live = Options { live: Live::All, ..Options::default() };
-    let before = compile(&look.look, library, &live).expect("it compiles");
+    let before = compile(&look.look, library, &live).expect("it compiles").value;
     for node in look.look.graph.nodes.values_mut().filter(|node| node.kind == "light_layer") {
         node.values.insert("opacity".into(), Value::Number(0.4));
         node.values.insert("slope".into(), Value::Number(0.7));
         node.values.insert("convex".into(), Value::Vector(DVec3::splat(0.3).to_array().to_vec()));
     }
-    let after = compile(&look.look, library, &live).expect("it compiles");
+    let after = compile(&look.look, library, &live).expect("it compiles").value;
     assert_eq!(before.wgsl, after.wgsl, "an edited value changed live code");
 }

@@ -25,7 +25,7 @@ fn two_pictures_with_the_same_mesh_read_it_once_and_upload_it_once() {
     }
     let mut drawn = Vec::new();
     for (planner, renderer, setup) in &mut pictures {
-        let plan = planner.plan(setup, Library::built_in(), &Live::Keyed, &options).unwrap();
+        let plan = planner.plan(setup, Library::built_in(), &Live::Keyed, &options).unwrap().value;
         drawn.push(block_on(renderer.picture(&plan)).unwrap());
     }
     assert!(drawn[0] == drawn[1] && store.len() == 1);

@@ -81,10 +81,11 @@ impl Folder {
         assert!(odd.iter().all(|problem| problem.severity == Severity::Note), "{}", told(&odd));
         let options = PlanOptions { size: [SIDE; 2], samples: 1, time };
         let mut planner = Planner::new(assets);
-        let plan = planner
+        let (plan, warnings) = planner
             .plan(&setup, Library::built_in(), live, &options)
-            .unwrap_or_else(|problems| panic!("{}", told(&problems)));
-        assert!(planner.warnings.is_empty(), "{}", told(&planner.warnings));
+            .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+            .into_parts();
+        assert!(warnings.is_empty(), "{}", told(&warnings));
         block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"))
     }
 
@@ -98,7 +99,7 @@ impl Folder {
         let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
         let plan = |mut planner: Planner, live: &Live| {
             let plan = planner.plan(&setup, Library::built_in(), live, &options);
-            plan.unwrap_or_else(|problems| panic!("{}", told(&problems)))
+            plan.unwrap_or_else(|problems| panic!("{}", told(&problems))).value
         };
         let [baked, edited] = [Live::Keyed, Live::All].map(|live| {
             let plan = plan(Planner::new(assets.clone()), &live);

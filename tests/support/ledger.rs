@@ -3,10 +3,11 @@
 //!
 //! A long sweep is a list of cases. The key of a case is a hash of everything that its verdict
 //! depends on: the modules that it draws, their meshes and inputs, the source of the engines that
-//! judge it, and the driver. The ledger keeps a line a case, `KEY FIGURE CASE`: the figure is the
-//! result of the proof, mostly the largest error. A case whose key differs from its line's is
-//! proved anew; of the rest a tenth is, chosen by the commit, so that each line is checked within
-//! ten or so commits. A false line is found then: the new figure is held against the line's.
+//! judge it (see [`judges`](crate::judges)), and the driver. The ledger keeps a line a case, `KEY
+//! FIGURE CASE`: the figure is the result of the proof, mostly the largest error. A case whose key
+//! differs from its line's is proved anew; of the rest a tenth is, chosen by the commit, so that
+//! each line is checked within ten or so commits. A false line is found then: the new figure is held
+//! against the line's.
 //!
 //! `CHIARO_LEDGER=write` writes the lines of the proved cases; `CHIARO_LEDGER=all` proves all
 //! cases, as `scripts/soak` does.
@@ -55,6 +56,12 @@ impl Key {
     pub fn add(&mut self, bytes: &[u8]) {
         self.0.write_usize(bytes.len());
         self.0.write(bytes);
+    }
+
+    /// A copy of the key with a source added, without blank lines and lines that are comments
+    /// alone.
+    pub fn with_source(&self, text: &str) -> Self {
+        self.with(code(text).as_bytes())
     }
 
     /// A copy of the key with more bytes added.

@@ -327,8 +327,8 @@ proptest! {
     ) {
         for scheme in CLOSED {
             let (keys, problems) = KeyWeights::new(&directions, scheme).into_parts();
-            let is_of_places = |d: &chiaro::diag::Diagnostic| d.code == "close-keys" || d.code == "merged-keys";
-            prop_assert!(problems.iter().all(is_of_places));
+            let is_of_places = |code| ["close-keys", "merged-keys"].contains(&code);
+            prop_assert!(problems.iter().all(|problem| is_of_places(problem.code)));
             for &query in queries.iter().chain(&directions) {
                 let weights = keys.weights(query);
                 prop_assert!(weights.iter().all(|weight| (0.0..=1.0).contains(weight)));

@@ -1,11 +1,10 @@
 //! Ledgers notice changed shaders, changed engines, and false lines.
-#![cfg(feature = "gpu")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chiaro::accuracy::sweep::{Case, Effort, Lab};
 use chiaro::library::Library;
+use chiaro::sweeps::{Case, Effort, Lab};
 
 use crate::nodes;
 use crate::support::eval::renderer;

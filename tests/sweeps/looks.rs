@@ -1,6 +1,5 @@
 //! Example looks against their truth: over lights and views, at many sizes, and from frame to
 //! frame.
-#![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 use std::path::Path;
@@ -8,10 +7,6 @@ use std::path::Path;
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
 use crate::support::wait::block_on;
-use chiaro::accuracy::sweep::looks::content;
-use chiaro::accuracy::sweep::{
-    LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability,
-};
 use chiaro::accuracy::{Colors, MeasureError, Truth};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Projection, Tier};
@@ -19,6 +14,10 @@ use chiaro::frame::{Assets, PlanOptions, Planner, Setup, open};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::Renderer;
+use chiaro::sweeps::looks::content;
+use chiaro::sweeps::{
+    LookEffort, StabilityEffort, looks_in, measure_look, measure_stability, stability,
+};
 use glam::DVec3;
 
 fn looks() -> Vec<std::path::PathBuf> {
@@ -30,20 +29,9 @@ fn flawless<T>(result: Result<T, MeasureError>) -> T {
     result.unwrap_or_else(|stopped| panic!("{}", told(&Vec::<Diagnostic>::from(stopped))))
 }
 
-/// Sources that judge a look, besides the shaders and numbers of the look.
-const JUDGES: &[&str] = &[
-    "src/language/interp",
-    "src/scene/frame",
-    "src/scene/directions",
-    "src/reference",
-    "src/render",
-    "src/laboratory/accuracy",
-    "tests/sweeps/looks.rs",
-];
-
 /// The key of the verdict on a look's pictures.
 fn key(path: &Path, precise: &Renderer, effort: &str, meshes: &[&str], tiers: &[Tier]) -> Key {
-    let mut key = Key::of_sources(JUDGES)
+    let mut key = Key::of_judges(&["tests/sweeps/looks.rs"])
         .with(precise.gpu().info.driver_info.as_bytes())
         .with(effort.as_bytes());
     let told = content(path, meshes, tiers, Library::built_in(), &mut |bytes| key.add(bytes));

@@ -1,5 +1,4 @@
 //! Every node of the library, in every choice, width and tier, on the GPU against f64.
-#![cfg(feature = "gpu")]
 #![allow(clippy::print_stdout, reason = "figures are worth reading when a bound is missed")]
 
 use std::sync::{Arc, Mutex};
@@ -8,12 +7,10 @@ use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
 use crate::support::wait::block_on;
 use chiaro::accuracy::MeasureError;
-use chiaro::accuracy::sweep::{
-    Case, CaseFigures, Effort, Lab, LookEffort, StabilityEffort, Survey, survey,
-};
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
+use chiaro::sweeps::{Case, CaseFigures, Effort, Lab, LookEffort, StabilityEffort, Survey, survey};
 
 fn sweep(effort: &Effort) -> Vec<CaseFigures> {
     let mut renderer = renderer();
@@ -65,19 +62,10 @@ fn hold(all: &[CaseFigures]) {
     assert!(broken.is_empty(), "{} beyond their bounds:\n{}", broken.len(), broken.join("\n"));
 }
 
-/// Sources that judge a node, besides the shaders and numbers of the node.
-pub(crate) const JUDGES: &[&str] = &[
-    "src/language/interp",
-    "src/scene/frame",
-    "src/reference",
-    "src/render",
-    "src/laboratory/accuracy",
-    "tests/sweeps/nodes.rs",
-];
-
 /// The key of a case's verdict.
 pub(crate) fn key(lab: &mut Lab<'_>, case: &Case, effort: &Effort) -> Key {
-    let mut key = Key::of_sources(JUDGES).with(lab.renderer.gpu().info.driver_info.as_bytes());
+    let mut key = Key::of_judges(&["tests/sweeps/nodes.rs"])
+        .with(lab.renderer.gpu().info.driver_info.as_bytes());
     let content = lab.content(case, effort, &mut |bytes| key.add(bytes));
     content.unwrap_or_else(|problems| panic!("{}: {}", case.name(), told(&problems)));
     key
@@ -202,7 +190,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
             let problems: Vec<Diagnostic> = stopped.into();
             panic!("{}", self::told(&problems))
         });
-    let names = |all: &[chiaro::accuracy::sweep::LookFigures]| -> Vec<String> {
+    let names = |all: &[chiaro::sweeps::LookFigures]| -> Vec<String> {
         all.iter().map(|one| format!("{} {:?}", one.look, one.tier)).collect()
     };
     let all = ["a Exact", "a Balanced", "a Fast", "b Exact", "b Balanced", "b Fast"];

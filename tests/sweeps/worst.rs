@@ -1,16 +1,14 @@
 //! The worst inputs that a search has found for each node stay within the node's bound.
-#![cfg(feature = "gpu")]
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use crate::nodes;
 use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Key, Ledger};
 use crate::support::wait::block_on;
-use chiaro::accuracy::sweep::{Case, Lab, Worst, bound, search};
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
+use chiaro::sweeps::{Case, Lab, Worst, bound, search};
 
 #[test]
 fn the_worst_inputs_stay_within_their_bounds() {
@@ -32,8 +30,8 @@ fn the_worst_inputs_stay_within_their_bounds() {
             .iter()
             .map(|worst| worst.numbers(&bench).unwrap_or_else(|problem| panic!("{problem}")))
             .collect();
-        let mut key =
-            Key::of_sources(nodes::JUDGES).with(lab.renderer.gpu().info.driver_info.as_bytes());
+        let mut key = Key::of_judges(&["tests/sweeps/worst.rs"])
+            .with(lab.renderer.gpu().info.driver_info.as_bytes());
         let content = lab.content_of(&bench, &all, &mut |bytes| key.add(bytes));
         content.unwrap_or_else(|problems| panic!("{}", told(&problems)));
         ledger.prove(&format!("{}, {:?}", case.name(), case.tier), &key, || {

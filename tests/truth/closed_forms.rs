@@ -2,10 +2,10 @@
 //! paper's formulas (`formulas`), for surfaces that are known at every point (`surfaces`), and
 //! compared with the reference's picture.
 //!
-//! `cargo test --no-default-features --test truth closed_forms -- --nocapture` prints the largest
-//! difference of each. On a plane whose normals turn linearly everything has a closed form, the
-//! curvature pass included, so that only the polynomials of the shader library differ: the least
-//! accurate of them are atan2's series (3e-9) and the logarithm's (2e-10, times a profile's
+//! `cargo test --test truth closed_forms -- --nocapture` prints the largest difference of each. On a
+//! plane whose normals turn linearly everything has a closed form, the curvature pass included, so
+//! that only the polynomials of the shader library differ: the least accurate of them are atan2's
+//! series (3e-9) and the logarithm's (2e-10, times a profile's
 //! exponent). On a sphere made of triangles the triangles differ.
 
 mod formulas;
@@ -76,7 +76,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
     let setup = Setup { scene, looks: vec![look], objects: vec![object], ..Setup::default() };
     let options = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
     let mut planner = Planner::for_truth(Assets::default());
-    planner.plan(&setup, Library::built_in(), &Live::All, &options).expect("it is planned")
+    planner.plan(&setup, Library::built_in(), &Live::All, &options).expect("it is planned").value
 }
 
 fn picture(plan: &FramePlan) -> ReferencePicture {

@@ -47,7 +47,7 @@ fn plan_of(context: Context) -> FramePlan {
     );
     let options = PlanOptions { size: SIZE, samples: 1, time: 0.25 };
     let planned = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
-    planned.unwrap_or_else(|problems| panic!("{context:?}: {}", told(&problems)))
+    planned.unwrap_or_else(|problems| panic!("{context:?}: {}", told(&problems))).value
 }
 
 fn drawn_by(executor: &mut dyn Executor, plan: &FramePlan) -> Picture {

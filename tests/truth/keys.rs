@@ -503,14 +503,15 @@ fn every_object_is_driven_by_its_own_place() {
         );
         let mut planner = chiaro::frame::Planner::default();
         let options = chiaro::frame::PlanOptions { size: [96, 48], samples: 1, time: 0.0 };
-        let plan = planner
+        let (plan, warnings) = planner
             .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-            .expect("it is planned");
+            .expect("it is planned")
+            .into_parts();
         let picture = block_on(support::eval::renderer().picture(&plan)).expect("it is drawn");
         let mut seen: Vec<f32> = picture.rgba.iter().filter(|p| p[3] > 0.5).map(|p| p[0]).collect();
         seen.sort_by(f32::total_cmp);
         seen.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
-        (seen, planner.warnings)
+        (seen, warnings)
     };
     // The objects are 6 apart, and an object is no neighbour of itself.
     let (seen, warnings) =

@@ -765,7 +765,8 @@ fn picture(
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
     let plan = Planner::new(assets)
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-        .unwrap_or_else(|problems| panic!("{}", told(&problems)));
+        .unwrap_or_else(|problems| panic!("{}", told(&problems)))
+        .value;
     let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
     let all = (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y)));
     let seen =

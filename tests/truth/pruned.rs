@@ -70,7 +70,7 @@ impl Comparison {
 
     /// The key of the verdict.
     fn key(&self, look: &SetupLook, library: &Library) -> Key {
-        let mut key = Key::of_sources(JUDGES)
+        let mut key = Key::of_judges(&["tests/truth/pruned.rs"])
             .with(format!("{:?} {:e}", self.precision, self.bound).as_bytes());
         for way in &self.ways {
             content(look, library, way, &samples(5, 400), &mut |bytes| key.add(bytes));
@@ -83,10 +83,6 @@ impl Comparison {
         ledger.prove(case, &self.key(look, library), || self.proof(look, library));
     }
 }
-
-/// Sources that judge a look, besides the shaders and numbers of the look.
-const JUDGES: &[&str] =
-    &["src/language/interp", "src/scene/frame", "src/reference", "tests/truth/pruned.rs"];
 
 fn unspecialized(live: Live) -> Options {
     Options { live, unspecialized: true, ..Options::default() }
@@ -150,6 +146,7 @@ fn nothing_that_is_folded_or_removed_changes_a_bit_in_f32() {
         let look = in_64ths(look);
         removed += compile(&look.look, Library::built_in(), &comparison.ways[0])
             .expect("it compiles")
+            .value
             .removed
             .len();
         comparison.prove(&mut ledger, &case, &look);

@@ -94,7 +94,7 @@ fn plan_of(parts: Vec<(SetupLook, Mesh)>, size: [u32; 2]) -> FramePlan {
     let setup = scene_of(parts, Scene { camera, backdrop: None, ..Scene::default() });
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let planned = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
-    planned.unwrap_or_else(|problems| panic!("{}", told(&problems)))
+    planned.unwrap_or_else(|problems| panic!("{}", told(&problems))).value
 }
 
 /// The first channel of each pixel, rows from the top; `None` where no object is.

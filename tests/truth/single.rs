@@ -295,8 +295,10 @@ fn example(name: &str) -> SetupLook {
 /// Pictures of a setup on the GPU and on the reference.
 fn pictures(setup: &Setup, live: &Live, images: ImageRounding) -> (Picture, ReferencePicture) {
     let size = PlanOptions { size: [160, 120], samples: 1, time: 0.0 };
-    let plan =
-        Planner::default().plan(setup, Library::built_in(), live, &size).expect("it is planned");
+    let plan = Planner::default()
+        .plan(setup, Library::built_in(), live, &size)
+        .expect("it is planned")
+        .value;
     let modules = Modules::new(&plan, Precision::F32).expect("it compiles");
     // Coverage alone is snapped, as on GPUs: see `triangles`.
     let options =

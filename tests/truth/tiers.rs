@@ -87,7 +87,8 @@ fn a_tier_goes_from_the_look_to_groups_to_nodes() {
             "wires": [{"from": "group", "to": "output.color"}]
         }));
         let shader = chiaro::compile::compile(&look.look, Library::built_in(), &Default::default())
-            .expect("flawless");
+            .expect("flawless")
+            .value;
         let functions = ["transition_fast(", "transition_balanced(", "transition("];
         functions
             .iter()
@@ -377,7 +378,8 @@ fn fast_curvature_needs_no_pass() {
         let options = PlanOptions { size: [200, 160], samples: 4, time: 0.0 };
         let plan = Planner::default()
             .plan(&setup, Library::built_in(), &Live::Keyed, &options)
-            .expect("a plan");
+            .expect("a plan")
+            .value;
         assert_eq!(plan.passes.len(), wanted, "{first} and {second}: {:?}", plan.passes);
         let source = &plan.draws[0].look.wgsl;
         assert_eq!(source.contains("dpdx"), first == "fast", "{source}");

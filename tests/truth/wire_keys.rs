@@ -378,8 +378,13 @@ fn an_export_carries_the_wires() {
     ));
     let languages = chiaro::export::languages([chiaro::export::ALL]).expect("languages");
     let library = Library::built_in();
-    let made =
-        chiaro::export::export(&setup.look, library, "wired", &languages, std::path::Path::new(""));
+    let made = chiaro::export::export(
+        &setup.look,
+        library,
+        "wired",
+        &languages,
+        (std::path::Path::new(""), &mut chiaro::frame::Assets::default()),
+    );
     let made = made.unwrap_or_else(|problems| panic!("{problems:?}"));
     let text = |name: &str| {
         let file =
@@ -453,7 +458,8 @@ fn every_way_of_compiling_has_the_wires() {
     for live in [Live::Keyed, Live::Exposed, Live::All] {
         for unspecialized in [false, true] {
             let options = Options { live: live.clone(), unspecialized, ..Options::default() };
-            let shader = compile(&setup.look, Library::built_in(), &options).expect("it compiles");
+            let shader =
+                compile(&setup.look, Library::built_in(), &options).expect("it compiles").value;
             let inputs = HostInputs {
                 params: &Default::default(),
                 lights: &Default::default(),
@@ -471,6 +477,7 @@ fn every_way_of_compiling_has_the_wires() {
     assert!(
         compile(&setup.look, Library::built_in(), &options)
             .expect("it compiles")
+            .value
             .host
             .drivers
             .is_empty()

@@ -74,8 +74,8 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     // Options of `chiaro render` without arguments.
     let options = PlanOptions { size: [800, 800], samples: 4, time: arguments.time };
     let mut planner = Planner::new(assets);
-    let plan = planner.plan(&setup, &library, &live, &options)?;
-    output.diagnostics(&planner.warnings);
+    let (plan, warnings) = planner.plan(&setup, &library, &live, &options)?.into_parts();
+    output.diagnostics(&warnings);
     #[cfg_attr(not(feature = "gpu"), expect(unused_mut, reason = "only a GPU adds times"))]
     let mut report = report::Report::new(&setup, &plan, &library)?;
     #[cfg(feature = "gpu")]

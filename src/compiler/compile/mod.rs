@@ -21,21 +21,19 @@ mod value;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::{LightField, Look, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, Special, Type};
 use crate::wgsl::{self, Valid};
 
+pub use crate::document::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 pub use crate::library::Stage;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
 pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
 pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, can_be_muted};
-pub use host::{
-    HostDriver, HostInputs, HostProgram, LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE, Uniform,
-    UniformMember, push_numbers,
-};
+pub use host::{HostDriver, HostInputs, HostProgram, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
 pub use layout::{Layout, StructLayout};
 pub use removal::{Proof, Removal};
@@ -105,8 +103,6 @@ pub struct CompiledShader {
     pub named_images: Vec<ImageUse>,
     /// The parts that were left out, each with its reason.
     pub removed: Vec<Removal>,
-    /// Oddities, and faults of nodes that do not reach the output; none stopped the compilation.
-    pub warnings: Vec<Diagnostic>,
     /// Which values are really uniforms: less than was asked for where the uniform would grow past
     /// [`MAX_UNIFORM_BYTES`].
     pub live: Live,
@@ -148,7 +144,7 @@ pub enum AlphaCutoff {
 impl AlphaCutoff {
     fn of(typed: &TypedGraph, stage: Stage) -> Self {
         let output = &typed.nodes[typed.root.0];
-        if output.def.special != Special::Output || stage == Stage::Eval {
+        if output.def.special != Special::Output || !stage.draws_meshes() {
             return Self::None;
         }
         let mut inputs = output.def.inputs.iter().zip(&output.inputs);
@@ -163,17 +159,17 @@ impl AlphaCutoff {
     }
 }
 
-/// Compiles a look.
+/// Compiles a look; warns of oddities, and of faults of nodes that do not reach the output.
 ///
 /// # Errors
-/// Everything that is wrong with it; nodes that do not reach the output only warn.
+/// Everything that is wrong with the nodes that reach the output.
 pub fn compile(
     look: &Look,
     library: &Library,
     options: &Options,
-) -> Result<CompiledShader, Vec<Diagnostic>> {
+) -> Result<Warned<CompiledShader>, Vec<Diagnostic>> {
     let (typed, warnings) = check(look, library, options.root.as_ref())?.into_parts();
-    compile_typed(&typed, options, warnings)
+    Ok(Warned::new(compile_typed(&typed, options)?, warnings))
 }
 
 /// The WGSL of a look that was checked, before naga has seen it: our own share of the work, for
@@ -194,7 +190,6 @@ pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, V
 pub fn compile_typed(
     typed: &TypedGraph,
     options: &Options,
-    warnings: Vec<Diagnostic>,
 ) -> Result<CompiledShader, Vec<Diagnostic>> {
     let specialized = specialize::specialize(typed, options)?;
     let emitted = emit::emit(typed, &specialized, options);
@@ -204,7 +199,7 @@ pub fn compile_typed(
     // f64.
     if host.size > MAX_UNIFORM_BYTES && options.live == Live::All && !options.unspecialized {
         let fewer = Options { live: Live::Touched(options.touched.clone()), ..options.clone() };
-        return compile_typed(typed, &fewer, warnings);
+        return compile_typed(typed, &fewer);
     }
     Ok(CompiledShader {
         wgsl: emitted.text,
@@ -217,7 +212,6 @@ pub fn compile_typed(
         spans: emitted.spans,
         named_images: specialized.images,
         removed: specialized.removed,
-        warnings,
         live: options.live.clone(),
         // A material's mask says by itself whether its other side is to be drawn.
         cutoff: if options.cutout {

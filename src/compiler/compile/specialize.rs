@@ -18,12 +18,12 @@ use super::host::{conversion_program, conversion_ranges};
 use super::intervals::{self, Ranges};
 use super::removal::{Proof, Removal};
 use super::value::typed_value;
-use super::{Live, Options, Stage};
+use super::{Live, Options};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, LightField, LightInput, Storage, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
-use crate::library::{Context, Conversion, NodeModule, Parameter, Rate, Special, Type};
+use crate::library::{Context, Conversion, NodeModule, Parameter, Rate, Special, StageValue, Type};
 
 /// An index into [`SpecializedGraph::values`].
 pub(super) type ValueId = usize;
@@ -683,19 +683,15 @@ impl<'a> Builder<'a> {
     fn finish(mut self) -> SpecializedGraph {
         let (node, output) = self.graph.root;
         let is_own_root = self.graph.nodes[node].def.special == Special::Output;
-        let root = match self.options.stage {
-            Stage::Normals => {
-                let operation = Operation::Context(Context::NORMAL, None);
-                Some(self.value(
-                    Key::Context(Context::NORMAL, None),
-                    node,
-                    Type::Vec3,
-                    Rate::Fragment,
-                    operation,
-                ))
-            }
-            Stage::DetailNormals => self.extra_roots.get("normal").copied(),
-            Stage::Draw | Stage::Eval => None,
+        let stage = self.options.stage;
+        let root = match stage.row().value {
+            StageValue::Context(word) => Context::from_word(word).map(|context| {
+                let operation = Operation::Context(context, None);
+                let ty = Type::from_wgsl(context.wgsl_type());
+                self.value(Key::Context(context, None), node, ty, Rate::Fragment, operation)
+            }),
+            StageValue::Input(name) => self.extra_roots.get(name).copied(),
+            StageValue::Output => None,
         };
         let color = self.outputs[node][output];
         let root = root.unwrap_or(color);
@@ -706,7 +702,7 @@ impl<'a> Builder<'a> {
         let cutout = self.options.cutout;
         let cutoff =
             self.extra_roots.get("cutoff").copied().filter(|&id| cutout || !zero(&self.values[id]));
-        let cutoff = cutoff.filter(|_| is_own_root && self.options.stage != Stage::Eval);
+        let cutoff = cutoff.filter(|_| is_own_root && stage.draws_meshes());
         let cutoff = cutoff.filter(|&id| cutout || !self.never_cuts(color, id));
         let drivers = self.drivers();
         let mut roots = vec![Some(root), cutoff.and(Some(color)), cutoff];

@@ -39,7 +39,10 @@ pub use hcbtf::{
     StrokeShape, StrokeTones, Strokes, Tile, relief,
 };
 pub use image::Journaled;
-pub use light::{Light, LightField, LightInput, LightKind, LightQuantity, LightSpace};
+pub use light::{
+    Light, LightField, LightInput, LightKind, LightQuantity, LightSpace, LightValues,
+    MAX_INTENSITY, MIN_LIGHT_DISTANCE,
+};
 pub use look::*;
 pub use read::Document;
 pub use scene::*;

@@ -55,6 +55,8 @@ pub use node::{
     Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,
     Parameter, Prepare, Preset, Special, Test, TierError, Variant,
 };
-pub use passes::{PassId, PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
+pub use passes::{
+    PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,
+};
 pub use read::load_node;
 pub use types::{Conversion, Type};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::{self, Ui};
 
 use super::App;
-use super::files::{self, Pending};
+use super::files::{self, PendingAction};
 use crate::app::look_export::stem_of;
 use crate::canvas::edits;
 use crate::commands::{
@@ -15,9 +15,10 @@ use crate::commands::{
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Projection};
 use crate::ids::NodePath;
-use crate::state::painting::look;
+use crate::state::revision::GestureId;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
+use crate::state::session::painting::is_painting_shown;
 
 /// True if the last message stays while a command is carried out.
 fn keeps_message(command: &Command) -> bool {
@@ -65,8 +66,8 @@ impl App {
         match command {
             Command::Edit(edit) => self.tell(|session| session.apply(edit, None)),
             Command::EditHeld(widget, edit) => {
-                let hand = self.hand(ui, widget);
-                self.tell(|session| session.apply(edit, Some(hand)));
+                let gesture = self.gesture(ui, widget);
+                self.tell(|session| session.apply(edit, Some(gesture)));
             }
             Command::Select(ids) => self.session.select(ids),
             Command::Reveal(id) => {
@@ -77,17 +78,17 @@ impl App {
             Command::OpenGraph(path) => self.session.open_graph(&path),
             Command::Undo => drop(self.session.undo()),
             Command::Redo => drop(self.session.redo()),
-            Command::New => self.do_or_ask(Pending::New),
+            Command::New => self.do_or_ask(PendingAction::New),
             Command::Open(Some(path)) if files::is_painting(&path) => {
-                self.do_or_ask(Pending::OpenPainting { path, keeps_look: false });
+                self.do_or_ask(PendingAction::OpenPainting { path, keeps_look: false });
             }
-            Command::Open(Some(path)) => self.do_or_ask(Pending::Open(path)),
+            Command::Open(Some(path)) => self.do_or_ask(PendingAction::Open(path)),
             Command::Open(None) => self.dialogs.ask(FilePurpose::Open, self.session.path()),
             Command::OpenPath => self.open_path_field(),
             Command::Forget(path) => self.safety.change_settings(|settings| settings.forget(&path)),
             Command::ShowStart(true) => self.show_start_page(),
             Command::ShowStart(false) => self.start = None,
-            Command::StartTour => self.do_or_ask(Pending::Tour),
+            Command::StartTour => self.do_or_ask(PendingAction::Tour),
             Command::OpenPalette => self.sheet.open_palette(),
             Command::OpenShortcuts => self.sheet.open_shortcuts(),
             Command::Save => self.save(),
@@ -130,13 +131,13 @@ impl App {
             }
             Command::CopyPicture => self.copy_picture(ui),
             Command::CopyWgsl => self.copy_wgsl(ui),
-            Command::ShowReference(Some(path)) => self.bench.viewport.show_reference(path),
+            Command::ShowReference(Some(path)) => self.show_reference(&path),
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
             Command::LeaveProbe => self.bench.tools.probe.escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
-            Command::ShowPanel(PanelId::PAINT) if look::shows(&self.session) => {
+            Command::ShowPanel(PanelId::PAINT) if is_painting_shown(&self.session) => {
                 self.show_painting_panels();
             }
             Command::ShowPanel(panel) => {
@@ -146,7 +147,7 @@ impl App {
             Command::GoTo(place) => self.session.go_to(place),
             Command::AddNode { kind, at } => self.add_node(&kind, at),
             Command::ShareGroup(id) => self.message = Some(self.session.share_group(&id)),
-            Command::OpenExample(index) => self.do_or_ask(Pending::Example(index)),
+            Command::OpenExample(index) => self.do_or_ask(PendingAction::Example(index)),
             Command::Copy(text) => ui.ctx().copy_text(text),
             Command::SelectKey(key) => self.session.selection.key = key,
             Command::SetTime(time) => self.session.view.time = time,
@@ -155,7 +156,7 @@ impl App {
                 self.start = None;
                 self.bench.canvas.ask(command);
             }
-            Command::Scene(command) => self.apply_to_stage(ui, command),
+            Command::Scene(command) => self.apply_scene_command(ui, command),
             Command::Paint(command) => self.apply_to_painting(ui, command),
             Command::Fit(command) => self.apply_to_fitting(ui, command),
             Command::Sketch(command) => self.apply_to_sketch(command),
@@ -168,7 +169,7 @@ impl App {
     fn show_node(&mut self, path: &NodePath) {
         let ids = path.ids();
         self.session.open_graph(&ids[..ids.len().saturating_sub(1)]);
-        if let Some(id) = self.session.step_here(path).cloned() {
+        if let Some(id) = self.session.graph_view().step_of(path).cloned() {
             self.session.select(vec![id.clone()]);
             self.bench.canvas.reveal(id);
         }
@@ -197,7 +198,7 @@ impl App {
             ViewCommand::TurnTo(view) => self.session.view.orbit = *view,
             ViewCommand::Reset => self.session.reset_view(),
             ViewCommand::FrameObject => {
-                let selected = self.session.stage().and_then(OpenScene::selected);
+                let selected = self.session.open_scene().and_then(OpenScene::selected);
                 let selected = selected.map(|(id, _)| id.clone());
                 self.session.frame(selected.as_ref(), aspect);
             }
@@ -216,12 +217,12 @@ impl App {
         }
     }
 
-    /// Identity of the hand that edits: a widget, for as long as it is held or has the keyboard.
-    pub(super) fn hand(&self, ui: &Ui, widget: egui::Id) -> u64 {
+    /// Gesture that edits: a widget, for as long as it is held or has the keyboard.
+    pub(super) fn gesture(&self, ui: &Ui, widget: egui::Id) -> GestureId {
         let focus = ui.memory(egui::Memory::focused);
         let mut hasher = DefaultHasher::new();
         (widget, self.presses, focus).hash(&mut hasher);
-        hasher.finish()
+        GestureId(hasher.finish())
     }
 
     fn add_node(&mut self, kind: &str, at: Option<egui::Pos2>) {
@@ -243,7 +244,7 @@ impl App {
 
     /// Copies the shader as it is exported: with values folded into it.
     fn copy_wgsl(&mut self, ui: &Ui) {
-        let shader = self.session.baked().map(|shader| shader.wgsl.clone());
+        let shader = self.session.compilation().baked().map(|shader| shader.wgsl.clone());
         let told = match shader {
             Some(wgsl) => {
                 ui.ctx().copy_text(wgsl);
@@ -286,7 +287,7 @@ impl App {
     /// file where a document has none.
     pub(super) fn save(&mut self) {
         let Some(did_paint) = self.save_painting_first() else { return };
-        let is_scene_dirty = self.session.stage().is_some_and(OpenScene::is_dirty);
+        let is_scene_dirty = self.session.open_scene().is_some_and(OpenScene::is_dirty);
         let saves_look = self.session.is_look_dirty() || !is_scene_dirty && !did_paint;
         if saves_look {
             let Some(path) = self.session.path().map(Path::to_path_buf) else {
@@ -297,10 +298,11 @@ impl App {
             }
         }
         // A scene that nobody has saved yet is only asked about if it is the one to save.
-        let has_file = self.session.stage().is_some_and(|stage| stage.path().is_some());
+        let has_file =
+            self.session.open_scene().is_some_and(|open_scene| open_scene.path().is_some());
         let is_wanted = match self.pending {
             None => !saves_look,
-            Some(Pending::Switch(_)) => false,
+            Some(PendingAction::Switch(_)) => false,
             Some(_) => true,
         };
         if is_scene_dirty && (has_file || is_wanted) {

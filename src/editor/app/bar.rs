@@ -8,10 +8,10 @@ use crate::commands::table::{self, CommandRow, Menu};
 use crate::commands::{Command, PaintCommand, PanelId};
 use crate::painter::{ShownPainting, shown};
 use crate::panels::{PANELS, problems};
-use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
+use crate::state::session::painting::is_painting_shown;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
@@ -46,7 +46,8 @@ impl App {
             let step = |label: Option<&str>, otherwise: &str| {
                 label.map_or(otherwise.to_owned(), str::to_owned)
             };
-            let (undo, redo) = (self.session.undo_label(), self.session.redo_label());
+            let (undo, redo) =
+                (self.session.steps().undo_label(), self.session.steps().redo_label());
             let help = format!("Takes back: {} (Ctrl+Z)", step(undo, "nothing"));
             button(ui, "Undo", &help, undo.is_some(), Command::Undo);
             let help = format!("Repeats: {} (Ctrl+Shift+Z)", step(redo, "nothing"));
@@ -161,21 +162,27 @@ impl App {
     /// its name and true if it has changes that no file holds.
     fn documents(&self) -> Vec<(&'static str, String, bool)> {
         let session = &self.session;
-        let stage = session.stage();
+        let open_scene = session.open_scene();
         let work = session.painting();
         let is_look_dirty = session.is_look_dirty();
         let mut all = Vec::new();
         // A look that only shows the painting goes without saying.
         let is_bare =
             |work: &OpenPainting| session.path().is_none() && session.look().name == work.name();
-        if is_look_dirty || stage.is_some() || !(work.is_some_and(is_bare) && self.keeps_look()) {
+        if is_look_dirty
+            || open_scene.is_some()
+            || !(work.is_some_and(is_bare) && self.keeps_look())
+        {
             all.push(("", session.name(), is_look_dirty));
         }
         // A look and its scene may have files of the same name.
-        let within = |stage: &OpenScene| {
-            if stage.name() == session.name() { " in the scene " } else { " in " }
+        let within = |open_scene: &OpenScene| {
+            if open_scene.name() == session.name() { " in the scene " } else { " in " }
         };
-        all.extend(stage.map(|stage| (within(stage), stage.name(), stage.is_dirty())));
+        all.extend(
+            open_scene
+                .map(|open_scene| (within(open_scene), open_scene.name(), open_scene.is_dirty())),
+        );
         let between = if all.is_empty() { "" } else { ", " };
         all.extend(work.map(|work| (between, work.name(), work.is_dirty())));
         all
@@ -266,7 +273,7 @@ fn paint_shown(ui: &mut Ui, session: &Session, commands: &mut Vec<Command>) {
         }
     };
     if let Some(work) = session.painting() {
-        let is_shown = look::shows(session);
+        let is_shown = is_painting_shown(session);
         let label =
             format!("{} {}", if is_shown { "Go on painting" } else { "Back to" }, work.name());
         let command = if is_shown {

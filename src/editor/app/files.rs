@@ -12,16 +12,16 @@ use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::panels::library;
-use crate::state::painting::look;
+use crate::state::crashes::{CrashMark, CrashStep, DocumentOrigin};
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
-use crate::state::safety::crashes::{CrashMark, DocumentOrigin, Step};
 use crate::state::scene::{LookToOpen, OpenScene};
+use crate::state::session::painting::is_painting_shown;
 use crate::widgets::confirm;
 
 /// Action that would lose unsaved changes.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Pending {
+pub(super) enum PendingAction {
     New,
     Open(PathBuf),
     /// Opens a look of the scene, which stays.
@@ -61,7 +61,7 @@ impl App {
         }
         self.open_alone(path);
         self.open_lacking_look();
-        if self.session.stage().is_some_and(|stage| stage.path() == Some(path)) {
+        if self.session.open_scene().is_some_and(|open_scene| open_scene.path() == Some(path)) {
             self.lay_out();
             self.dock.open(PanelId::OBJECTS);
             // The scene was asked for, and the look came with it: the scene is the recent file.
@@ -101,11 +101,11 @@ impl App {
     /// where the last program ended over that file.
     pub(super) fn begin_to_read(&mut self, path: &Path) -> Option<CrashMark> {
         let crashes = self.session.journals.crashes.clone();
-        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
+        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == CrashStep::Read) {
             self.safety.was_interrupted(path, &self.session);
             return None;
         }
-        Some(crashes.begin(Step::Read, || DocumentOrigin::of_file(path)))
+        Some(crashes.begin(CrashStep::Read, || DocumentOrigin::of_file(path)))
     }
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.
@@ -134,7 +134,7 @@ impl App {
 
     /// Carries out an action if there are no changes to lose, or if the journal keeps them; else
     /// asks first.
-    pub(super) fn do_or_ask(&mut self, pending: Pending) {
+    pub(super) fn do_or_ask(&mut self, pending: PendingAction) {
         self.pending = Some(pending);
         let is_kept = self.keeps_all();
         if !self.is_at_risk() || is_kept {
@@ -146,21 +146,22 @@ impl App {
     /// the scene.
     fn at_risk(&self) -> (bool, bool) {
         let (look, scene) = match self.pending {
-            Some(Pending::Switch(_)) => (true, false),
-            Some(Pending::LeaveScene) => (false, true),
-            Some(Pending::ClosePainting) => (false, false),
+            Some(PendingAction::Switch(_)) => (true, false),
+            Some(PendingAction::LeaveScene) => (false, true),
+            Some(PendingAction::ClosePainting) => (false, false),
             Some(
-                Pending::NewPainting { keeps_look, .. } | Pending::OpenPainting { keeps_look, .. },
+                PendingAction::NewPainting { keeps_look, .. }
+                | PendingAction::OpenPainting { keeps_look, .. },
             ) => {
                 let stays = keeps_look || self.keeps_look();
                 (!stays, !stays)
             }
-            Some(Pending::ImportPainting { .. } | Pending::BeginPainting { .. }) => {
+            Some(PendingAction::ImportPainting { .. } | PendingAction::BeginPainting { .. }) => {
                 (!self.keeps_look(), !self.keeps_look())
             }
             _ => (true, true),
         };
-        let is_scene_dirty = self.session.stage().is_some_and(OpenScene::is_dirty);
+        let is_scene_dirty = self.session.open_scene().is_some_and(OpenScene::is_dirty);
         (look && self.session.is_look_dirty(), scene && is_scene_dirty)
     }
 
@@ -179,12 +180,12 @@ impl App {
         let is_about = matches!(
             self.pending,
             Some(
-                Pending::NewPainting { .. }
-                    | Pending::OpenPainting { .. }
-                    | Pending::ImportPainting { .. }
-                    | Pending::BeginPainting { .. }
-                    | Pending::ClosePainting
-                    | Pending::Close
+                PendingAction::NewPainting { .. }
+                    | PendingAction::OpenPainting { .. }
+                    | PendingAction::ImportPainting { .. }
+                    | PendingAction::BeginPainting { .. }
+                    | PendingAction::ClosePainting
+                    | PendingAction::Close
             )
         );
         is_about && self.session.is_painting_dirty()
@@ -204,7 +205,7 @@ impl App {
         // A question about a painting without a file that the open look does not show would come
         // out of the blue.
         let has_place = self.session.painting().is_some_and(|work| work.path().is_some());
-        let is_meant = self.pending.is_none() && (has_place || look::shows(&self.session));
+        let is_meant = self.pending.is_none() && (has_place || is_painting_shown(&self.session));
         self.session.is_painting_dirty() && (is_meant || self.is_painting_at_risk())
     }
 
@@ -221,30 +222,34 @@ impl App {
 
     pub(super) fn go_on(&mut self) {
         match self.pending.take() {
-            Some(Pending::New) => {
+            Some(PendingAction::New) => {
                 self.session.start_new();
                 self.safety.look();
             }
-            Some(Pending::Open(path) | Pending::Switch(path)) => self.open(&path),
-            Some(Pending::Example(index)) => {
+            Some(PendingAction::Open(path) | PendingAction::Switch(path)) => self.open(&path),
+            Some(PendingAction::Example(index)) => {
                 self.open_example(index);
                 self.safety.look();
             }
-            Some(Pending::Tour) => self.begin_tour(),
-            Some(Pending::LeaveScene) => {
+            Some(PendingAction::Tour) => self.begin_tour(),
+            Some(PendingAction::LeaveScene) => {
                 self.safety.put_aside(&self.session);
-                self.session.leave_stage(false);
+                self.session.leave_scene(false);
                 self.safety.look();
             }
-            Some(Pending::NewPainting { grid, keeps_look }) => self.new_painting(grid, keeps_look),
-            Some(Pending::OpenPainting { path, keeps_look }) => {
+            Some(PendingAction::NewPainting { grid, keeps_look }) => {
+                self.new_painting(grid, keeps_look);
+            }
+            Some(PendingAction::OpenPainting { path, keeps_look }) => {
                 self.open_painting(&path, keeps_look);
             }
-            Some(Pending::ImportPainting { path, import }) => self.import_painting(path, import),
-            Some(Pending::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
-            Some(Pending::ClosePainting) => self.close_painting(),
-            Some(Pending::ShowPainting) => self.go_back_to_painting(),
-            Some(Pending::Close) => self.closes = true,
+            Some(PendingAction::ImportPainting { path, import }) => {
+                self.import_painting(path, import);
+            }
+            Some(PendingAction::BeginPainting { hcbtf }) => self.begin_made(&hcbtf),
+            Some(PendingAction::ClosePainting) => self.close_painting(),
+            Some(PendingAction::ShowPainting) => self.go_back_to_painting(),
+            Some(PendingAction::Close) => self.closes = true,
             None => {}
         }
     }
@@ -252,12 +257,12 @@ impl App {
     fn open_example(&mut self, index: usize) {
         let Some(example) = library::example(index) else { return };
         match example.content {
-            library::Content::Scene(scene) => {
+            library::ExampleContent::Scene(scene) => {
                 self.session.start_scene(scene, example.stem);
                 self.lay_out();
                 self.dock.open(PanelId::OBJECTS);
             }
-            library::Content::Look(_) => {
+            library::ExampleContent::Look(_) => {
                 let text = examples::text(&example.path).unwrap_or_default();
                 self.session.start_from(&text, example.stem);
             }
@@ -271,11 +276,11 @@ impl App {
         let modal = egui::Modal::new(egui::Id::unique("unsaved")).show(ui.ctx(), |ui| {
             ui.set_width(320.0);
             let enters = confirm::enters(ui);
-            let name = match self.session.stage() {
+            let name = match self.session.open_scene() {
                 _ if self.is_painting_at_risk() && self.at_risk() == (false, false) => {
                     self.session.painting().map(OpenPainting::name).unwrap_or_default()
                 }
-                Some(stage) if !self.at_risk().0 && self.at_risk().1 => stage.name(),
+                Some(open_scene) if !self.at_risk().0 && self.at_risk().1 => open_scene.name(),
                 _ => self.session.name(),
             };
             ui.label(RichText::new(format!("{name} has changes")).heading());
@@ -313,7 +318,7 @@ impl App {
                 || self.session.is_dirty() && !self.session.keeps_work())
         {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
-            self.pending = Some(Pending::Close);
+            self.pending = Some(PendingAction::Close);
         }
     }
 }

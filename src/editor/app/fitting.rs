@@ -23,7 +23,7 @@ impl App {
             FitCommand::TakeBrush(brush) => return fitting.take_brush(brush),
             FitCommand::ResizeBrush { is_larger } => return fitting.resize_brush(is_larger),
             FitCommand::Back => {
-                if let Some(standpoint) = session.sketch().standpoint() {
+                if let Some(standpoint) = session.sketchbook.sketch().standpoint() {
                     (session.view.orbit, session.view.time) = standpoint.back(&session.view.orbit);
                 }
                 return;
@@ -56,7 +56,7 @@ impl App {
 
     pub(super) fn apply_to_sketch(&mut self, command: SketchCommand) {
         match command {
-            SketchCommand::Open(is_open) => self.session.open_sketch(is_open),
+            SketchCommand::Open(is_open) => self.session.sketchbook.sketch.is_open = is_open,
             SketchCommand::Paint { label, from, tile } => {
                 self.session.paint_sketch(label, *from, tile);
             }

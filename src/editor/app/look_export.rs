@@ -8,6 +8,7 @@ use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::export::{self, File};
 use crate::files::Outputs;
+use crate::frame::{AssetStore, Assets};
 use crate::library::Library;
 use crate::state::session::Session;
 use crate::state::worker::Worker;
@@ -31,6 +32,8 @@ struct LookExportRequest {
     path: Option<PathBuf>,
     language: &'static str,
     to: Destination,
+    /// Assets that all pictures of the window share.
+    assets: AssetStore,
 }
 
 /// Result of an export.
@@ -68,7 +71,9 @@ impl LookExports {
 
     /// Folder to suggest: that of the last export, or a new one beside the look.
     pub(crate) fn suggested(&self, session: &Session) -> PathBuf {
-        self.folder.clone().unwrap_or_else(|| session.folder().join(own_folder(&stem(session))))
+        self.folder
+            .clone()
+            .unwrap_or_else(|| session.look.folder().join(own_folder(&stem(session))))
     }
 
     fn add(&self, job: LookExportRequest) {
@@ -115,19 +120,19 @@ fn job(session: &Session, language: &'static str, to: Destination) -> LookExport
         look: session.look().clone(),
         library: session.project.library.clone(),
         stem: stem(session),
-        folder: session.folder(),
+        folder: session.look.folder(),
         path: session.path().map(Path::to_path_buf),
         language,
         to,
+        assets: session.assets.clone(),
     }
 }
 
 fn run(job: &LookExportRequest) -> LookExportResult {
     let exported = export::languages([job.language]).and_then(|languages| {
-        Ok((
-            export::export(&job.look, &job.library, &job.stem, &languages, &job.folder)?,
-            languages,
-        ))
+        let mut assets = Assets::of(&job.assets);
+        let place = (job.folder.as_path(), &mut assets);
+        Ok((export::export(&job.look, &job.library, &job.stem, &languages, place)?, languages))
     });
     let done = exported.and_then(|(exported, languages)| match &job.to {
         Destination::Folder(folder) => {

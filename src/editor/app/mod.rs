@@ -31,7 +31,7 @@ use crate::app::path_field::PathField;
 use crate::app::sheet::Sheet;
 use crate::app::tour::Tour;
 use crate::canvas::Canvas;
-use crate::commands::table::{self, CommandRow, Place};
+use crate::commands::table::{self, CommandRow, KeyScope};
 use crate::commands::{
     Command, FilePurpose, FitCommand, IMAGES, MESHES, PanelId, PictureExport, SceneCommand,
     keyboard,
@@ -44,10 +44,11 @@ use crate::painter::Painting;
 use crate::painter::before::ViewBefore;
 use crate::panels::cost::Cost;
 use crate::panels::{PANELS, PanelContext, PanelRow, Presence, Workbench};
-use crate::state::revision::DocumentNumber;
+use crate::state::revision::{DocumentNumber, PaintingNumber};
 use crate::state::safety::Safety;
 use crate::state::safety::places::Places;
 use crate::state::session::Session;
+use crate::state::session::painting::is_painting_shown;
 use crate::state::settings::Settings;
 use crate::tools::fitting::Fitting;
 use crate::tools::probe::Probe;
@@ -55,7 +56,7 @@ use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
 use crate::viewport::picture::{MissingPicture, Picture};
 use crate::widgets::{spots, theme};
-use files::Pending;
+use files::PendingAction;
 use welcome::StartPage;
 
 /// Interval at which the GPU is asked whether it has finished a first drawing.
@@ -76,17 +77,17 @@ pub struct App {
     tour: Option<Tour>,
     path_field: Option<PathField>,
     /// Action to carry out once unsaved changes are dealt with.
-    pending: Option<Pending>,
+    pending: Option<PendingAction>,
     /// Message about a file or an edit, until the next command.
     message: Option<String>,
     /// Number of presses of the pointer: together with a widget and the keyboard's focus they
-    /// identify the hand that edits.
+    /// identify the gesture that edits.
     presses: u64,
     closes: bool,
     /// True if the last frame was the first one with a picture, where that milestone is reported.
     shows_first_picture: bool,
     /// The look and the painting that the panels were last laid out for.
-    laid_out_for: Option<(DocumentNumber, Option<u64>)>,
+    laid_out_for: Option<(DocumentNumber, Option<PaintingNumber>)>,
     /// View before a painting's flat square.
     view_before_painting: ViewBefore,
 }
@@ -141,7 +142,7 @@ impl App {
     /// name of a built-in shape. Problems of the mesh are listed with the others; the last good
     /// picture stays.
     pub fn show_on(&mut self, mesh: &str) {
-        if self.session.stage().is_some() {
+        if self.session.open_scene().is_some() {
             return self.mesh_of_object(mesh);
         }
         self.session.view.orbit.show_on(mesh);
@@ -235,7 +236,7 @@ impl App {
 
     /// Shows an image beside the picture, to work from.
     pub fn show_reference(&mut self, path: &Path) {
-        self.bench.viewport.show_reference(path.to_owned());
+        self.bench.viewport.show_reference(&self.session, path.to_owned());
     }
 
     /// Session of the open look.
@@ -337,7 +338,7 @@ impl App {
 
     /// Number of requested pictures.
     pub fn pictures(&self) -> u64 {
-        self.bench.picture.as_ref().map_or(0, |picture| picture.wishes)
+        self.bench.picture.as_ref().map_or(0, |picture| picture.requested)
     }
 
     /// Ratio of the screen's resolution to the picture's; 1 at rest.
@@ -432,10 +433,10 @@ impl App {
     /// Lays the panels out for painting once the painting is shown, and for looks once another look
     /// is open. Only opening and closing moves panels: edits of the look do not.
     pub(super) fn lay_out(&mut self) {
-        let open = (self.session.document_number(), self.painting_number());
+        let open = (self.session.revisions().document, self.painting_number());
         if self.laid_out_for != Some(open) {
             self.laid_out_for = Some(open);
-            let is_painted = crate::state::painting::look::shows(&self.session);
+            let is_painted = is_painting_shown(&self.session);
             self.dock.enter(if is_painted { Workspace::Painting } else { Workspace::Look });
             if !is_painted && let Some(view) = self.view_before_painting.given_back(&self.session) {
                 self.session.view.orbit = view;
@@ -522,7 +523,7 @@ impl App {
         self.start.is_none()
             && self.dock.shows(PanelId::PICTURE)
             && self.bench.picture.as_ref().is_some_and(is_awaited)
-            && !has_errors(self.session.problems())
+            && !has_errors(self.session.compilation().problems())
     }
 
     fn has_picture(&self) -> bool {
@@ -552,11 +553,11 @@ impl App {
         let is_here = |row: &&CommandRow| {
             let turns_tool =
                 matches!(row.command, Command::Probe(_) | Command::Fit(FitCommand::Turn(_)));
-            row.place == Place::Window || turns_tool
+            row.place == KeyScope::Window || turns_tool
         };
         for row in table::rows().filter(is_here) {
             if keyboard::is_dialog_open(ui.ctx())
-                || row.place == Place::Picture
+                || row.place == KeyScope::Picture
                     && (is_typing || self.start.is_some() || self.bench.painting.has_pointer())
                 || is_typing && is_text(&row.command)
             {

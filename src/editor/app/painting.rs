@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::Ui;
 
 use super::App;
-use super::files::Pending;
+use super::files::PendingAction;
 use crate::app::dock::Workspace;
 use crate::commands::{FilePurpose, Heading, PaintCommand, PanelId, PictureImport};
 use crate::diag::{Diagnostic, Warned};
@@ -17,6 +17,8 @@ use crate::state::painting::home::Home;
 use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
+use crate::state::revision::PaintingNumber;
+use crate::state::session::painting::is_painting_shown;
 
 impl App {
     pub(super) fn apply_to_painting(&mut self, ui: &Ui, command: PaintCommand) {
@@ -25,8 +27,8 @@ impl App {
                 self.tell(|session| session.apply_to_painting(change, None));
             }
             PaintCommand::EditHeld(widget, change) => {
-                let hand = self.hand(ui, widget);
-                self.tell(|session| session.apply_to_painting(change, Some(hand)));
+                let gesture = self.gesture(ui, widget);
+                self.tell(|session| session.apply_to_painting(change, Some(gesture)));
             }
             PaintCommand::GoTo(address) => {
                 if let Some(work) = self.session.painting_mut() {
@@ -34,10 +36,10 @@ impl App {
                 }
             }
             PaintCommand::New { grid, keeps_look } => {
-                self.do_or_ask(Pending::NewPainting { grid, keeps_look });
+                self.do_or_ask(PendingAction::NewPainting { grid, keeps_look });
             }
             PaintCommand::Open { path, keeps_look } => {
-                self.do_or_ask(Pending::OpenPainting { path, keeps_look });
+                self.do_or_ask(PendingAction::OpenPainting { path, keeps_look });
             }
             PaintCommand::Divide { grid, lost } => {
                 self.tell(|session| session.apply_to_painting(HcbtfEdit::SetGrid { grid }, None));
@@ -49,7 +51,7 @@ impl App {
                     self.message = Some(text);
                 }
             }
-            PaintCommand::GoBack => self.do_or_ask(Pending::ShowPainting),
+            PaintCommand::GoBack => self.do_or_ask(PendingAction::ShowPainting),
             PaintCommand::PaintShown => self.paint_shown(),
             PaintCommand::AskGrid { changes } => {
                 self.bench.painting.ask_grid(&self.session, changes);
@@ -63,13 +65,13 @@ impl App {
             }
             PaintCommand::AskBake => self.bench.painting.ask_bake(),
             PaintCommand::Bake { to } => self.bake(to),
-            PaintCommand::Begin { hcbtf } => self.do_or_ask(Pending::BeginPainting { hcbtf }),
+            PaintCommand::Begin { hcbtf } => self.do_or_ask(PendingAction::BeginPainting { hcbtf }),
             PaintCommand::AskImport => self.bench.painting.ask_import(),
             PaintCommand::Import { import, from: None } => {
                 self.dialogs.ask(FilePurpose::ImportPainting(import), self.session.path());
             }
             PaintCommand::Import { import, from: Some(path) } => {
-                self.do_or_ask(Pending::ImportPainting { path, import });
+                self.do_or_ask(PendingAction::ImportPainting { path, import });
             }
             PaintCommand::AskTexture if self.session.painting().is_some() => {
                 self.bench.painting.ask_texture();
@@ -94,7 +96,7 @@ impl App {
                     self.session.painting_changed();
                 }
             }
-            PaintCommand::Close => self.do_or_ask(Pending::ClosePainting),
+            PaintCommand::Close => self.do_or_ask(PendingAction::ClosePainting),
             PaintCommand::TakeTool(_)
             | PaintCommand::ResizeBrush { .. }
             | PaintCommand::SwapColors
@@ -140,7 +142,7 @@ impl App {
     /// place.
     pub(super) fn keeps_look(&self) -> bool {
         let path = match &self.pending {
-            Some(Pending::OpenPainting { path, .. }) => Some(path.as_path()),
+            Some(PendingAction::OpenPainting { path, .. }) => Some(path.as_path()),
             Some(_) => None,
             None => {
                 self.session.painting().map(|work| work.path().unwrap_or(Path::new(UNSAVED_HCBTF)))
@@ -191,13 +193,13 @@ impl App {
 
     /// Paints the one HCBTF that the open look shows, or shows the choice between several.
     fn paint_shown(&mut self) {
-        if look::shows(&self.session) {
+        if is_painting_shown(&self.session) {
             return self.show_painting_panels();
         }
         let mut shown = shown(&self.session);
         match (shown.pop(), shown.is_empty()) {
             (Some(only), true) => {
-                self.do_or_ask(Pending::OpenPainting { path: only.path, keeps_look: true });
+                self.do_or_ask(PendingAction::OpenPainting { path: only.path, keeps_look: true });
             }
             (Some(_), false) => {
                 self.start = None;
@@ -231,8 +233,8 @@ impl App {
             _ if self.safety.take_back_look(&home.look, &mut self.session) => {}
             _ => self.session.start_from(&home.look.to_text(), &home.name()),
         }
-        let is_shown = look::shows(&self.session);
-        if is_shown && self.session.stage().is_none() {
+        let is_shown = is_painting_shown(&self.session);
+        if is_shown && self.session.open_scene().is_none() {
             self.session.view.orbit = home.view.clone();
         }
         is_shown
@@ -249,7 +251,7 @@ impl App {
             Some(MadePainting::Imported { from, made }) => self.take_import(&from, made),
             Some(MadePainting::Baked { to, made: Ok(count) }) => {
                 let told = format!("Baked {}: {count} samples", to.display());
-                self.do_or_ask(Pending::OpenPainting { path: to, keeps_look: false });
+                self.do_or_ask(PendingAction::OpenPainting { path: to, keeps_look: false });
                 self.message = Some(told);
             }
             Some(MadePainting::Baked { to, made: Err(problems) }) => {
@@ -351,21 +353,21 @@ impl App {
         self.view_before_painting.is_painted(&self.session);
         self.start = None;
         self.dock.enter(Workspace::Painting);
-        self.laid_out_for = Some((self.session.document_number(), self.painting_number()));
+        self.laid_out_for = Some((self.session.revisions().document, self.painting_number()));
         self.dock.open(PanelId::PAINT);
     }
 
     /// Shows the painting after work was taken back, if a painting came back. Where nothing else is
     /// open the painting is shown in the look that was left with it, or in one of its own. `before`
     /// is the number of the previous painting.
-    pub(super) fn show_painting_taken_back(&mut self, before: Option<u64>) {
+    pub(super) fn show_painting_taken_back(&mut self, before: Option<PaintingNumber>) {
         let now = self.painting_number();
         if now.is_none() || now == before {
             return;
         }
         let is_new = self.session.path().is_none()
             && !self.session.is_look_dirty()
-            && self.session.stage().is_none();
+            && self.session.open_scene().is_none();
         if is_new && self.safety.take_back_look_of_painting(&mut self.session) {
             let painting = self.session.painting().map(OpenPainting::name).unwrap_or_default();
             let told = format!(
@@ -376,7 +378,7 @@ impl App {
         } else if is_new {
             self.begin_bare_look();
         }
-        if look::shows(&self.session) {
+        if is_painting_shown(&self.session) {
             return self.show_painting_panels();
         }
         self.start = None;
@@ -384,7 +386,7 @@ impl App {
     }
 
     /// Number of the painting, different for each one opened.
-    pub(super) fn painting_number(&self) -> Option<u64> {
+    pub(super) fn painting_number(&self) -> Option<PaintingNumber> {
         self.session.painting().map(OpenPainting::number)
     }
 

@@ -39,7 +39,7 @@ struct Entry {
 
 /// Effect of a typed path.
 #[derive(Debug, PartialEq, Eq)]
-enum Verdict {
+enum PathEffect {
     /// A file that can be read, or written anew.
     Good,
     /// An existing file that would be replaced.
@@ -76,20 +76,20 @@ impl PathField {
             let path = self.path();
             let verdict = verdict(self.purpose, &path);
             let reason = match verdict {
-                Verdict::Bad(reason) => reason,
+                PathEffect::Bad(reason) => reason,
                 _ if self.purpose.is_folder() && !path.exists() => "The folder will be made",
-                Verdict::Replaces => "There is such a file; it would be replaced",
-                Verdict::Good | Verdict::Folder => "",
+                PathEffect::Replaces => "There is such a file; it would be replaced",
+                PathEffect::Good | PathEffect::Folder => "",
             };
             ui.label(RichText::new(reason).color(theme::of(ui).warning));
             ui.horizontal(|ui| {
                 let label = match (&verdict, self.purpose.writes()) {
                     _ if self.purpose.is_folder() => "Export here",
-                    (Verdict::Replaces, _) => "Replace the file",
+                    (PathEffect::Replaces, _) => "Replace the file",
                     (_, true) => "Save here",
                     (_, false) => "Open this",
                 };
-                let is_file = matches!(verdict, Verdict::Good | Verdict::Replaces);
+                let is_file = matches!(verdict, PathEffect::Good | PathEffect::Replaces);
                 if ui.add_enabled(is_file, Button::new(label)).clicked() || enters && is_file {
                     answer = Some(Some(path));
                 }
@@ -97,7 +97,7 @@ impl PathField {
                     answer = Some(None);
                 }
             });
-            if enters && verdict == Verdict::Folder {
+            if enters && verdict == PathEffect::Folder {
                 self.go_into();
             }
         });
@@ -199,22 +199,24 @@ fn expand(text: &str, home: Option<OsString>) -> PathBuf {
     }
 }
 
-fn verdict(purpose: FilePurpose, path: &Path) -> Verdict {
+fn verdict(purpose: FilePurpose, path: &Path) -> PathEffect {
     let has_folder =
         path.parent().is_some_and(|folder| folder.as_os_str().is_empty() || folder.is_dir());
     match purpose.writes() {
-        _ if path.as_os_str().is_empty() => Verdict::Bad("Type a path"),
-        _ if purpose.is_folder() && path.is_file() => Verdict::Bad("This is a file, and no folder"),
-        _ if purpose.is_folder() && !has_folder => {
-            Verdict::Bad("There is no folder to make this one in")
+        _ if path.as_os_str().is_empty() => PathEffect::Bad("Type a path"),
+        _ if purpose.is_folder() && path.is_file() => {
+            PathEffect::Bad("This is a file, and no folder")
         }
-        _ if purpose.is_folder() => Verdict::Good,
-        _ if path.is_dir() => Verdict::Folder,
-        false if path.is_file() => Verdict::Good,
-        false => Verdict::Bad("There is no such file"),
-        true if !has_folder => Verdict::Bad("There is no such folder"),
-        true if path.exists() => Verdict::Replaces,
-        true => Verdict::Good,
+        _ if purpose.is_folder() && !has_folder => {
+            PathEffect::Bad("There is no folder to make this one in")
+        }
+        _ if purpose.is_folder() => PathEffect::Good,
+        _ if path.is_dir() => PathEffect::Folder,
+        false if path.is_file() => PathEffect::Good,
+        false => PathEffect::Bad("There is no such file"),
+        true if !has_folder => PathEffect::Bad("There is no such folder"),
+        true if path.exists() => PathEffect::Replaces,
+        true => PathEffect::Good,
     }
 }
 
@@ -266,25 +268,29 @@ mod tests {
         std::fs::write(path("a.json"), "{}").unwrap();
         std::fs::create_dir(path("inner")).unwrap();
         for (purpose, name, expected) in [
-            (FilePurpose::Open, "a.json", Verdict::Good),
-            (FilePurpose::Open, "b.json", Verdict::Bad("There is no such file")),
-            (FilePurpose::Open, "inner", Verdict::Folder),
-            (FilePurpose::Save, "a.json", Verdict::Replaces),
-            (FilePurpose::Save, "b.json", Verdict::Good),
-            (FilePurpose::Save, "no/b.json", Verdict::Bad("There is no such folder")),
-            (FilePurpose::Shaders("all"), "inner", Verdict::Good),
-            (FilePurpose::Shaders("all"), "inner/", Verdict::Good),
-            (FilePurpose::Shaders("all"), "new", Verdict::Good),
+            (FilePurpose::Open, "a.json", PathEffect::Good),
+            (FilePurpose::Open, "b.json", PathEffect::Bad("There is no such file")),
+            (FilePurpose::Open, "inner", PathEffect::Folder),
+            (FilePurpose::Save, "a.json", PathEffect::Replaces),
+            (FilePurpose::Save, "b.json", PathEffect::Good),
+            (FilePurpose::Save, "no/b.json", PathEffect::Bad("There is no such folder")),
+            (FilePurpose::Shaders("all"), "inner", PathEffect::Good),
+            (FilePurpose::Shaders("all"), "inner/", PathEffect::Good),
+            (FilePurpose::Shaders("all"), "new", PathEffect::Good),
             (
                 FilePurpose::Shaders("all"),
                 "no/new",
-                Verdict::Bad("There is no folder to make this one in"),
+                PathEffect::Bad("There is no folder to make this one in"),
             ),
-            (FilePurpose::Shaders("all"), "a.json", Verdict::Bad("This is a file, and no folder")),
+            (
+                FilePurpose::Shaders("all"),
+                "a.json",
+                PathEffect::Bad("This is a file, and no folder"),
+            ),
         ] {
             assert_eq!(verdict(purpose, &path(name)), expected, "{name}");
         }
-        assert_eq!(verdict(FilePurpose::Open, Path::new("")), Verdict::Bad("Type a path"));
+        assert_eq!(verdict(FilePurpose::Open, Path::new("")), PathEffect::Bad("Type a path"));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::commands::{FilePurpose, RecoveryCommand};
-use crate::state::safety::crashes::DocumentOrigin;
+use crate::state::crashes::DocumentOrigin;
 use crate::state::safety::disk::Conflict;
 
 impl App {
@@ -44,7 +44,7 @@ impl App {
                 if let Some(Conflict::Changed(text) | Conflict::Broken(text)) =
                     safety.disk.conflict.take()
                 {
-                    session.keep_mine(text);
+                    session.look.journal.override_with(text);
                     return Some("Saving will write over the other version".to_owned());
                 }
             }
@@ -62,10 +62,10 @@ impl App {
                 }
             }
             RecoveryCommand::KeepMyScene => {
-                if let (Some(text), Some(stage)) =
-                    (safety.disk.scene_conflict.take(), session.stage_mut())
+                if let (Some(text), Some(open_scene)) =
+                    (safety.disk.scene_conflict.take(), session.open_scene_mut())
                 {
-                    stage.keep_mine(text);
+                    open_scene.keep_mine(text);
                     return Some("Saving the scene will write over the other version".to_owned());
                 }
             }
@@ -96,7 +96,7 @@ impl App {
             RecoveryCommand::HideUnopened
             | RecoveryCommand::OpenAnother
             | RecoveryCommand::ReadAgain => safety.unopened = None,
-            RecoveryCommand::TryAgain => session.try_again(),
+            RecoveryCommand::TryAgain => session.journals.try_again(),
             RecoveryCommand::Hide => {
                 safety.is_problem_read = session.keeping_problem().is_some();
                 safety.disk.forget_gone();

@@ -7,8 +7,8 @@ use eframe::egui;
 use eframe::egui::{Panel, RichText, Ui};
 
 use crate::commands::RecoveryCommand;
+use crate::state::crashes::Suspect;
 use crate::state::safety::Safety;
-use crate::state::safety::crashes::Suspect;
 use crate::state::safety::disk::{Conflict, PaintingConflict};
 use crate::state::safety::offers::Offer;
 use crate::state::session::Session;
@@ -26,7 +26,7 @@ impl Safety {
         let count = self.offers.shown().count();
         let painting = self.disk.painting_conflict.filter(|_| session.painting().is_some());
         let is_any = self.unopened.is_some()
-            || session.held().is_some()
+            || session.journals.held().is_some()
             || self.disk.conflict.is_some()
             || self.disk.scene_conflict.is_some()
             || painting.is_some();
@@ -58,7 +58,7 @@ impl Safety {
                 });
                 ui.add(egui::Label::new(RichText::new(&unopened.help).weak()).wrap());
             }
-            if let Some(suspect) = session.held() {
+            if let Some(suspect) = session.journals.held() {
                 held(ui, suspect, &mut out);
             }
             if let Some(problem) = problem {
@@ -70,8 +70,9 @@ impl Safety {
             if let Some(conflict) = &self.disk.conflict {
                 self.conflict(ui, conflict, session, &mut out);
             }
-            if let (Some(_), Some(stage)) = (&self.disk.scene_conflict, session.stage()) {
-                let text = format!("{} was changed by another program, and by you", stage.name());
+            if let (Some(_), Some(open_scene)) = (&self.disk.scene_conflict, session.open_scene()) {
+                let text =
+                    format!("{} was changed by another program, and by you", open_scene.name());
                 row(ui, Tone::Warning, &text, |ui| {
                     let help = "Takes the scene as it is in the file now, as one step: Undo brings \
                                 your version back";

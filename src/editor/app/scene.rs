@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::Ui;
 
 use super::App;
-use super::files::Pending;
+use super::files::PendingAction;
 use crate::commands::{FilePurpose, PanelId, SceneCommand};
 use crate::document::SceneEdit;
 use crate::examples;
@@ -15,65 +15,67 @@ use crate::state::scene::{OPEN_LOOK, OpenScene};
 use crate::widgets::spots::{self, Spot};
 
 impl App {
-    pub(super) fn apply_to_stage(&mut self, ui: &Ui, command: SceneCommand) {
+    pub(super) fn apply_scene_command(&mut self, ui: &Ui, command: SceneCommand) {
         match command {
             SceneCommand::Edit(edit) => self.tell(|session| session.apply_to_scene(edit, None)),
             SceneCommand::EditHeld(widget, edit) => {
-                let hand = self.hand(ui, widget);
-                self.tell(|session| session.apply_to_scene(edit, Some(hand)));
+                let gesture = self.gesture(ui, widget);
+                self.tell(|session| session.apply_to_scene(edit, Some(gesture)));
             }
             SceneCommand::Make(id, edit) => self.make(id, edit),
             SceneCommand::Pick(id, material) => self.pick(id, material.as_deref()),
             SceneCommand::Unselect => self.session.select_object(None),
             SceneCommand::Add(Some(mesh)) => self.add_object(&mesh),
             SceneCommand::Add(None) => {
-                self.dialogs.ask(FilePurpose::AddMesh, self.near_stage().as_deref());
+                self.dialogs.ask(FilePurpose::AddMesh, self.near_scene().as_deref());
             }
             SceneCommand::Ask(purpose, id, material) => {
-                if let Some(stage) = self.session.stage_mut() {
-                    stage.asked = Some((id, material));
+                if let Some(open_scene) = self.session.open_scene_mut() {
+                    open_scene.asked = Some((id, material));
                 }
-                self.dialogs.ask(purpose, self.near_stage().as_deref());
+                self.dialogs.ask(purpose, self.near_scene().as_deref());
             }
             SceneCommand::Chosen(purpose, path) => self.chosen(purpose, &path),
             SceneCommand::Frame(only) => {
                 self.session.frame(only.as_ref(), self.bench.viewport.aspect());
             }
             SceneCommand::Locate(placed) => {
-                if let Some(stage) = self.session.stage_mut() {
-                    stage.placed = placed;
+                if let Some(open_scene) = self.session.open_scene_mut() {
+                    open_scene.placed = placed;
                 }
             }
             SceneCommand::KeepView => {
-                let edit = self.session.view_as_edit();
+                let edit = self.session.view.as_scene_edit();
                 self.tell(|session| session.apply_to_scene(edit, None));
             }
             SceneCommand::Save => self.save_scene(),
             SceneCommand::SaveAs => {
-                self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref());
+                self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref());
             }
-            SceneCommand::Close => self.do_or_ask(Pending::LeaveScene),
+            SceneCommand::Close => self.do_or_ask(PendingAction::LeaveScene),
         }
     }
 
     /// Path that a dialog for a file of the scene begins near.
-    fn near_stage(&self) -> Option<PathBuf> {
-        let own = self.session.stage().and_then(OpenScene::path);
+    fn near_scene(&self) -> Option<PathBuf> {
+        let own = self.session.open_scene().and_then(OpenScene::path);
         own.map(Path::to_path_buf)
             .or_else(|| Some(self.session.path()?.with_file_name("scene.json")))
     }
 
     fn chosen(&mut self, purpose: FilePurpose, path: &Path) {
-        let asked = self.session.stage_mut().and_then(|stage| stage.asked.take());
+        let asked = self.session.open_scene_mut().and_then(|open_scene| open_scene.asked.take());
         match (purpose, asked) {
             (FilePurpose::SaveScene, _) => self.save_scene_and_go_on(path),
             (FilePurpose::AddMesh, _) => self.add_object(&path.to_string_lossy()),
-            (FilePurpose::ObjectMesh, Some((id, _))) => self.change_object(&id, |stage, object| {
-                object.mesh = stage.name_of(path);
-            }),
+            (FilePurpose::ObjectMesh, Some((id, _))) => {
+                self.change_object(&id, |open_scene, object| {
+                    object.mesh = open_scene.name_of(path);
+                });
+            }
             (FilePurpose::ObjectLook, Some((id, material))) => {
-                self.change_object(&id, |stage, object| {
-                    object.looks.insert(material, stage.name_of(path));
+                self.change_object(&id, |open_scene, object| {
+                    object.looks.insert(material, open_scene.name_of(path));
                 });
             }
             _ => {}
@@ -85,8 +87,9 @@ impl App {
         id: &ObjectId,
         change: impl FnOnce(&OpenScene, &mut crate::document::Object),
     ) {
-        let stage = self.session.stage();
-        let edit = stage.and_then(|stage| stage.change(id, |object| change(stage, object)));
+        let open_scene = self.session.open_scene();
+        let edit = open_scene
+            .and_then(|open_scene| open_scene.change(id, |object| change(open_scene, object)));
         if let Some(edit) = edit {
             self.tell(|session| session.apply_to_scene(edit, None));
         }
@@ -94,14 +97,14 @@ impl App {
 
     /// Adds an object, and a scene around the look where there is none.
     fn add_object(&mut self, mesh: &str) {
-        self.session.begin_stage();
-        let Some(stage) = self.session.stage() else { return };
+        self.session.begin_scene();
+        let Some(open_scene) = self.session.open_scene() else { return };
         let name = if mesh.starts_with(SHAPE_PREFIX) {
             mesh.to_owned()
         } else {
-            stage.name_of(Path::new(mesh))
+            open_scene.name_of(Path::new(mesh))
         };
-        let (id, edit) = stage.add(&name);
+        let (id, edit) = open_scene.add(&name);
         self.make(id, edit);
         self.session.frame(None, self.bench.viewport.aspect());
         self.dock.open(PanelId::OBJECTS);
@@ -114,7 +117,8 @@ impl App {
 
     /// Selects an object and opens its look.
     fn pick(&mut self, id: ObjectId, material: Option<&str>) {
-        let Some(object) = self.session.stage().and_then(|stage| stage.scene().objects.get(&id))
+        let Some(object) =
+            self.session.open_scene().and_then(|open_scene| open_scene.scene().objects.get(&id))
         else {
             return;
         };
@@ -127,7 +131,7 @@ impl App {
         // An object that wears the open look on any of its materials keeps it open, unless another
         // material was pointed at.
         let keeps = material.is_none()
-            && self.session.stage().is_some_and(|stage| stage.wears_open(object));
+            && self.session.open_scene().is_some_and(|open_scene| open_scene.wears_open(object));
         self.session.select_object(Some(id));
         if let Some(worn) = worn.filter(|_| !keeps) {
             self.open_worn(&worn);
@@ -136,15 +140,19 @@ impl App {
 
     /// Opens a look of the scene, which stays.
     fn open_worn(&mut self, name: &str) {
-        let Some(stage) = self.session.stage().filter(|stage| !stage.is_open(name)) else { return };
-        if stage.wears_unsaved() && self.session.path().is_none() {
+        let Some(open_scene) =
+            self.session.open_scene().filter(|open_scene| !open_scene.is_open(name))
+        else {
+            return;
+        };
+        if open_scene.wears_unsaved() && self.session.path().is_none() {
             self.message = Some(
                 "Save this look first: objects of the scene wear it, and it has no file yet"
                     .to_owned(),
             );
             return;
         }
-        let path = stage.path_of(name);
+        let path = open_scene.path_of(name);
         if examples::file(&path).is_some() {
             let text = "This object wears an example: open that from the start page to change it, \
                         or choose another look";
@@ -156,26 +164,31 @@ impl App {
                 Some(format!("There is no look {}: choose another for the object", path.display()));
             return;
         }
-        self.do_or_ask(Pending::Switch(path));
+        self.do_or_ask(PendingAction::Switch(path));
     }
 
     /// Puts an object on another mesh: the object under the pointer, or the selected one, or one
     /// that wears the open look.
     pub(super) fn mesh_of_object(&mut self, mesh: &str) {
-        let Some(stage) = self.session.stage() else { return };
-        let objects = &stage.scene().objects;
-        let worn = || objects.iter().find(|(_, object)| stage.wears_open(object)).map(|(id, _)| id);
+        let Some(open_scene) = self.session.open_scene() else { return };
+        let objects = &open_scene.scene().objects;
+        let worn =
+            || objects.iter().find(|(_, object)| open_scene.wears_open(object)).map(|(id, _)| id);
         let under = self.bench.viewport.hovered().filter(|id| objects.contains_key(*id));
-        let Some(id) = under.or(stage.selected().map(|(id, _)| id)).or_else(worn).cloned() else {
+        let Some(id) = under.or(open_scene.selected().map(|(id, _)| id)).or_else(worn).cloned()
+        else {
             self.message = Some(
                 "Select the object that is to have this mesh, or hold Shift to add one".to_owned(),
             );
             return;
         };
         let mesh = mesh.to_owned();
-        self.change_object(&id, |stage, object| {
-            object.mesh =
-                if mesh.starts_with(SHAPE_PREFIX) { mesh } else { stage.name_of(Path::new(&mesh)) };
+        self.change_object(&id, |open_scene, object| {
+            object.mesh = if mesh.starts_with(SHAPE_PREFIX) {
+                mesh
+            } else {
+                open_scene.name_of(Path::new(&mesh))
+            };
         });
     }
 
@@ -189,9 +202,9 @@ impl App {
 
     /// Saves the scene; asks for a file where there is none.
     pub(super) fn save_scene(&mut self) {
-        match self.session.stage().map(|stage| stage.path().map(Path::to_path_buf)) {
+        match self.session.open_scene().map(|open_scene| open_scene.path().map(Path::to_path_buf)) {
             Some(Some(path)) => self.save_scene_and_go_on(&path),
-            Some(None) => self.dialogs.ask(FilePurpose::SaveScene, self.near_stage().as_deref()),
+            Some(None) => self.dialogs.ask(FilePurpose::SaveScene, self.near_scene().as_deref()),
             None => {}
         }
     }

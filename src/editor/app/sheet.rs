@@ -4,7 +4,7 @@
 use eframe::egui;
 use eframe::egui::{Align2, Key, Modifiers, RichText, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 
-use crate::commands::table::{self, CommandRow, PAINTING_POINTER, POINTER, Place};
+use crate::commands::table::{self, CommandRow, KeyScope, PAINTING_POINTER, POINTER};
 use crate::commands::{Command, GraphCommand};
 use crate::ids::NodeId;
 use crate::state::session::Session;
@@ -102,16 +102,16 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         ui.columns(3, |columns| {
             let [left, middle, right] = columns else { return };
-            let graph: Vec<(String, &str)> = rows(Place::Graph).collect();
+            let graph: Vec<(String, &str)> = rows(KeyScope::Graph).collect();
             let (first, second) = graph.split_at(graph.len().div_ceil(2));
-            list(left, Place::Graph.label(), first);
+            list(left, KeyScope::Graph.label(), first);
             list(middle, " ", second);
-            list(left, Place::Painting.label(), &rows(Place::Painting).collect::<Vec<_>>());
+            list(left, KeyScope::Painting.label(), &rows(KeyScope::Painting).collect::<Vec<_>>());
             let told = |rows: &[(&str, &'static str)]| -> Vec<(String, &'static str)> {
                 rows.iter().map(|(key, what)| ((*key).to_owned(), *what)).collect()
             };
             list(middle, "With the pointer, on the tile", &told(PAINTING_POINTER));
-            for place in [Place::Window, Place::Picture, Place::Light] {
+            for place in [KeyScope::Window, KeyScope::Picture, KeyScope::Light] {
                 list(right, place.label(), &rows(place).collect::<Vec<_>>());
             }
             list(right, "With the pointer, in the graph", &told(POINTER));
@@ -120,7 +120,7 @@ fn show_shortcuts(ui: &mut Ui, height: f32) {
 }
 
 /// Rows of a place; the nine bookmarks are listed as one.
-fn rows(place: Place) -> impl Iterator<Item = (String, &'static str)> {
+fn rows(place: KeyScope) -> impl Iterator<Item = (String, &'static str)> {
     let rows = table::rows().filter(move |row| row.place == place && !row.keys.is_empty());
     rows.filter_map(|row| match row.command {
         Command::Graph(GraphCommand::GoTo(1)) => Some(("1 … 9".to_owned(), "Go to a bookmark")),

@@ -26,7 +26,7 @@ pub(super) struct StartPage {
 
 impl StartPage {
     fn over(session: &Session) -> Self {
-        let (document, revision) = (session.document_number(), session.revision());
+        let (document, revision) = (session.revisions().document, session.revision());
         Self { document, revision, mesh: session.view.orbit.mesh.clone() }
     }
 }
@@ -107,7 +107,7 @@ impl App {
         if self.dialogs.way == DialogKind::Silent {
             return;
         }
-        let folder = self.session.folder();
+        let folder = self.session.look.folder();
         let folder = if folder.as_os_str().is_empty() {
             std::env::current_dir().unwrap_or_default()
         } else {

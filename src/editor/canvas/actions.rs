@@ -7,7 +7,7 @@ use super::arrange::{self, Link, Side};
 use super::inplace::Item;
 use super::palette::Palette;
 use super::{Canvas, edits};
-use crate::commands::table::{self, Place};
+use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, GraphCommand, Heading, keyboard};
 use crate::document::{Bookmark, Edit, grouping};
 use crate::ids::NodeId;
@@ -40,7 +40,7 @@ impl Canvas {
             }
             commands
                 .extend(std::mem::take(&mut self.wants_search).then_some(GraphCommand::AddNode));
-            let pressed = table::pressed(ui, Place::Graph).into_iter();
+            let pressed = table::pressed(ui, KeyScope::Graph).into_iter();
             commands.extend(pressed.filter_map(|command| match command {
                 Command::Graph(command) => Some(command),
                 _ => None,
@@ -86,7 +86,7 @@ impl Canvas {
     ) {
         let at = pointer.map(|at| self.view.to_graph(at));
         let at = at.map(|at| [at.x - super::theme::NODE_WIDTH / 2.0, at.y].map(f64::from));
-        match grouping::paste_text(session.look(), session.graph_id(), text, at) {
+        match grouping::paste_text(session.look(), session.selection.graph_id(), text, at) {
             Ok(pasted) => {
                 self.item = pasted
                     .notes
@@ -112,7 +112,12 @@ impl Canvas {
 
     /// Ids of the selected nodes, without the two ends of a group.
     fn chosen(session: &Session) -> Vec<NodeId> {
-        session.selected().filter(|id| session.graph().nodes.contains_key(*id)).cloned().collect()
+        session
+            .selection
+            .nodes()
+            .filter(|id| session.graph().nodes.contains_key(*id))
+            .cloned()
+            .collect()
     }
 
     /// Runs a command of the canvas.
@@ -123,7 +128,7 @@ impl Canvas {
         session: &Session,
         out: &mut Vec<Command>,
     ) {
-        if session.is_read_only() && changes(command) {
+        if session.graph_view().is_read_only() && changes(command) {
             out.push(Command::Tell(
                 "This group is of the library: make it the look's own to change it".to_owned(),
             ));
@@ -154,7 +159,7 @@ impl Canvas {
             GraphCommand::GoTo(key) => self.go_to(session, key),
             GraphCommand::Remember(key) => out.push(Command::Edit(self.remember(session, key))),
             GraphCommand::LeaveGroup => {
-                let path = session.open_groups();
+                let path = session.selection.open_groups();
                 if let Some((_, outer)) = path.split_last() {
                     out.push(Command::OpenGraph(outer.to_vec()));
                 }
@@ -192,7 +197,7 @@ impl Canvas {
         session: &Session,
         out: &mut Vec<Command>,
     ) {
-        let graph = session.graph_id();
+        let graph = session.selection.graph_id();
         let of = session.graph();
         match command {
             GraphCommand::Delete => {
@@ -253,7 +258,7 @@ impl Canvas {
                 let kind =
                     chosen.last().and_then(|id| of.nodes.get(id)).map(|node| node.kind.as_str());
                 out.extend(
-                    kind.filter(|kind| session.definition_of(kind).is_some())
+                    kind.filter(|kind| session.look_with_library().definition_of(kind).is_some())
                         .map(|kind| Command::ShareGroup(kind.into())),
                 );
             }
@@ -276,12 +281,12 @@ impl Canvas {
     /// The command that opens a group's graph; `None` where the node is no group.
     pub(super) fn open(&self, session: &Session, id: &NodeId) -> Option<Command> {
         let kind = &session.graph().nodes.get(id)?.kind;
-        session.definition_of(kind)?;
-        Some(Command::OpenGraph(session.path_of(id).ids().to_vec()))
+        session.look_with_library().definition_of(kind)?;
+        Some(Command::OpenGraph(session.selection.path_of(id).ids().to_vec()))
     }
 
     fn delete_item(&mut self, session: &Session, out: &mut Vec<Command>) {
-        let graph = session.graph_id().clone();
+        let graph = session.selection.graph_id().clone();
         out.extend(match self.item.take() {
             Some(Item::Frame(id)) => Some(Command::Edit(Edit::RemoveFrame { graph, id })),
             Some(Item::Note(id)) => Some(Command::Edit(Edit::RemoveNote { graph, id })),
@@ -388,7 +393,7 @@ impl Canvas {
     }
 
     fn fit_selected(&mut self, session: &Session) {
-        let indices = session.selected().filter_map(|id| self.table.index_of(id));
+        let indices = session.selection.nodes().filter_map(|id| self.table.index_of(id));
         let bounds = edits::around(indices.map(|index| self.table.nodes[index].rect));
         self.view.fit(if bounds.is_positive() { bounds } else { self.table.bounds() });
     }
@@ -410,12 +415,12 @@ impl Canvas {
         bookmarks.retain(|bookmark| bookmark.key != key);
         bookmarks.push(Bookmark { key, position, zoom });
         bookmarks.sort_by_key(|bookmark| bookmark.key);
-        Edit::SetBookmarks { graph: session.graph_id().clone(), bookmarks }
+        Edit::SetBookmarks { graph: session.selection.graph_id().clone(), bookmarks }
     }
 
     /// Edit that renames a node; a group's node without a name of its own shows its group's name.
     pub(super) fn rename(session: &Session, id: &NodeId, name: String) -> Edit {
-        Edit::SetName { graph: session.graph_id().clone(), id: id.clone(), name }
+        Edit::SetName { graph: session.selection.graph_id().clone(), id: id.clone(), name }
     }
 }
 

@@ -76,7 +76,7 @@ pub(crate) fn layers(rects: &[Rect], links: &[Link]) -> Vec<Pos2> {
     if rects.is_empty() {
         return Vec::new();
     }
-    let graph = Layered::new(rects, links);
+    let graph = LayeredGraph::new(rects, links);
     let mut columns = graph.columns();
     graph.sort(&mut columns);
     let places = graph.place(&columns);
@@ -90,7 +90,7 @@ pub(crate) fn layers(rects: &[Rect], links: &[Link]) -> Vec<Pos2> {
         .collect()
 }
 
-struct Layered<'a> {
+struct LayeredGraph<'a> {
     rects: &'a [Rect],
     /// Wires by the box that they leave.
     out: Vec<Vec<Link>>,
@@ -98,7 +98,7 @@ struct Layered<'a> {
     into: Vec<Vec<Link>>,
 }
 
-impl<'a> Layered<'a> {
+impl<'a> LayeredGraph<'a> {
     fn new(rects: &'a [Rect], links: &[Link]) -> Self {
         let mut graph =
             Self { rects, out: vec![Vec::new(); rects.len()], into: vec![Vec::new(); rects.len()] };
@@ -207,8 +207,8 @@ impl<'a> Layered<'a> {
         let mut right = 0.0;
         for column in columns {
             let width = column.iter().map(|&index| self.rects[index].width()).fold(0.0, f32::max);
-            let wished: Vec<f32> = column.iter().map(|&index| self.wish(index, &places)).collect();
-            for (&index, y) in column.iter().zip(self.spread(column, &wished)) {
+            let goals: Vec<f32> = column.iter().map(|&index| self.goal(index, &places)).collect();
+            for (&index, y) in column.iter().zip(self.spread(column, &goals)) {
                 places[index] = pos2(right - width, y);
             }
             right -= width + COLUMN_GAP;
@@ -217,7 +217,7 @@ impl<'a> Layered<'a> {
     }
 
     /// Top at which a box's wires would run level, on average.
-    fn wish(&self, index: usize, places: &[Pos2]) -> f32 {
+    fn goal(&self, index: usize, places: &[Pos2]) -> f32 {
         let links = &self.out[index];
         if links.is_empty() {
             return 0.0;
@@ -226,19 +226,19 @@ impl<'a> Layered<'a> {
             / links.len() as f32
     }
 
-    /// Tops of a column's boxes, in order and without overlap, as near to the wished tops as least
+    /// Tops of a column's boxes, in order and without overlap, as near to the goals tops as least
     /// squares allow; boxes that touch move together.
-    fn spread(&self, column: &[usize], wished: &[f32]) -> Vec<f32> {
-        // Blocks of boxes that touch: the wished top of the block's first box, the number of boxes,
+    fn spread(&self, column: &[usize], goals: &[f32]) -> Vec<f32> {
+        // Blocks of boxes that touch: the goals top of the block's first box, the number of boxes,
         // and the block's height.
         let mut blocks: Vec<(f32, usize, f32)> = Vec::new();
-        for (&index, &wish) in column.iter().zip(wished) {
-            let mut block = (wish, 1, self.rects[index].height() + ROW_GAP);
+        for (&index, &goal) in column.iter().zip(goals) {
+            let mut block = (goal, 1, self.rects[index].height() + ROW_GAP);
             while let Some(&(top, count, height)) = blocks.last() {
                 if top + height <= block.0 {
                     break;
                 }
-                // The lower block's wish for the first box of both is less by the height of the
+                // The lower block's goal for the first box of both is less by the height of the
                 // upper block.
                 let (a, b) = (count as f32, block.1 as f32);
                 block = (

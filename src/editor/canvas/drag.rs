@@ -6,7 +6,7 @@ use eframe::egui::{Pos2, Rect, Ui, Vec2, vec2};
 
 use super::gesture::{Gesture, Move, WireDrag};
 use super::palette::Palette;
-use super::table::{Hit, Socket, point_at};
+use super::table::{CanvasItem, Socket, point_at};
 use super::{Canvas, arrange, edits};
 use crate::catalog::Kind;
 use crate::commands::Command;
@@ -86,7 +86,7 @@ impl Canvas {
         let inside =
             self.table.nodes.iter().filter(|row| is_inside(row.rect)).map(|row| row.id.clone());
         selection.extend(inside.filter(|id| !before.contains(id)));
-        if !selection.iter().eq(session.selected()) {
+        if !selection.iter().eq(session.selection.nodes()) {
             out.push(Command::Select(selection));
         }
     }
@@ -330,15 +330,15 @@ impl Canvas {
 
     /// Edit that adds a port to the open group, where a wire is let go on one of the group's ends.
     fn new_port(&self, drag: &WireDrag, at: Pos2, session: &Session) -> Option<Edit> {
-        let Some(Hit::Node(index)) = self.hit(at) else { return None };
+        let Some(CanvasItem::Node(index)) = self.hit(at) else { return None };
         let row = &self.table.nodes[index];
         let is_output = row.id.as_str() != GROUP_INPUTS;
         let (GraphId::Definition(id), Some(definition)) =
-            (session.graph_id(), session.definition())
+            (session.selection.graph_id(), session.graph_view().definition())
         else {
             return None;
         };
-        if !row.is_end || drag.fixed.is_output != is_output || session.is_read_only() {
+        if !row.is_end || drag.fixed.is_output != is_output || session.graph_view().is_read_only() {
             return None;
         }
         let fixed = self.endpoint(drag.fixed);

@@ -11,7 +11,7 @@ use eframe::egui::epaint::Mesh;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Ui, pos2, vec2};
 
 use super::mesh::{glyphs, plain, ribbon, rounded, socket};
-use super::table::{Hit, Socket, curve_between};
+use super::table::{CanvasItem, Socket, curve_between};
 use super::text::lay_out;
 use super::{Canvas, Gesture};
 use crate::diag::Severity;
@@ -122,7 +122,7 @@ impl Canvas {
                 continue;
             }
             let c = self.table.curve(wire).map(|p| self.view.to_screen(p));
-            let is_hovered = self.hovered == Some(Hit::Wire(index));
+            let is_hovered = self.hovered == Some(CanvasItem::Wire(index));
             let color = pen.colors.of_type(&wire.ty);
             let is_marked = match &self.gesture {
                 Gesture::Move(drag) => drag.into == Some(index),
@@ -197,7 +197,7 @@ impl Canvas {
         rounded(mesh, r.expand(edge), round + edge, (true, true), color);
         rounded(mesh, r, round, (true, true), pen.colors.node);
         let head = Rect::from_min_size(r.min, vec2(r.width(), TITLE_HEIGHT * pen.zoom));
-        let is_hovered = self.hovered == Some(Hit::Node(index));
+        let is_hovered = self.hovered == Some(CanvasItem::Node(index));
         let is_head = row.is_collapsed;
         rounded(
             mesh,
@@ -238,7 +238,7 @@ impl Canvas {
         for at in self.table.sockets(index).filter(|at| !row.is_collapsed || is_first(at)) {
             let ty = &self.table.socket_type(at);
             let center = self.view.to_screen(self.table.place(at));
-            let is_hovered = self.hovered == Some(Hit::Socket(at));
+            let is_hovered = self.hovered == Some(CanvasItem::Socket(at));
             let is_out = pen.fits.is_some_and(|fits| !fits(at));
             let radius = theme::SOCKET * pen.zoom * if is_hovered && !is_out { 1.4 } else { 1.0 };
             let color = match (is_out, is_dim) {

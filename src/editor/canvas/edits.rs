@@ -19,7 +19,7 @@ const COPY_OFFSET: f64 = 32.0;
 
 /// Removes nodes.
 pub(crate) fn delete(session: &Session, nodes: impl Iterator<Item = NodeId>) -> Option<Edit> {
-    let graph = session.graph_id();
+    let graph = session.selection.graph_id();
     let there = nodes.filter(|id| session.graph().nodes.contains_key(id));
     let edits: Vec<Edit> = there.map(|id| Edit::RemoveNode { graph: graph.clone(), id }).collect();
     (!edits.is_empty()).then_some(Edit::Group { edits })
@@ -47,7 +47,7 @@ pub(crate) fn add(session: &Session, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit
         node.values.insert(input.name.clone(), Value::Text(light.to_string()));
     }
     edits.push(Edit::AddNode {
-        graph: session.graph_id().clone(),
+        graph: session.selection.graph_id().clone(),
         id: id.clone(),
         node,
         index: None,
@@ -62,18 +62,22 @@ fn is_taken(session: &Session, slug: &str) -> bool {
 
 /// Wires an output to an input, in place of the input's wire so far.
 pub(crate) fn connect(session: &Session, from: Endpoint, to: Endpoint) -> Edit {
-    Edit::AddWire { graph: session.graph_id().clone(), wire: Wire { from, to }, index: None }
+    Edit::AddWire {
+        graph: session.selection.graph_id().clone(),
+        wire: Wire { from, to },
+        index: None,
+    }
 }
 
 /// Removes a wire.
 pub(crate) fn disconnect(session: &Session, wire: Wire) -> Edit {
-    Edit::RemoveWire { graph: session.graph_id().clone(), wire }
+    Edit::RemoveWire { graph: session.selection.graph_id().clone(), wire }
 }
 
 /// Copies nodes with the wires between them and into them. Returns the new ids and the edit.
 pub(crate) fn duplicate(session: &Session, nodes: &[NodeId]) -> (Vec<NodeId>, Edit) {
     let of = session.graph();
-    let graph = session.graph_id();
+    let graph = session.selection.graph_id();
     let mut new_ids: IndexMap<&NodeId, NodeId> = IndexMap::new();
     let mut edits = Vec::new();
     for id in nodes {
@@ -112,14 +116,14 @@ pub(crate) fn translate<'a>(
         // Positions are whole points, so that files stay readable.
         Some((id.clone(), [(x + f64::from(by.x)).round(), (y + f64::from(by.y)).round()]))
     });
-    Edit::MoveNodes { graph: session.graph_id().clone(), positions: moved.collect() }
+    Edit::MoveNodes { graph: session.selection.graph_id().clone(), positions: moved.collect() }
 }
 
 /// Moves nodes to given places.
 pub(crate) fn put(session: &Session, places: impl Iterator<Item = (NodeId, Pos2)>) -> Edit {
     let there = places.filter(|(id, _)| session.graph().nodes.contains_key(id));
     let positions = there.map(|(id, at)| (id, [f64::from(at.x).round(), f64::from(at.y).round()]));
-    Edit::MoveNodes { graph: session.graph_id().clone(), positions: positions.collect() }
+    Edit::MoveNodes { graph: session.selection.graph_id().clone(), positions: positions.collect() }
 }
 
 /// Makes a group of nodes. Returns the group's node and the edit.
@@ -130,8 +134,14 @@ pub(crate) fn group(session: &Session, nodes: &[NodeId]) -> Option<(NodeId, Edit
     let first = |node: &Node| {
         session.project.catalog.of(node)?.outputs.first().map(|port| port.name.clone())
     };
-    let grouped =
-        grouping::group(session.look(), session.graph_id(), &nodes, "Group", taken, first)?;
+    let grouped = grouping::group(
+        session.look(),
+        session.selection.graph_id(),
+        &nodes,
+        "Group",
+        taken,
+        first,
+    )?;
     Some((grouped.node, grouped.edit))
 }
 
@@ -149,8 +159,11 @@ pub(crate) fn ungroup(
     let (mut all, mut edits) = (Vec::new(), Vec::new());
     for id in nodes {
         let Some(node) = session.graph().nodes.get(id) else { continue };
-        let Some(definition) = session.definition_of(&node.kind).cloned() else { continue };
-        let dissolved = grouping::dissolve(&trial, session.graph_id(), id, &definition)
+        let Some(definition) = session.look_with_library().definition_of(&node.kind).cloned()
+        else {
+            continue;
+        };
+        let dissolved = grouping::dissolve(&trial, session.selection.graph_id(), id, &definition)
             .map_err(|problem| crate::state::problem_text::sentence(&problem))?;
         // The next group is dissolved in the look as this edit leaves it.
         trial.apply(dissolved.edit.clone()).map_err(|problem| problem.message)?;
@@ -172,7 +185,7 @@ pub(crate) fn frame(session: &Session, nodes: &[NodeId]) -> Option<(FrameId, Edi
     let id = FrameId::new(make_slug("frame", |slug| of.frames.contains_key(slug)));
     let frame = Frame { title: "Frame".to_owned(), color: Vec::new(), nodes };
     edits.push(Edit::AddFrame {
-        graph: session.graph_id().clone(),
+        graph: session.selection.graph_id().clone(),
         id: id.clone(),
         frame,
         index: None,
@@ -182,7 +195,7 @@ pub(crate) fn frame(session: &Session, nodes: &[NodeId]) -> Option<(FrameId, Edi
 
 /// Takes nodes out of their frames; a frame that is left without nodes is removed.
 pub(crate) fn leave_frames(session: &Session, nodes: &[NodeId]) -> Vec<Edit> {
-    let graph = session.graph_id();
+    let graph = session.selection.graph_id();
     let mut edits = Vec::new();
     for (id, frame) in &session.graph().frames {
         let rest: Vec<NodeId> =
@@ -216,7 +229,11 @@ pub(crate) fn join_frame(session: &Session, nodes: &[NodeId], to: Option<&FrameI
     if let Some((id, frame)) = target {
         let mut frame = frame.clone();
         frame.nodes.extend(moving);
-        edits.push(Edit::SetFrame { graph: session.graph_id().clone(), id: id.clone(), frame });
+        edits.push(Edit::SetFrame {
+            graph: session.selection.graph_id().clone(),
+            id: id.clone(),
+            frame,
+        });
     }
     edits
 }
@@ -229,7 +246,7 @@ pub(crate) fn set_frame(
 ) -> Option<Edit> {
     let mut frame = session.graph().frames.get(id)?.clone();
     change(&mut frame);
-    Some(Edit::SetFrame { graph: session.graph_id().clone(), id: id.clone(), frame })
+    Some(Edit::SetFrame { graph: session.selection.graph_id().clone(), id: id.clone(), frame })
 }
 
 /// Changes a note.
@@ -240,7 +257,7 @@ pub(crate) fn set_note(
 ) -> Option<Edit> {
     let mut note = session.graph().notes.get(id)?.clone();
     change(&mut note);
-    Some(Edit::SetNote { graph: session.graph_id().clone(), id: id.clone(), note })
+    Some(Edit::SetNote { graph: session.selection.graph_id().clone(), id: id.clone(), note })
 }
 
 /// Adds a note.
@@ -248,8 +265,12 @@ pub(crate) fn note(session: &Session, at: Pos2) -> (NoteId, Edit) {
     let id = NoteId::new(make_slug("note", |slug| session.graph().notes.contains_key(slug)));
     let position = [f64::from(at.x).round(), f64::from(at.y).round()];
     let note = Note { text: "Note".to_owned(), position, ..Note::default() };
-    let edit =
-        Edit::AddNote { graph: session.graph_id().clone(), id: id.clone(), note, index: None };
+    let edit = Edit::AddNote {
+        graph: session.selection.graph_id().clone(),
+        id: id.clone(),
+        note,
+        index: None,
+    };
     (id, edit)
 }
 
@@ -328,7 +349,7 @@ fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
 /// Changes a node's kind; wires and values that fit stay, matched by name or else in order.
 pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> {
     let of = session.graph();
-    let graph = session.graph_id();
+    let graph = session.selection.graph_id();
     let node = of.nodes.get(id)?;
     let old = session.project.catalog.of(node);
     let mut edits =
@@ -383,7 +404,7 @@ fn swap_values(
     old: Option<&Kind>,
     kind: &Kind,
 ) -> Vec<Edit> {
-    let graph = session.graph_id();
+    let graph = session.selection.graph_id();
     let type_in =
         |kind: &Kind, port: &PortName| Some(kind.inputs[kind.input(port.as_str())?].ty.clone());
     let mut edits = Vec::new();

@@ -6,8 +6,8 @@ use std::collections::HashSet;
 use eframe::egui::{Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 
 use super::inplace::Item;
-use super::palette::{Loose, Outcome, Palette};
-use super::table::{Hit, Socket};
+use super::palette::{LooseWire, Palette, SearchOutcome};
+use super::table::{CanvasItem, Socket};
 use super::{Canvas, edits};
 use crate::commands::{Command, keyboard};
 use crate::document::{Edit, Endpoint};
@@ -136,7 +136,8 @@ impl Canvas {
         if response.secondary_clicked() {
             self.menu_at = Some(at);
             self.menu_hit = self.hit(at);
-            if let Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) = self.menu_hit
+            if let Some(CanvasItem::Node(index) | CanvasItem::Socket(Socket { node: index, .. })) =
+                self.menu_hit
                 && !session.selection.nodes.contains(&self.table.nodes[index].id)
             {
                 out.push(Command::Select(vec![self.table.nodes[index].id.clone()]));
@@ -146,10 +147,10 @@ impl Canvas {
     }
 
     /// Frame or note under the pointer.
-    fn item_of(&self, hit: Option<Hit>) -> Option<Item> {
+    fn item_of(&self, hit: Option<CanvasItem>) -> Option<Item> {
         match hit? {
-            Hit::Frame(index) => Some(Item::Frame(self.table.frames[index].id.clone())),
-            Hit::Note(index) => Some(Item::Note(self.table.notes[index].id.clone())),
+            CanvasItem::Frame(index) => Some(Item::Frame(self.table.frames[index].id.clone())),
+            CanvasItem::Note(index) => Some(Item::Note(self.table.notes[index].id.clone())),
             _ => None,
         }
     }
@@ -157,7 +158,7 @@ impl Canvas {
     fn double_click(&mut self, at: Pos2, session: &Session, out: &mut Vec<Command>) {
         match self.hit(at) {
             None => self.palette = Some(Palette::new(at, None)),
-            Some(Hit::Node(index)) => {
+            Some(CanvasItem::Node(index)) => {
                 let row = &self.table.nodes[index];
                 let is_title = self.view.to_graph(at).y < row.rect.min.y + TITLE_HEIGHT;
                 match self.open(session, &row.id) {
@@ -168,7 +169,7 @@ impl Canvas {
                     None => {}
                 }
             }
-            Some(Hit::Wire(index)) => self.add_reroute(index, at, session, out),
+            Some(CanvasItem::Wire(index)) => self.add_reroute(index, at, session, out),
             hit => self.edit_when_there = self.item_of(hit),
         }
     }
@@ -194,16 +195,19 @@ impl Canvas {
         let hit = self.hit(at);
         self.item = self.item_of(hit);
         match hit {
-            Some(Hit::Wire(index)) if modifiers.alt => {
+            Some(CanvasItem::Wire(index)) if modifiers.alt => {
                 let wire = session.graph().wires.get(self.table.wires[index].index);
                 out.extend(
                     wire.map(|wire| Command::Edit(edits::disconnect(session, wire.clone()))),
                 );
             }
-            Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. })) => {
+            Some(CanvasItem::Node(index) | CanvasItem::Socket(Socket { node: index, .. })) => {
                 let id = self.table.nodes[index].id.clone();
-                let mut selection: Vec<NodeId> =
-                    if is_adding { session.selected().cloned().collect() } else { Vec::new() };
+                let mut selection: Vec<NodeId> = if is_adding {
+                    session.selection.nodes().cloned().collect()
+                } else {
+                    Vec::new()
+                };
                 if selection.contains(&id) {
                     selection.retain(|other| *other != id);
                 } else {
@@ -224,16 +228,17 @@ impl Canvas {
         out: &mut Vec<Command>,
     ) {
         let keep = modifiers.shift || modifiers.command;
-        let before = || if keep { session.selected().cloned().collect() } else { Vec::new() };
+        let before =
+            || if keep { session.selection.nodes().cloned().collect() } else { Vec::new() };
         let from = self.view.to_graph(origin);
         self.gesture = match self.hit(origin) {
-            Some(Hit::Socket(socket)) => Gesture::Wire(self.start_wire(socket)),
+            Some(CanvasItem::Socket(socket)) => Gesture::Wire(self.start_wire(socket)),
             // The places of a group's ends are computed, so that a drag there pans the view.
-            Some(Hit::Node(index)) if self.table.nodes[index].is_end => Gesture::Pan,
-            Some(Hit::Node(index)) => {
+            Some(CanvasItem::Node(index)) if self.table.nodes[index].is_end => Gesture::Pan,
+            Some(CanvasItem::Node(index)) => {
                 let id = &self.table.nodes[index].id;
                 let nodes = if session.selection.nodes.contains(id) {
-                    let chosen = session.selected().filter_map(|id| self.table.index_of(id));
+                    let chosen = session.selection.nodes().filter_map(|id| self.table.index_of(id));
                     chosen.filter(|&index| !self.table.nodes[index].is_end).collect()
                 } else {
                     out.push(Command::Select(vec![id.clone()]));
@@ -242,7 +247,7 @@ impl Canvas {
                 self.item = None;
                 Gesture::Move(Move { nodes, from, ..Move::default() })
             }
-            Some(Hit::Frame(index)) => {
+            Some(CanvasItem::Frame(index)) => {
                 let frame = &self.table.frames[index];
                 self.item = Some(Item::Frame(frame.id.clone()));
                 Gesture::Move(Move {
@@ -252,7 +257,7 @@ impl Canvas {
                     ..Move::default()
                 })
             }
-            Some(Hit::Note(index)) => {
+            Some(CanvasItem::Note(index)) => {
                 let note = &self.table.notes[index];
                 self.item = Some(Item::Note(note.id.clone()));
                 let is_resize = note.rect.max.x - from.x < 8.0 / self.view.zoom;
@@ -273,12 +278,12 @@ impl Canvas {
         WireDrag { fixed: socket, picked: None, target: None }
     }
 
-    pub(super) fn loose(&self, socket: Socket) -> Loose {
+    pub(super) fn loose(&self, socket: Socket) -> LooseWire {
         let kind = &self.table.nodes[socket.node].kind;
         let accepts =
             if socket.is_output { Vec::new() } else { kind.inputs[socket.port].accepts.clone() };
         let ty = self.table.socket_type(socket);
-        Loose { end: self.endpoint(socket), ty, accepts, is_output: socket.is_output }
+        LooseWire { end: self.endpoint(socket), ty, accepts, is_output: socket.is_output }
     }
 
     /// Takes the Tab key before egui moves the focus by it, while the pointer is on the canvas.
@@ -299,12 +304,12 @@ impl Canvas {
     pub(super) fn show_palette(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(palette) = &mut self.palette else { return };
         let kind = match palette.show(ui, self.view.screen, &session.project.catalog) {
-            Outcome::Open => return,
-            Outcome::Closed => {
+            SearchOutcome::Open => return,
+            SearchOutcome::Closed => {
                 self.palette = None;
                 return;
             }
-            Outcome::Chosen(kind) => kind,
+            SearchOutcome::Chosen(kind) => kind,
         };
         let Some(palette) = self.palette.take() else { return };
         if let Some((id, _)) = &palette.swaps {

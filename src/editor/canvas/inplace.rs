@@ -18,7 +18,7 @@ pub(crate) enum Item {
 }
 
 /// Text that is being edited in place.
-pub(super) struct Editing {
+pub(super) struct TextEditInPlace {
     item: Item,
     text: String,
     is_new: bool,
@@ -51,8 +51,8 @@ impl Canvas {
     /// Shows the text field of the item that is being edited.
     pub(super) fn edit_in_place(&mut self, ui: &Ui, session: &Session, out: &mut Vec<Command>) {
         if let Some(item) = self.edit_when_there.take() {
-            match Self::text_of(session, &item).filter(|_| !session.is_read_only()) {
-                Some(text) => self.editing = Some(Editing { item, text, is_new: true }),
+            match Self::text_of(session, &item).filter(|_| !session.graph_view().is_read_only()) {
+                Some(text) => self.editing = Some(TextEditInPlace { item, text, is_new: true }),
                 // The item may have been made in this frame by a command that is not applied yet:
                 // look again in the next frame, and no longer than that.
                 None => self.edit_when_there = Some(item).filter(|_| !out.is_empty()),
@@ -69,7 +69,7 @@ impl Canvas {
             return;
         }
         let is_over = self.show_field(ui, place);
-        if is_over && let Some(Editing { item, text, .. }) = self.editing.take() {
+        if is_over && let Some(TextEditInPlace { item, text, .. }) = self.editing.take() {
             out.extend(Self::changed(session, item, text));
         }
     }

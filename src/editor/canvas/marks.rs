@@ -27,7 +27,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
     let mut marks: HashMap<NodeId, Mark> = HashMap::new();
     for problem in session.all_problems().filter(|problem| problem.severity > Severity::Note) {
         let Some(path) = &problem.place.node else { continue };
-        let Some(id) = session.step_here(path) else { continue };
+        let Some(id) = session.graph_view().step_of(path) else { continue };
         let text = crate::state::problem_text::sentence(problem);
         let fixes = if path.last() == Some(id) { fixes::of(session, problem) } else { Vec::new() };
         match marks.get_mut(id) {
@@ -50,8 +50,10 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
 /// Nodes of the open graph that the compiler found to add nothing, with the reasons.
 pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
     let mut found = HashMap::new();
-    let Some(shader) = session.baked().filter(|_| session.wire().is_none()) else { return found };
-    let here = session.open_groups();
+    let Some(shader) = session.compilation().baked().filter(|_| session.view.wire.is_none()) else {
+        return found;
+    };
+    let here = session.selection.open_groups();
     let mut by_step: HashMap<&NodeId, Vec<&Removal>> = HashMap::new();
     for removal in shader.removed.iter().filter(|removal| removal.path.ids().starts_with(here)) {
         if let Some(id) = removal.path.ids().get(here.len()) {
@@ -82,7 +84,7 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
         }
     }
     // Nodes that drive keys are evaluated before the shader runs, and so count as used.
-    for driving in session.driving_nodes() {
+    for driving in session.graph_view().driving_nodes() {
         found.remove(&driving);
     }
     found

@@ -37,10 +37,10 @@ use crate::state::revision::{DocumentNumber, ProblemsRevision};
 use crate::state::session::Session;
 use crate::widgets::theme;
 use gesture::Gesture;
-use inplace::{Editing, Item};
+use inplace::{Item, TextEditInPlace};
 use marks::{Idle, Mark};
 use palette::Palette;
-use table::{Hit, Socket, Table};
+use table::{CanvasItem, Socket, Table};
 use view::View;
 
 /// Largest number of nodes in view that are named for screen readers; a far view of more nodes is a
@@ -60,7 +60,7 @@ pub struct Canvas {
     table: Table,
     buffer: Arc<Mesh>,
     gesture: Gesture,
-    hovered: Option<Hit>,
+    hovered: Option<CanvasItem>,
     palette: Option<Palette>,
     marks: HashMap<NodeId, Mark>,
     marks_revision: Option<ProblemsRevision>,
@@ -75,11 +75,11 @@ pub struct Canvas {
     idle: HashMap<NodeId, Idle>,
     /// Frame or note that is selected.
     item: Option<Item>,
-    editing: Option<Editing>,
+    editing: Option<TextEditInPlace>,
     /// Item to edit in place as soon as it exists.
     edit_when_there: Option<Item>,
     menu_at: Option<Pos2>,
-    menu_hit: Option<Hit>,
+    menu_hit: Option<CanvasItem>,
     previews: preview::Previews,
     /// Command that the command palette asked for.
     asked: Option<GraphCommand>,
@@ -119,7 +119,7 @@ impl Canvas {
         self.menu(ui, &response, session, &mut commands);
         self.show_palette(ui, session, &mut commands);
         self.edit_in_place(ui, session, &mut commands);
-        if session.is_read_only() {
+        if session.graph_view().is_read_only() {
             let is_edit =
                 |command: &Command| matches!(command, Command::Edit(_) | Command::EditHeld(..));
             let owns = |command: &Command| {
@@ -141,8 +141,9 @@ impl Canvas {
     }
 
     fn sync(&mut self, ui: &Ui, session: &Session) {
-        let key = (session.document_number(), session.revision(), session.graph_number());
-        let group = match session.graph_id() {
+        let key =
+            (session.revisions().document, session.revision(), session.selection.graph_number());
+        let group = match session.selection.graph_id() {
             GraphId::Look => None,
             GraphId::Definition(id) => Some(id.as_str()),
         };
@@ -151,21 +152,21 @@ impl Canvas {
             session.graph(),
             &session.project.catalog,
             group,
-            &session.driving_nodes(),
+            &session.graph_view().driving_nodes(),
         ) {
             // Indices in the table have changed, so that gestures that hold some must end.
             self.gesture = Gesture::Idle;
             self.menu_hit = None;
         }
         self.measure_notes(ui);
-        if self.document != Some(session.document_number()) {
-            self.document = Some(session.document_number());
+        if self.document != Some(session.revisions().document) {
+            self.document = Some(session.revisions().document);
             self.views.clear();
-            self.place = session.open_groups().to_vec();
+            self.place = session.selection.open_groups().to_vec();
             self.begin();
             (self.palette, self.editing, self.item) = (None, None, None);
-        } else if self.place != session.open_groups() {
-            let left = std::mem::replace(&mut self.place, session.open_groups().to_vec());
+        } else if self.place != session.selection.open_groups() {
+            let left = std::mem::replace(&mut self.place, session.selection.open_groups().to_vec());
             self.views.insert(left, (self.view.zoom, self.view.center));
             match self.views.get(&self.place) {
                 Some(&(zoom, center)) => self.set_zoom_and_center(zoom, center),
@@ -180,8 +181,8 @@ impl Canvas {
             self.table.forget_text();
         }
         self.fonts = fonts;
-        if self.marks_revision != Some(session.problems_revision()) {
-            self.marks_revision = Some(session.problems_revision());
+        if self.marks_revision != Some(session.revisions().problems) {
+            self.marks_revision = Some(session.revisions().problems);
             self.marks = marks::marks(session);
             self.idle = marks::idle(session);
         }
@@ -192,7 +193,7 @@ impl Canvas {
         }
     }
 
-    fn hit(&self, at: Pos2) -> Option<Hit> {
+    fn hit(&self, at: Pos2) -> Option<CanvasItem> {
         // Sockets are not drawn from afar, and so not hit.
         let radius = if self.view.zoom > 0.25 { 9.0 / self.view.zoom.max(0.6) } else { 0.0 };
         self.table.hit(self.view.to_graph(at), radius)
@@ -299,13 +300,13 @@ impl Canvas {
             return;
         }
         let text = match self.hovered {
-            Some(Hit::Socket(socket)) => self.socket_text(socket),
-            Some(Hit::Node(index)) => self.node_text(index),
-            Some(Hit::Wire(index)) => self.wire_text(index),
+            Some(CanvasItem::Socket(socket)) => self.socket_text(socket),
+            Some(CanvasItem::Node(index)) => self.node_text(index),
+            Some(CanvasItem::Wire(index)) => self.wire_text(index),
             _ => None,
         };
         let ball = match self.hovered {
-            Some(Hit::Socket(Socket { node, is_output: true, port: 0 })) => {
+            Some(CanvasItem::Socket(Socket { node, is_output: true, port: 0 })) => {
                 self.ball_of(session, &self.table.nodes[node].id)
             }
             _ => None,
@@ -382,21 +383,25 @@ impl Canvas {
             (Gesture::Lasso { .. }, _) => "Let go to select what is inside",
             (Gesture::Box { .. }, _) => "Let go to select what is inside · Shift adds",
             (Gesture::Pan, _) => "Moving the view",
-            (_, Some(Hit::Socket(Socket { is_output: true, .. }))) => "Drag to an input to wire it",
-            (_, Some(Hit::Socket(_))) => {
+            (_, Some(CanvasItem::Socket(Socket { is_output: true, .. }))) => {
+                "Drag to an input to wire it"
+            }
+            (_, Some(CanvasItem::Socket(_))) => {
                 "Drag to an output to wire it; a wire that is there is picked up"
             }
-            (_, Some(Hit::Node(_))) => {
+            (_, Some(CanvasItem::Node(_))) => {
                 "Click to select, drag to move · Del removes · Ctrl+D duplicates · Ctrl+G groups · \
                  M mutes · S swaps"
             }
-            (_, Some(Hit::Wire(_))) => {
+            (_, Some(CanvasItem::Wire(_))) => {
                 "Double-click adds a reroute · Alt-click removes it · Ctrl+right-drag cuts"
             }
-            (_, Some(Hit::Frame(_))) => {
+            (_, Some(CanvasItem::Frame(_))) => {
                 "Drag to move all of it · double-click renames · right-click colors"
             }
-            (_, Some(Hit::Note(_))) => "Drag to move · double-click edits · right-click colors",
+            (_, Some(CanvasItem::Note(_))) => {
+                "Drag to move · double-click edits · right-click colors"
+            }
             _ => {
                 "Double-click or Tab adds a node · drag selects · wheel zooms · right or middle \
                  drag moves · F shows all · ? lists keys"

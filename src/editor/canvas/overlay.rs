@@ -8,7 +8,7 @@ use eframe::egui::{
 
 use super::inplace::Item;
 use super::mesh::{plain, rounded};
-use super::table::{Hit, Socket};
+use super::table::{CanvasItem, Socket};
 use super::{Canvas, edits};
 use crate::commands::{Command, GraphCommand, table};
 use crate::document::GraphId;
@@ -34,7 +34,7 @@ const TINTS: [(&str, [f64; 3]); 7] = [
 impl Canvas {
     /// Shows the path of opened groups, and the way back.
     pub(super) fn crumbs(&self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-        let path = session.open_groups();
+        let path = session.selection.open_groups();
         if path.is_empty() {
             return;
         }
@@ -64,16 +64,16 @@ impl Canvas {
                     crumb(ui, name, depth + 1);
                 }
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    if session.is_read_only() {
+                    if session.graph_view().is_read_only() {
                         let help = "Puts this group into the look's file, for all its nodes in the \
                                     look. Then it can be changed";
                         if ui.button("Make it the look's own").on_hover_text(help).clicked() {
-                            out.extend(session.own_group().map(Command::Edit));
+                            out.extend(session.graph_view().own_group().map(Command::Edit));
                         }
                         let (from, help) = origin(session);
                         let text = format!("{from}: look, don't touch");
                         ui.label(RichText::new(text).color(theme::of(ui).dim)).on_hover_text(help);
-                    } else if let GraphId::Definition(id) = session.graph_id() {
+                    } else if let GraphId::Definition(id) = session.selection.graph_id() {
                         let help = "Puts this group into the nodes folder beside the look, where \
                                     every look of the folder has it";
                         if ui.button("Share with the project").on_hover_text(help).clicked() {
@@ -146,13 +146,15 @@ impl Canvas {
         response.context_menu(|ui| {
             ui.set_min_width(210.0);
             match self.menu_hit {
-                Some(Hit::Node(index) | Hit::Socket(Socket { node: index, .. }))
+                Some(CanvasItem::Node(index) | CanvasItem::Socket(Socket { node: index, .. }))
                     if index < self.table.nodes.len() =>
                 {
                     chosen = self.node_menu(ui, index, session, out);
                 }
-                Some(Hit::Wire(index)) => self.wire_menu(ui, index, session, out),
-                Some(Hit::Frame(_) | Hit::Note(_)) => self.item_menu(ui, session, out),
+                Some(CanvasItem::Wire(index)) => self.wire_menu(ui, index, session, out),
+                Some(CanvasItem::Frame(_) | CanvasItem::Note(_)) => {
+                    self.item_menu(ui, session, out);
+                }
                 _ => {
                     use GraphCommand as A;
                     const ROWS: [&[A]; 3] = [
@@ -161,7 +163,7 @@ impl Canvas {
                         &[A::ShowAll, A::Minimap, A::SnapGrid],
                     ];
                     chosen = rows(ui, &ROWS);
-                    if !session.open_groups().is_empty() {
+                    if !session.selection.open_groups().is_empty() {
                         chosen = chosen.or(rows(ui, &[&[A::LeaveGroup]]));
                     }
                 }
@@ -254,7 +256,7 @@ impl Canvas {
 
     fn item_menu(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         let Some(item) = self.item.clone() else { return };
-        if session.is_read_only() {
+        if session.graph_view().is_read_only() {
             ui.label(origin(session).0);
             return;
         }
@@ -296,7 +298,7 @@ impl Canvas {
         ui.separator();
         let (what, graph) = (
             if matches!(item, Item::Frame(_)) { "frame" } else { "note" },
-            session.graph_id().clone(),
+            session.selection.graph_id().clone(),
         );
         if ui.button(format!("Remove the {what}")).clicked() {
             out.push(Command::Edit(match item {
@@ -350,7 +352,7 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
             _ => id.to_string(),
         });
         graph = node
-            .and_then(|node| session.definition_of(&node.kind))
+            .and_then(|node| session.look_with_library().definition_of(&node.kind))
             .map(|definition| &definition.graph);
     }
     names
@@ -359,7 +361,7 @@ fn crumb_names(session: &Session, path: &[NodeId]) -> Vec<String> {
 /// Origin of the open group that is not the look's own: a short text, and an explanation.
 fn origin(session: &Session) -> (&'static str, &'static str) {
     let is_own = |id: &str| Library::built_in().groups.contains_key(id);
-    match session.graph_id() {
+    match session.selection.graph_id() {
         GraphId::Definition(id) if !is_own(id.as_str()) => (
             "Shared by the project",
             "It lies in the nodes folder beside the look, and every look of the folder has it",

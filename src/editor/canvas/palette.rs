@@ -19,7 +19,7 @@ const ROWS: f32 = 11.0;
 
 /// Loose wire that the new node is to be wired to.
 #[derive(Clone, Debug)]
-pub(crate) struct Loose {
+pub(crate) struct LooseWire {
     pub(crate) end: Endpoint,
     pub(crate) ty: Type,
     /// Types that the wire's end accepts, where that end is an input.
@@ -27,7 +27,7 @@ pub(crate) struct Loose {
     pub(crate) is_output: bool,
 }
 
-impl Loose {
+impl LooseWire {
     /// Port of `kind` that the wire would lead to, by index, and how well it fits.
     pub(crate) fn fit(&self, kind: &Kind) -> Option<(usize, f32)> {
         if self.is_output {
@@ -68,7 +68,7 @@ fn best(ports: impl Iterator<Item = (usize, f32)>) -> Option<(usize, f32)> {
 pub(crate) struct Palette {
     /// Point where the search was opened, on the screen.
     pub(crate) at: Pos2,
-    pub(crate) loose: Option<Loose>,
+    pub(crate) loose: Option<LooseWire>,
     /// Node to be swapped for the chosen kind, and its present kind.
     pub(crate) swaps: Option<(NodeId, Option<Arc<Kind>>)>,
     query: String,
@@ -77,14 +77,14 @@ pub(crate) struct Palette {
 }
 
 /// Outcome of one frame of a search.
-pub(crate) enum Outcome {
+pub(crate) enum SearchOutcome {
     Open,
     Closed,
     Chosen(Arc<Kind>),
 }
 
 impl Palette {
-    pub(crate) fn new(at: Pos2, loose: Option<Loose>) -> Self {
+    pub(crate) fn new(at: Pos2, loose: Option<LooseWire>) -> Self {
         Self { at, loose, swaps: None, query: String::new(), index: 0, is_new: true }
     }
 
@@ -94,11 +94,11 @@ impl Palette {
     }
 
     /// Shows the search within `screen`.
-    pub(crate) fn show(&mut self, ui: &Ui, screen: egui::Rect, catalog: &Catalog) -> Outcome {
+    pub(crate) fn show(&mut self, ui: &Ui, screen: egui::Rect, catalog: &Catalog) -> SearchOutcome {
         let found = self.found(catalog);
         let key = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
         if key(Key::Escape) {
-            return Outcome::Closed;
+            return SearchOutcome::Closed;
         }
         if key(Key::ArrowDown) {
             self.index += 1;
@@ -110,14 +110,14 @@ impl Palette {
         if key(Key::Enter) {
             return found
                 .get(self.index)
-                .map_or(Outcome::Open, |kind| Outcome::Chosen(kind.clone()));
+                .map_or(SearchOutcome::Open, |kind| SearchOutcome::Chosen(kind.clone()));
         }
         let size = vec2(WIDTH, ROW * ROWS + 60.0);
         let corner = pos2(
             self.at.x.min(screen.max.x - size.x).max(screen.min.x),
             self.at.y.min(screen.max.y - size.y).max(screen.min.y),
         );
-        let mut outcome = Outcome::Open;
+        let mut outcome = SearchOutcome::Open;
         let area = Area::new(Id::unique("palette"))
             .order(Order::Foreground)
             .fixed_pos(corner)
@@ -127,7 +127,7 @@ impl Palette {
                 ui.set_width(WIDTH);
                 self.show_query(ui);
                 if let Some(chosen) = self.show_list(ui, &found) {
-                    outcome = Outcome::Chosen(chosen);
+                    outcome = SearchOutcome::Chosen(chosen);
                 }
             });
         });
@@ -136,8 +136,8 @@ impl Palette {
             press.is_some_and(|press| !shown.response.rect.contains(press))
         });
         let was_new = std::mem::replace(&mut self.is_new, false);
-        if is_outside && !was_new && matches!(outcome, Outcome::Open) {
-            Outcome::Closed
+        if is_outside && !was_new && matches!(outcome, SearchOutcome::Open) {
+            SearchOutcome::Closed
         } else {
             outcome
         }
@@ -316,7 +316,7 @@ mod tests {
     use super::*;
     use crate::library::Library;
 
-    fn find(query: &str, loose: Option<Loose>) -> Vec<String> {
+    fn find(query: &str, loose: Option<LooseWire>) -> Vec<String> {
         let catalog = Catalog::new(Library::built_in());
         let mut palette = Palette::new(Pos2::ZERO, loose);
         query.clone_into(&mut palette.query);
@@ -350,7 +350,7 @@ mod tests {
     #[test]
     fn only_what_fits_a_wire_is_offered() {
         let end = Endpoint::new("a", "b");
-        let light = Loose { end, ty: Type::Light, accepts: vec![Type::Light], is_output: true };
+        let light = LooseWire { end, ty: Type::Light, accepts: vec![Type::Light], is_output: true };
         let found = find("", Some(light));
         assert!(
             found.contains(&"light_apply".to_owned()) && !found.contains(&"profile".to_owned()),

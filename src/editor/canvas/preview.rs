@@ -25,8 +25,8 @@ use crate::ids::{NodeId, NodePath, PortName};
 use crate::interp::Precision;
 use crate::library::{Library, Type};
 use crate::reference;
+use crate::state::crashes::{CrashStep, DocumentOrigin};
 use crate::state::revision::{DocumentNumber, MeaningRevision};
-use crate::state::safety::crashes::{DocumentOrigin, Step};
 use crate::state::session::Session;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::values::number_text;
@@ -109,7 +109,7 @@ impl Previews {
         session: &Session,
         visible: impl Iterator<Item = (NodePath, PortName)>,
     ) {
-        let state = (session.document_number(), session.meaning());
+        let state = (session.revisions().document, session.revisions().meaning);
         for Answer { key: (path, of), values } in self.worker.iter().flat_map(Worker::answers) {
             let shown =
                 values.map_or(Preview::Nothing, |(values, ty)| show(ctx, &path, &values, &ty));
@@ -121,7 +121,7 @@ impl Previews {
             self.seen = Some((state, now));
         }
         let rested = now - self.seen.map_or(now, |(_, since)| since);
-        if self.waits || session.awaits_first_picture || session.held().is_some() {
+        if self.waits || session.awaits_first_picture || session.journals.held().is_some() {
             return;
         }
         if session.graph().nodes.len() > MAX_NODES || session.look().graph.nodes.len() > MAX_NODES {
@@ -146,7 +146,7 @@ impl Previews {
         let request = Request {
             key: (root.0.clone(), state),
             look: look.clone(),
-            source: session.source().clone(),
+            source: session.look.file.source.clone(),
             library: session.project.library.clone(),
             folder: session
                 .path()
@@ -165,7 +165,7 @@ impl Previews {
                 move || ctx.request_repaint(),
                 move |request: Request| {
                     let (name, path) = &request.file;
-                    let _going = crashes.begin(Step::Draw, || {
+                    let _going = crashes.begin(CrashStep::Draw, || {
                         DocumentOrigin::new(name, path.as_deref(), &request.look)
                     });
                     evaluate(request, &mut assets)
@@ -286,7 +286,7 @@ impl Canvas {
             .filter(|(_, row)| row.rect.intersects(visible) && !row.is_end && !row.kind.is_missing);
         let shown: Vec<(usize, NodePath)> = rows
             .filter(|(_, row)| row.kind.outputs.first().is_some_and(|port| can_be_shown(&port.ty)))
-            .map(|(index, row)| (index, session.path_of(&row.id)))
+            .map(|(index, row)| (index, session.selection.path_of(&row.id)))
             .collect();
         let roots = shown.iter().map(|(index, path)| {
             let port = self.table.nodes[*index].kind.outputs[0].name.clone();
@@ -315,7 +315,7 @@ impl Canvas {
 
     /// Value of a node's first output, where it is the same everywhere.
     pub(super) fn value_of(&self, session: &Session, id: &NodeId) -> Option<&str> {
-        match self.previews.known.get(&session.path_of(id)) {
+        match self.previews.known.get(&session.selection.path_of(id)) {
             Some((_, Preview::Value(text))) => Some(text),
             _ => None,
         }
@@ -323,7 +323,7 @@ impl Canvas {
 
     /// Ball of a node, for a closer look.
     pub(super) fn ball_of(&self, session: &Session, id: &NodeId) -> Option<&TextureHandle> {
-        match self.previews.known.get(&session.path_of(id)) {
+        match self.previews.known.get(&session.selection.path_of(id)) {
             Some((_, Preview::Ball(texture))) => Some(texture),
             _ => None,
         }

@@ -34,7 +34,7 @@ pub(crate) struct Socket {
 
 /// Item under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Hit {
+pub(crate) enum CanvasItem {
     Socket(Socket),
     Node(usize),
     Wire(usize),
@@ -465,12 +465,12 @@ impl Table {
     }
 
     /// Socket, topmost node or nearest wire at a point.
-    pub(crate) fn hit(&self, p: Pos2, radius: f32) -> Option<Hit> {
+    pub(crate) fn hit(&self, p: Pos2, radius: f32) -> Option<CanvasItem> {
         if let Some(socket) = self.socket_at(p, radius, |_| true) {
-            return Some(Hit::Socket(socket));
+            return Some(CanvasItem::Socket(socket));
         }
         if let Some(index) = self.nodes.iter().rposition(|row| row.rect.contains(p)) {
-            return Some(Hit::Node(index));
+            return Some(CanvasItem::Node(index));
         }
         let near = self
             .wires
@@ -480,12 +480,12 @@ impl Table {
         let by_distance = near.map(|(index, wire)| (index, curve_distance(p, &self.curve(wire))));
         let hits = by_distance.filter(|(_, distance)| *distance < radius);
         if let Some((index, _)) = hits.min_by(|a, b| a.1.total_cmp(&b.1)) {
-            return Some(Hit::Wire(index));
+            return Some(CanvasItem::Wire(index));
         }
         if let Some(index) = self.notes.iter().rposition(|note| note.rect.contains(p)) {
-            return Some(Hit::Note(index));
+            return Some(CanvasItem::Note(index));
         }
-        self.frames.iter().rposition(|frame| frame.title_rect().contains(p)).map(Hit::Frame)
+        self.frames.iter().rposition(|frame| frame.title_rect().contains(p)).map(CanvasItem::Frame)
     }
 
     /// Smallest frame around a point, other than frames that hold only nodes of `moved`, by index.
@@ -576,10 +576,10 @@ mod tests {
                 "wires": [{"from": "a.below", "to": "b.color"}]}"#,
         );
         let wire = &table.wires[0];
-        assert_eq!(table.hit(table.place(wire.from), 8.0), Some(Hit::Socket(wire.from)));
-        assert_eq!(table.hit(pos2(50.0, 10.0), 8.0), Some(Hit::Node(0)));
+        assert_eq!(table.hit(table.place(wire.from), 8.0), Some(CanvasItem::Socket(wire.from)));
+        assert_eq!(table.hit(pos2(50.0, 10.0), 8.0), Some(CanvasItem::Node(0)));
         let middle = point_at(&table.curve(wire), 0.5);
-        assert_eq!(table.hit(middle, 6.0), Some(Hit::Wire(0)));
+        assert_eq!(table.hit(middle, 6.0), Some(CanvasItem::Wire(0)));
         assert_eq!(table.hit(pos2(300.0, 300.0), 6.0), None);
     }
 

@@ -9,7 +9,7 @@ enum KeyboardOwner {
     /// The window, and the area under the pointer.
     #[default]
     Window,
-    /// A text field; keys of [`Place::Window`](super::table::Place::Window) still work.
+    /// A text field; keys of [`KeyScope::Window`](super::table::KeyScope::Window) still work.
     Field,
     /// A dialog, which owns all keys.
     Dialog,

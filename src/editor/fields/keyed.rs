@@ -18,7 +18,7 @@ use crate::widgets::theme;
 
 /// Shows these lines below a value, if keys move it.
 pub(crate) fn show(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
-    match marked.session.keyed_by(&marked.target) {
+    match marked.session.keys().keyed_by(&marked.target) {
         KeyedBy::Nothing => {}
         KeyedBy::Direction(set) => by_direction(ui, marked, set, out),
         KeyedBy::Time(track) => in_time(ui, marked.session, track),
@@ -42,13 +42,13 @@ fn quiet(ui: &Ui, text: impl Into<String>) -> RichText {
 fn by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, set: usize, out: &mut Vec<Command>) {
     let session = marked.session;
     let Some(keys) = session.look().direction_keys.get(set) else { return };
-    let Some(port) = session.port_at(&marked.target) else { return };
+    let Some(port) = session.look_with_library().port_at(&marked.target) else { return };
     let said_of = |value: &Value| match shown_color(marked, value) {
         Some(color) => values::hex(color),
         None => values::short(&port, value),
     };
     line(ui, |ui| {
-        if let Some(now) = session.value_now(&marked.target) {
+        if let Some(now) = session.keys().value_now(&marked.target) {
             chip(ui, marked, &now);
             ui.label(
                 RichText::new(format!("Now {}", said_of(&now))).small().color(theme::of(ui).text),
@@ -88,11 +88,14 @@ fn chip(ui: &mut Ui, marked: &FieldTarget<'_>, now: &Value) {
 fn decided_by(session: &Session, set: usize, keys: &DirectionKeys) -> String {
     match &keys.by {
         KeyDirection::View => "by the view".to_owned(),
-        KeyDirection::Light(light) => format!("by the light \"{}\"", session.light_name(light)),
+        KeyDirection::Light(light) => {
+            format!("by the light \"{}\"", session.look_with_library().light_name(light))
+        }
         KeyDirection::Drivers(drivers) => {
-            let now = session.decided(set).map(|(now, _)| now.to_array()).unwrap_or_default();
+            let now =
+                session.keys().decided(set).map(|(now, _)| now.to_array()).unwrap_or_default();
             let each = drivers.iter().zip(now).map(|(driver, now)| {
-                let name = session.driver_name(driver);
+                let name = session.keys().driver_name(driver);
                 format!("{name} is {}", said(driver, now))
             });
             format!("while {}", each.collect::<Vec<_>>().join(", "))
@@ -111,7 +114,7 @@ fn one_key(
     out: &mut Vec<Command>,
 ) {
     let session = marked.session;
-    let is_it = session.key_at(set) == index;
+    let is_it = session.keys().key_at(set) == index;
     let text = RichText::new(format!("Key {}", index + 1)).small().color(theme::of(ui).hue(index));
     let button = ui.add(Button::selectable(is_it, text).small());
     let name = format!("Set {} at key {}", marked.label, index + 1);
@@ -125,14 +128,14 @@ fn one_key(
             KeyDirection::Drivers(drivers) => {
                 let each = drivers.iter().zip(keys.keys[index].direction);
                 let each = each.map(|(driver, at)| {
-                    format!("{}: {}", session.driver_name(driver), said(driver, at))
+                    format!("{}: {}", session.keys().driver_name(driver), said(driver, at))
                 });
                 format!(" ({})", each.collect::<Vec<_>>().join(", "))
             }
             KeyDirection::View | KeyDirection::Light(_) => String::new(),
         };
         let value = value.unwrap_or_else(|| "the look's own value".to_owned());
-        let weight = session.key_weights(set).get(index).copied().unwrap_or(0.0);
+        let weight = session.keys().key_weights(set).get(index).copied().unwrap_or(0.0);
         ui.label(format!(
             "{value} at key {}{place}, which counts {:.0}% now.",
             index + 1,

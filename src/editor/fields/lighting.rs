@@ -51,15 +51,29 @@ impl Change {
     }
 
     /// The edit as part of the step that goes on for as long as the same widget is held.
-    pub(crate) fn held(self, hand: egui::Id) -> Command {
+    pub(crate) fn held(self, widget: egui::Id) -> Command {
         match self {
-            Self::Look(edit) => Command::EditHeld(hand, edit),
-            Self::Scene(edit) => Command::Scene(SceneCommand::EditHeld(hand, edit)),
+            Self::Look(edit) => Command::EditHeld(widget, edit),
+            Self::Scene(edit) => Command::Scene(SceneCommand::EditHeld(widget, edit)),
         }
     }
 }
 
 impl Owner {
+    /// Lights of the look, or those of the scene, if there is one.
+    pub(crate) fn lights(self, session: &Session) -> Option<&IndexMap<LightId, Light>> {
+        match self {
+            Self::Look => Some(&session.look().lights),
+            Self::Scene => session.open_scene().map(|open_scene| &open_scene.scene().lights),
+        }
+    }
+
+    /// An id that no other light of the same document has.
+    pub(crate) fn free_id(self, session: &Session, base: &str) -> LightId {
+        let lights = self.lights(session);
+        LightId::new(make_slug(base, |slug| lights.is_some_and(|lights| lights.contains_key(slug))))
+    }
+
     /// Adds a light under a free id.
     pub(crate) fn add(self, id: LightId, light: Light, index: Option<usize>) -> Change {
         match self {
@@ -70,6 +84,12 @@ impl Owner {
 }
 
 impl<'s> OwnedLight<'s> {
+    /// The light that lights the look under an id: the scene's, where it has one.
+    pub(crate) fn lighting(session: &'s Session, id: &'s LightId) -> Option<Self> {
+        let of = |owner: Owner| Some(Self { owner, id, light: owner.lights(session)?.get(id)? });
+        of(Owner::Scene).or_else(|| of(Owner::Look))
+    }
+
     /// Display name of the light.
     pub(crate) fn name(&self) -> &'s str {
         light_name(self.id, self.light)
@@ -91,8 +111,8 @@ impl<'s> OwnedLight<'s> {
         }
         for field in LightField::ALL {
             let target = self.target(field.name());
-            if session.keyed_by(&target) != KeyedBy::Nothing
-                && let Some(value) = session.value_at(&target)
+            if session.keys().keyed_by(&target) != KeyedBy::Nothing
+                && let Some(value) = session.keys().value_at(&target)
             {
                 set_light_field(&mut shown, field.name(), &value);
             }
@@ -115,7 +135,7 @@ impl<'s> OwnedLight<'s> {
         let fields: Vec<LightField> = LightField::ALL.into_iter().filter(differs).collect();
         if (new.kind, new.space) == (old.kind, old.space) && !fields.is_empty() {
             let values = fields.iter().map(|field| (self.target(field.name()), field.get(new)));
-            return Change::Look(session.set_all_at(values));
+            return Change::Look(session.keys().set_all_at(values));
         }
         self.set(Light { kind: new.kind, space: new.space, ..self.light.clone() })
     }
@@ -147,15 +167,15 @@ impl<'s> OwnedLight<'s> {
         let base =
             self.id.as_str().trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
         let base = if base.is_empty() { self.id.as_str() } else { base };
-        let index = session.lights_of(self.owner).and_then(|lights| lights.get_index_of(self.id));
-        self.owner.add(session.free_light(self.owner, base), light, index.map(|index| index + 1))
+        let index = self.owner.lights(session).and_then(|lights| lights.get_index_of(self.id));
+        self.owner.add(self.owner.free_id(session, base), light, index.map(|index| index + 1))
     }
 
     /// Lets a scene's light stand in place of another light of the looks. `None` for a light of a
     /// look.
     pub(crate) fn stand_in_for(&self, session: &Session, id: &LightId) -> Option<Change> {
-        let index = session
-            .lights_of(Owner::Scene)
+        let index = Owner::Scene
+            .lights(session)
             .filter(|_| self.owner == Owner::Scene)?
             .get_index_of(self.id);
         let edits = vec![
@@ -166,56 +186,39 @@ impl<'s> OwnedLight<'s> {
     }
 }
 
-impl Session {
-    /// Lights of the look, or those of the scene, if there is one.
-    pub(crate) fn lights_of(&self, owner: Owner) -> Option<&IndexMap<LightId, Light>> {
-        match owner {
-            Owner::Look => Some(&self.look().lights),
-            Owner::Scene => self.stage().map(|stage| &stage.scene().lights),
+/// The edit that sets a field of the look's light in view: at a key of the look, or else in the
+/// document that the light belongs to.
+pub(crate) fn set_light_at(session: &Session, id: &LightId, field: &str, value: Value) -> Change {
+    let target = Target::Light { light: id.clone(), field: field.to_owned() };
+    match session
+        .keys()
+        .light_of_scene(id)
+        .filter(|_| session.keys().keyed_by(&target) == KeyedBy::Nothing)
+    {
+        Some(light) => {
+            let mut light = light.clone();
+            set_light_field(&mut light, field, &value);
+            Change::Scene(SceneEdit::SetLight { id: id.clone(), light })
         }
+        None => Change::Look(session.keys().set_at(&target, value)),
     }
+}
 
-    /// The light that lights the look under an id: the scene's, where it has one.
-    pub(crate) fn lamp<'s>(&'s self, id: &'s LightId) -> Option<OwnedLight<'s>> {
-        let lamp = |owner| Some(OwnedLight { owner, id, light: self.lights_of(owner)?.get(id)? });
-        lamp(Owner::Scene).or_else(|| lamp(Owner::Look))
-    }
-
-    /// An id that no other light of the same document has.
-    pub(crate) fn free_light(&self, owner: Owner, base: &str) -> LightId {
-        let lights = self.lights_of(owner);
-        LightId::new(make_slug(base, |slug| lights.is_some_and(|lights| lights.contains_key(slug))))
-    }
-
-    /// The edit that sets a field of the look's light in view: at a key of the look, or else in the
-    /// document that the light belongs to.
-    pub(crate) fn set_light_at(&self, id: &LightId, field: &str, value: Value) -> Change {
-        let target = Target::Light { light: id.clone(), field: field.to_owned() };
-        match self.light_of_scene(id).filter(|_| self.keyed_by(&target) == KeyedBy::Nothing) {
-            Some(light) => {
-                let mut light = light.clone();
-                set_light_field(&mut light, field, &value);
-                Change::Scene(SceneEdit::SetLight { id: id.clone(), light })
-            }
-            None => Change::Look(self.set_at(&target, value)),
+/// Lights that a light of the scene can stand in for: those of the open look and of all others
+/// in the scene, by id.
+pub(crate) fn lights_of_looks(session: &Session) -> IndexMap<LightId, SharedLight> {
+    let mut found: IndexMap<LightId, SharedLight> = IndexMap::new();
+    let mut count = |look: &Look| {
+        for (id, light) in &look.lights {
+            let fresh = || SharedLight { looks: 0, light: light.clone() };
+            found.entry(id.clone()).or_insert_with(fresh).looks += 1;
         }
-    }
-
-    /// Lights that a light of the scene can stand in for: those of the open look and of all others
-    /// in the scene, by id.
-    pub(crate) fn lights_of_looks(&self) -> IndexMap<LightId, SharedLight> {
-        let mut found: IndexMap<LightId, SharedLight> = IndexMap::new();
-        let mut count = |look: &Look| {
-            for (id, light) in &look.lights {
-                let fresh = || SharedLight { looks: 0, light: light.clone() };
-                found.entry(id.clone()).or_insert_with(fresh).looks += 1;
-            }
-        };
-        count(self.look());
-        self.stage()
-            .into_iter()
-            .flat_map(|stage| stage.staged().other_looks())
-            .for_each(|look| count(&look.look));
-        found
-    }
+    };
+    count(session.look());
+    session
+        .open_scene()
+        .into_iter()
+        .flat_map(|open_scene| open_scene.snapshot().other_looks())
+        .for_each(|look| count(&look.look));
+    found
 }

@@ -13,10 +13,10 @@ use crate::widgets::theme;
 /// Shows the mark of a target, to be pressed.
 pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) -> Response {
     let colors = theme::of(ui);
-    let (fill, edge) = match session.keyed_by(target) {
+    let (fill, edge) = match session.keys().keyed_by(target) {
         KeyedBy::Nothing => (Color32::TRANSPARENT, colors.dim.gamma_multiply(0.7)),
         KeyedBy::Direction(set) => {
-            let key = session.key_at(set);
+            let key = session.keys().key_at(set);
             (colors.hue(key), colors.hue(key))
         }
         KeyedBy::Time(track) => {
@@ -40,7 +40,7 @@ pub(crate) fn of(ui: &mut Ui, session: &Session, target: &Target, name: &str) ->
 
 /// Explanation of what moves a target.
 pub(crate) fn help(session: &Session, target: &Target) -> String {
-    match session.keyed_by(target) {
+    match session.keys().keyed_by(target) {
         KeyedBy::Nothing => {
             "Nothing moves this value. Press to key it by a direction or in time.".to_owned()
         }
@@ -51,7 +51,7 @@ pub(crate) fn help(session: &Session, target: &Target) -> String {
                 .get(set)
                 .map(|keys| keys.name.as_str())
                 .unwrap_or_default();
-            let key = session.key_at(set) + 1;
+            let key = session.keys().key_at(set) + 1;
             format!("Moved by the direction keys \"{name}\": this is its value at key {key}.")
         }
         KeyedBy::Time(_) => {

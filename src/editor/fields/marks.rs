@@ -7,7 +7,7 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 use super::row;
 use crate::commands::{Command, PanelId};
 use crate::document::{Edit, Exposed, KeyDirection, Target};
-use crate::fields::{mark, still_wires};
+use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
 use crate::state::keying::{KeyedBy, changes_in_time, has_between};
@@ -25,7 +25,8 @@ pub(crate) struct FieldTarget<'a> {
 
 impl FieldTarget<'_> {
     fn can_be_keyed(&self) -> bool {
-        changes_in_time(self.ty) && self.session.own_value(&self.target).is_some()
+        changes_in_time(self.ty)
+            && self.session.look_with_library().own_value(&self.target).is_some()
     }
 
     /// Index of the value's exposed parameter.
@@ -36,7 +37,7 @@ impl FieldTarget<'_> {
     /// Lines that are added to the value's help.
     pub(crate) fn help(&self) -> String {
         let mut lines = Vec::new();
-        if self.session.keyed_by(&self.target) != KeyedBy::Nothing {
+        if self.session.keys().keyed_by(&self.target) != KeyedBy::Nothing {
             lines.push(mark::help(self.session, &self.target));
         }
         if let Some(exposed) =
@@ -73,15 +74,15 @@ pub(crate) fn menu(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>
         if has_between(marked.ty) {
             keys_by_direction(ui, marked, out);
         }
-        let is_keyed = marked.session.keyed_by(&marked.target) != KeyedBy::Nothing;
+        let is_keyed = marked.session.keys().keyed_by(&marked.target) != KeyedBy::Nothing;
         let help = "No keys move it any more; it keeps the value that it has now";
         if is_keyed && ui.button("Remove its keys").on_hover_text(help).clicked() {
-            out.push(Command::Edit(marked.session.unkey(&marked.target)));
+            out.push(Command::Edit(marked.session.keys().unkey(&marked.target)));
         }
         ui.separator();
     }
     match marked.exposed() {
-        None if marked.session.own_value(&marked.target).is_none() => {
+        None if marked.session.look_with_library().own_value(&marked.target).is_none() => {
             ui.label(RichText::new("Set a value to key or expose it.").color(theme::of(ui).dim));
         }
         None => {
@@ -109,7 +110,7 @@ fn keys_in_time(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Command>) {
     let help =
         "A key at the playhead with the value of now; setting it at another time adds another key";
     if ui.button(text).on_hover_text(help).clicked() {
-        out.extend(marked.session.key_in_time(&marked.target).map(Command::Edit));
+        out.extend(marked.session.keys().key_in_time(&marked.target).map(Command::Edit));
         out.push(Command::ShowPanel(PanelId::TIMELINE));
     }
 }
@@ -121,15 +122,16 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
         let has_it = set.keys.iter().any(|key| key.values.contains_key(&marked.target));
         let help = "Has its present value at every key of this set, until you change it at one";
         if !has_it && ui.button(format!("Key in \"{}\"", set.name)).on_hover_text(help).clicked() {
-            out.extend(session.key_in_set(index, &marked.target).map(Command::Edit));
+            out.extend(session.keys().key_in_set(index, &marked.target).map(Command::Edit));
             out.push(Command::ShowPanel(PanelId::KEYS));
         }
     }
     let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
-    let drivers = session.drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
+    let drivers =
+        session.keys().drivers().into_iter().map(|driver| KeyDirection::Drivers(vec![driver]));
     let mut begin = |ui: &mut Ui, text: String, by: KeyDirection| {
         if ui.button(text).on_hover_text("Begins keys with one where that is now").clicked() {
-            out.push(Command::Edit(session.new_set(by, Some(&marked.target))));
+            out.push(Command::Edit(session.keys().new_set(by, Some(&marked.target))));
             out.push(Command::SelectKey(Some((sets.len(), 0))));
             out.push(Command::ShowPanel(PanelId::KEYS));
         }
@@ -138,18 +140,18 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
         let text = match &by {
             KeyDirection::Drivers(drivers) => {
                 let names: Vec<String> =
-                    drivers.iter().map(|driver| session.driver_name(driver)).collect();
+                    drivers.iter().map(|driver| session.keys().driver_name(driver)).collect();
                 format!("New keys by: {}", names.join(", "))
             }
             KeyDirection::Light(id) => {
-                format!("New keys by the light \"{}\"", session.light_name(id))
+                format!("New keys by the light \"{}\"", session.look_with_library().light_name(id))
             }
             KeyDirection::View => "New keys by the view".to_owned(),
         };
         begin(ui, text, by);
     }
-    let [wires, still] = session.wires(std::slice::from_ref(&marked.target));
-    if wires.is_empty() && still.is_empty() {
+    let [wires, constant] = session.keys().wires(std::slice::from_ref(&marked.target));
+    if wires.is_empty() && constant.is_empty() {
         return;
     }
     let help = "What is the same all over the object may decide: an exposed or keyed value, the \
@@ -158,22 +160,22 @@ fn keys_by_direction(ui: &mut Ui, marked: &FieldTarget<'_>, out: &mut Vec<Comman
     let menu = ui.menu_button("New keys by a wire…", |ui| {
         ScrollArea::vertical().max_height(360.0).show(ui, |ui| {
             for driver in wires {
-                begin(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+                begin(ui, session.keys().driver_name(&driver), KeyDirection::Drivers(vec![driver]));
             }
         });
-        still_wires::note(ui, session, &still);
+        constant_wires::note(ui, session, &constant);
     });
     menu.response.on_hover_text(help);
 }
 
 fn expose(marked: &FieldTarget<'_>) -> Edit {
     let session = marked.session;
-    let [owner, what] = session.names_of(&marked.target);
+    let [owner, what] = session.look_with_library().names_of(&marked.target);
     let is_taken =
         |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
     let name = PortName::new(make_slug(&format!("{owner} {what}"), is_taken));
     let exposed = Exposed { name, target: marked.target.clone(), label: String::new() };
-    session.grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
+    session.keys().grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
 }
 
 /// Lists the exposed parameters whose targets `is_shown` accepts, with their names.
@@ -194,7 +196,7 @@ pub(crate) fn list(
     ui.label(RichText::new("Exposed parameters").strong()).on_hover_text(help);
     for (index, exposed) in shown {
         ui.push_id(index, |ui| {
-            let [owner, what] = session.names_of(&exposed.target);
+            let [owner, what] = session.look_with_library().names_of(&exposed.target);
             let called = format!("{owner}: {what}");
             row::labelled(
                 ui,

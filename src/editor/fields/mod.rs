@@ -1,12 +1,12 @@
 //! Rows that each change one value of a document, with their marks: keys, drivers, exposed
 //! parameters.
 
+pub(crate) mod constant_wires;
 pub(crate) mod keyed;
 pub(crate) mod lighting;
 pub(crate) mod mark;
 pub(crate) mod marks;
 pub(crate) mod row;
-pub(crate) mod still_wires;
 
 use crate::catalog::Kind;
 use crate::document::Node;

@@ -93,9 +93,9 @@ pub(crate) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Ve
         if let Some(wire) = subject.session.graph().wire_into(subject.id, &port.name) {
             return wired(ui, subject, port, wire, out);
         }
-        let target = subject.session.target(subject.id, &port.name);
-        let is_keyed = subject.session.keyed_by(&target) != KeyedBy::Nothing;
-        let keyed = is_keyed.then(|| subject.session.value_at(&target)).flatten();
+        let target = subject.session.selection.target(subject.id, &port.name);
+        let is_keyed = subject.session.keys().keyed_by(&target) != KeyedBy::Nothing;
+        let keyed = is_keyed.then(|| subject.session.keys().value_at(&target)).flatten();
         let own = subject.node.values.get(&port.name);
         let shown = keyed.as_ref().or(own);
         match port.ty {
@@ -181,7 +181,9 @@ fn alike<'a>(
 
 /// True if the selected nodes have different values here.
 fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
-    let value = |id: &NodeId| subject.session.value_at(&subject.session.target(id, &port.name));
+    let value = |id: &NodeId| {
+        subject.session.keys().value_at(&subject.session.selection.target(id, &port.name))
+    };
     let own = value(subject.id);
     alike(subject, port).any(|(id, _)| value(id) != own)
 }
@@ -192,7 +194,7 @@ fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
     let clears =
         with_own.filter(|(_, node)| node.values.contains_key(&port.name)).map(|(id, _)| {
             Edit::ClearValue {
-                graph: subject.session.graph_id().clone(),
+                graph: subject.session.selection.graph_id().clone(),
                 id: id.clone(),
                 port: port.name.clone(),
             }
@@ -204,12 +206,12 @@ fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
 /// Sets a value of all selected nodes that have it, each in view: at its key, or the node's own.
 fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
     let session = subject.session;
-    let target = session.target(subject.id, &port.name);
+    let target = session.selection.target(subject.id, &port.name);
     let others: Vec<_> =
-        alike(subject, port).map(|(id, _)| session.target(id, &port.name)).collect();
+        alike(subject, port).map(|(id, _)| session.selection.target(id, &port.name)).collect();
     let edit = match others.is_empty() {
-        true => session.set_at(&target, value),
-        false => session.set_all_at(
+        true => session.keys().set_at(&target, value),
+        false => session.keys().set_all_at(
             std::iter::once(target).chain(others).map(|target| (target, value.clone())),
         ),
     };
@@ -233,7 +235,7 @@ fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut
         }
         if ui.small_button("Unwire").on_hover_text("Removes the wire").clicked() {
             out.push(Command::Edit(Edit::RemoveWire {
-                graph: subject.session.graph_id().clone(),
+                graph: subject.session.selection.graph_id().clone(),
                 wire: wire.clone(),
             }));
         }
@@ -254,7 +256,7 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
     let is_read = matches!(port.fallback, Fallback::Context(_) | Fallback::Same(_));
     if is_own && is_read && default_button(ui) {
         let edit = Edit::ClearValue {
-            graph: subject.session.graph_id().clone(),
+            graph: subject.session.selection.graph_id().clone(),
             id: subject.id.clone(),
             port: port.name.clone(),
         };
@@ -291,7 +293,7 @@ fn paint_button(
         out.push(Command::Paint(PaintCommand::Open { path: name.into(), keeps_look: true }));
     } else if name != UNSAVED_HCBTF {
         out.push(Command::Paint(PaintCommand::Open {
-            path: subject.session.folder().join(name),
+            path: subject.session.look.folder().join(name),
             keeps_look: true,
         }));
     } else {

@@ -9,6 +9,7 @@ use eframe::egui::{
 
 use crate::document::{Address, Tile};
 use crate::state::painting::work::OpenPainting;
+use crate::state::revision::PaintingRevision;
 use crate::widgets::rows::fitted;
 
 /// Side of a thumbnail, in texels.
@@ -28,16 +29,16 @@ pub(super) struct Atlas {
     /// slot is free.
     tiles: Vec<Option<Arc<Tile>>>,
     texture: Option<TextureHandle>,
-    version: u64,
+    revision: PaintingRevision,
 }
 
 impl Atlas {
     /// Brings the thumbnails up to date; a stroke under way is shown once it is done.
     pub(super) fn update(&mut self, ctx: &Context, work: &OpenPainting, is_painting: bool) {
-        if self.version == work.version() || is_painting {
+        if self.revision == work.revision() || is_painting {
             return;
         }
-        self.version = work.version();
+        self.revision = work.revision();
         let mut shown: HashMap<*const Tile, &Arc<Tile>> = HashMap::new();
         for tile in work.grid().addresses().take(MOST).filter_map(|address| work.tile(address)) {
             shown.insert(Arc::as_ptr(tile), tile);

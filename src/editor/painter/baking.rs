@@ -48,11 +48,12 @@ impl BakeDialog {
         let setup = setup(session);
         let light = moving_light(&setup, self.light.as_ref().map(AsRef::as_ref))
             .map_err(|why| sentence(&why))?;
-        let still = session.snapshot();
+        let snapshot = session.snapshot();
         Ok(MakeRequest::Bake(Box::new(Bake {
             setup,
-            library: still.library,
-            painting: still.painting,
+            library: snapshot.library,
+            painting: snapshot.painting,
+            assets: still.assets,
             grid: self.grid,
             light,
             to,
@@ -64,8 +65,8 @@ impl BakeDialog {
 fn setup(session: &Session) -> SetupLook {
     SetupLook {
         look: session.look().clone(),
-        source: session.source().clone(),
-        folder: session.folder(),
+        source: session.look.file.source.clone(),
+        folder: session.look.folder(),
     }
 }
 
@@ -151,18 +152,19 @@ fn before_baking(
     grid: &Grid,
     light: &LightId,
 ) {
-    let painting = session.painting().map(OpenPainting::version);
+    let painting = session.painting().map(OpenPainting::revision);
     let of = PreviewInputs {
-        look: (session.document_number(), session.meaning(), painting),
+        look: (session.revisions().document, session.revisions().meaning, painting),
         size: grid.size,
         light: light.clone(),
     };
     let job = || {
-        let still = session.snapshot();
+        let snapshot = session.snapshot();
         preview::PreviewRequest {
             setup: setup(session),
-            library: still.library,
-            painting: still.painting,
+            library: snapshot.library,
+            painting: snapshot.painting,
+            assets: still.assets,
         }
     };
     let made = preview.of(&of, job).map(|made| match made {

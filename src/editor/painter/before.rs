@@ -14,7 +14,7 @@ pub(crate) struct ViewBefore {
 impl ViewBefore {
     /// Keeps the view that the square is about to replace.
     pub(crate) fn keep(&mut self, session: &Session) {
-        if session.stage().is_none() && !lies_flat(&session.view.orbit) {
+        if session.open_scene().is_none() && !lies_flat(&session.view.orbit) {
             self.view = Some(session.view.orbit.clone());
         }
     }
@@ -29,7 +29,7 @@ impl ViewBefore {
 
     /// View to restore, once the open look shows no painting.
     pub(crate) fn given_back(&mut self, session: &Session) -> Option<Orbit> {
-        let is_due = session.stage().is_none() && lies_flat(&session.view.orbit);
+        let is_due = session.open_scene().is_none() && lies_flat(&session.view.orbit);
         is_due.then(|| self.view.take()).flatten()
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::moves;
 use crate::document::{Address, Direction, Directions};
-use crate::state::painting::work::{OpenPainting, State};
+use crate::state::painting::work::{OpenPainting, SampleState};
 use crate::widgets::theme;
 
 /// Distance of the rim from the edge of the widget, in points.
@@ -132,7 +132,7 @@ fn dots(
     for direction in directions.distinct() {
         let place = screen(moves::place(directions, direction));
         match work.state(of(direction)) {
-            State::Painted => drop(ui.painter().circle_filled(place, 3.2, ink)),
+            SampleState::Painted => drop(ui.painter().circle_filled(place, 3.2, ink)),
             _ => drop(ui.painter().circle_filled(place, 1.4, ink.gamma_multiply(0.6))),
         }
     }

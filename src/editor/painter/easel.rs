@@ -9,13 +9,13 @@ use eframe::egui::{
     vec2,
 };
 
-use super::hand::{self, TileGesture};
+use super::pointer::{self, TileGesture};
 use super::textures::TileTexture;
 use super::tilt::Tilt;
 use super::tools::Tools;
 use super::{arrows, moves};
 use crate::commands::keyboard;
-use crate::commands::table::{self, Place};
+use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, Heading, PaintTool};
 use crate::document::{Address, HcbtfAngle};
 use crate::state::painting::work::OpenPainting;
@@ -126,7 +126,7 @@ impl Easel {
         self.scene = Some(EaselScene { room, pointer, peek });
         match peek {
             Some(_) => Vec::new(),
-            None => hand::paint(ui, &response, &tilt, &mut self.going, tools, work),
+            None => pointer::paint(ui, &response, &tilt, &mut self.going, tools, work),
         }
     }
 
@@ -287,7 +287,7 @@ impl Easel {
     pub(super) fn keys(&self, ui: &Ui) -> Vec<Command> {
         let is_free =
             self.has_pointer && !keyboard::is_keyboard_taken(ui.ctx()) && self.going.is_none();
-        if is_free { table::pressed(ui, Place::Painting) } else { Vec::new() }
+        if is_free { table::pressed(ui, KeyScope::Painting) } else { Vec::new() }
     }
 }
 

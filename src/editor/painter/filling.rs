@@ -10,18 +10,19 @@ use crate::hcbtf::fill::{fill, refill, sample};
 use crate::hcbtf::{Device, FilledSamples, NotFilled};
 use crate::progress::Progress;
 use crate::state::painting::work::OpenPainting;
+use crate::state::revision::PaintingNumber;
 use crate::state::worker::Worker;
 
 struct FillRequest {
     hcbtf: Arc<Hcbtf>,
-    number: u64,
+    number: PaintingNumber,
     progress: Progress,
 }
 
 struct FillResult {
     /// HCBTF that was filled.
     of: Arc<Hcbtf>,
-    number: u64,
+    number: PaintingNumber,
     filled: Result<Arc<FilledSamples>, NotFilled>,
 }
 
@@ -56,20 +57,20 @@ impl Filling {
         // reference is weak: the result lives as long as it is shown.
         let mut before: (Arc<Hcbtf>, Weak<FilledSamples>) =
             (Arc::new(Hcbtf::new(Grid::THESIS)), Weak::new());
-        let work = move |wish: FillRequest| {
+        let work = move |request: FillRequest| {
             let filled = match before.1.upgrade() {
-                Some(filled) => refill(&wish.hcbtf, (&before.0, &filled), &wish.progress),
-                None => fill(&wish.hcbtf, &wish.progress),
+                Some(filled) => refill(&request.hcbtf, (&before.0, &filled), &request.progress),
+                None => fill(&request.hcbtf, &request.progress),
             };
             let filled = filled.map(Arc::new);
             if let Ok(filled) = &filled {
-                before = (wish.hcbtf.clone(), Arc::downgrade(filled));
+                before = (request.hcbtf.clone(), Arc::downgrade(filled));
             }
-            FillResult { of: wish.hcbtf, number: wish.number, filled }
+            FillResult { of: request.hcbtf, number: request.number, filled }
         };
-        let ahead = |(wish, address): (FillRequest, Address)| {
-            let tile = sample(&wish.hcbtf, address, &wish.progress).ok().flatten();
-            SampleResult { of: wish.hcbtf, address, tile }
+        let ahead = |(request, address): (FillRequest, Address)| {
+            let tile = sample(&request.hcbtf, address, &request.progress).ok().flatten();
+            SampleResult { of: request.hcbtf, address, tile }
         };
         Self {
             worker: Worker::new("filling", wake.clone(), work),
@@ -115,8 +116,8 @@ impl Filling {
             }
             self.asked = Some(work.shown().clone());
             self.progress = Progress::new();
-            let wish = wish(work, &self.progress);
-            self.worker.request(|_| wish);
+            let request = fill_request(work, &self.progress);
+            self.worker.request(|_| request);
         }
         self.ask_ahead(work);
         is_new
@@ -139,8 +140,8 @@ impl Filling {
         }
         self.asked_ahead = Some((shown.clone(), at));
         self.progress_ahead = Progress::new();
-        let wish = (wish(work, &self.progress_ahead), at);
-        self.ahead.request(|_| wish);
+        let request = (fill_request(work, &self.progress_ahead), at);
+        self.ahead.request(|_| request);
     }
 
     fn take_ahead(&self, work: &mut OpenPainting) -> bool {
@@ -183,7 +184,7 @@ impl Drop for Filling {
     }
 }
 
-fn wish(work: &OpenPainting, progress: &Progress) -> FillRequest {
+fn fill_request(work: &OpenPainting, progress: &Progress) -> FillRequest {
     FillRequest { hcbtf: work.shown().clone(), number: work.number(), progress: progress.clone() }
 }
 
@@ -191,6 +192,7 @@ fn wish(work: &OpenPainting, progress: &Progress) -> FillRequest {
 mod tests {
     use super::*;
     use crate::document::{Directions, HcbtfEdit, History, Rule, Strokes};
+    use crate::state::revision::StepTime;
 
     #[test]
     fn the_sample_at_work_is_there_before_all_others_are() {
@@ -220,7 +222,7 @@ mod tests {
         // The effect of another rule is seen at once as well.
         let before = work.tile(Address::default()).cloned();
         let rule = Rule::Strokes(Box::new(Strokes::preset("Pencil")));
-        work.apply(HcbtfEdit::SetRule { index: 0, rule }, None, 0).unwrap();
+        work.apply(HcbtfEdit::SetRule { index: 0, rule }, None, StepTime::default()).unwrap();
         filling.tick(&mut work, &Device::guaranteed());
         filling.ahead.wait();
         assert!(filling.take_ahead(&mut work));

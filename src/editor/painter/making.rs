@@ -12,13 +12,14 @@ use crate::commands::PictureImport;
 use crate::diag::{Diagnostic, Warned};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::files::write_atomic;
-use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
+use crate::frame::{AssetStore, Assets, Overlay, SetupLook, tile_assets};
 use crate::hcbtf::fill::{fill, sample};
 use crate::hcbtf::{FilledSamples, Synthesis, synthesize_filled, write};
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::bake_look;
+use crate::state::revision::RequestNumber;
 use crate::state::worker::Worker;
 use crate::widgets::theme;
 
@@ -47,6 +48,8 @@ pub(super) struct Bake {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
     pub(super) painting: Option<Overlay>,
+    /// Assets that all pictures of the window share.
+    pub(super) assets: AssetStore,
     pub(super) grid: Grid,
     pub(super) light: LightId,
     pub(super) to: PathBuf,
@@ -72,58 +75,62 @@ pub(crate) enum MadePainting {
     },
 }
 
-/// Progress of the two stages: of preparing the sources, then of making the HCBTF.
-type Stages = [Progress; 2];
+/// Progress of the two steps: of preparing the sources, then of making the HCBTF.
+type StepProgress = [Progress; 2];
 
 struct Task {
     job: MakeRequest,
-    stages: Stages,
-    number: u64,
+    steps: StepProgress,
+    number: RequestNumber,
 }
 
 /// Work under way.
 struct MakeProgress {
     title: String,
-    stages: Stages,
+    steps: StepProgress,
     /// True if the window waits for the result, behind a dialog.
     is_waited_for: bool,
     since: Clock,
 }
 
 /// Thread that makes HCBTFs, and its work under way.
-pub(super) struct Making {
-    worker: Worker<Task, (u64, MadePainting)>,
-    number: u64,
+pub(super) struct HcbtfWorker {
+    worker: Worker<Task, (RequestNumber, MadePainting)>,
+    number: RequestNumber,
     going: Option<MakeProgress>,
 }
 
-impl Making {
+impl HcbtfWorker {
     /// `wake` is called from another thread when an HCBTF is made.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let work = |task: Task| (task.number, task.job.done(&task.stages));
-        Self { worker: Worker::new("making an HCBTF", wake, work), number: 0, going: None }
+        let work = |task: Task| (task.number, task.job.done(&task.steps));
+        Self {
+            worker: Worker::new("making an HCBTF", wake, work),
+            number: RequestNumber::default(),
+            going: None,
+        }
     }
 
     /// Begins a job, in place of the one under way.
     pub(super) fn begin(&mut self, job: MakeRequest) {
         self.stop();
-        self.number += 1;
-        let stages = Stages::default();
+        let number = self.number.advance();
+        let steps = StepProgress::default();
         let is_waited_for = !matches!(job, MakeRequest::Synthesize { .. });
         self.going = Some(MakeProgress {
             title: job.title(),
-            stages: stages.clone(),
+            steps: steps.clone(),
             is_waited_for,
             since: Clock::start(),
         });
-        let task = Task { job, stages, number: self.number };
+        let task = Task { job, steps, number };
         self.worker.request(|_| task);
     }
 
     /// Gives up the work under way; its result is dropped.
     pub(super) fn stop(&mut self) {
         if let Some(going) = self.going.take() {
-            going.stages.iter().for_each(Progress::stop);
+            going.steps.iter().for_each(Progress::stop);
         }
     }
 
@@ -136,15 +143,15 @@ impl Making {
 
     /// Share that is done, 0 to 1; `None` while no job is under way.
     pub(super) fn share(&self) -> Option<f64> {
-        self.going.as_ref().map(|going| stage(&going.stages).1)
+        self.going.as_ref().map(|going| step(&going.steps).1)
     }
 
     /// Shows the job that the window waits for, in a dialog in front of everything else.
     pub(super) fn show(&mut self, ui: &Ui) {
-        let Some(MakeProgress { title, stages, is_waited_for: true, since }) = &self.going else {
+        let Some(MakeProgress { title, steps, is_waited_for: true, since }) = &self.going else {
             return;
         };
-        let (what, share) = stage(stages);
+        let (what, share) = step(steps);
         let left = left(share, since.seconds());
         let modal = Modal::new(Id::unique("making")).show(ui.ctx(), |ui| {
             ui.set_width(360.0);
@@ -169,7 +176,7 @@ impl Making {
     }
 }
 
-impl Drop for Making {
+impl Drop for HcbtfWorker {
     fn drop(&mut self) {
         self.stop();
     }
@@ -200,8 +207,8 @@ pub(super) fn told_seconds(seconds: f64) -> String {
     }
 }
 
-/// Name of the stage under way, and the share of it that is done.
-fn stage([ready, made]: &Stages) -> (&'static str, f64) {
+/// Name of the step under way, and the share of it that is done.
+fn step([ready, made]: &StepProgress) -> (&'static str, f64) {
     match made.steps() {
         [_, 0] => ("Making ready what it is made of", ready.share()),
         _ => ("Making it", made.share()),
@@ -219,15 +226,15 @@ impl MakeRequest {
         }
     }
 
-    fn done(self, stages: &Stages) -> MadePainting {
+    fn done(self, steps: &StepProgress) -> MadePainting {
         match self {
             Self::Import { import, from } => {
-                MadePainting::Imported { made: import.read(&from, &stages[1]), from }
+                MadePainting::Imported { made: import.read(&from, &steps[1]), from }
             }
             Self::Synthesize { hcbtf, filled, how, at } => {
-                MadePainting::Tile { made: tile(&hcbtf, filled, &how, at, stages) }
+                MadePainting::Tile { made: tile(&hcbtf, filled, &how, at, steps) }
             }
-            Self::Bake(bake) => MadePainting::Baked { made: bake.done(stages), to: bake.to },
+            Self::Bake(bake) => MadePainting::Baked { made: bake.done(steps), to: bake.to },
         }
     }
 }
@@ -237,7 +244,7 @@ fn tile(
     filled: Option<Arc<FilledSamples>>,
     how: &Synthesis,
     at: Address,
-    [ready, made]: &Stages,
+    [ready, made]: &StepProgress,
 ) -> Result<SynthesizedTile, Diagnostic> {
     let filled = filled.map_or_else(|| fill(hcbtf, ready).map(Arc::new), Ok)?;
     let made = synthesize_filled(hcbtf, &filled, how, made)?;
@@ -246,9 +253,9 @@ fn tile(
 }
 
 impl Bake {
-    fn done(&self, [ready, made]: &Stages) -> Result<usize, Vec<Diagnostic>> {
-        let Self { setup, library, painting, grid, light, to } = self;
-        let mut assets = Assets::default();
+    fn done(&self, [ready, made]: &StepProgress) -> Result<usize, Vec<Diagnostic>> {
+        let Self { setup, library, painting, assets, grid, light, to } = self;
+        let mut assets = Assets::of(assets);
         assets.overlay(painting.clone());
         let assets = tile_assets(setup, library, light, assets, ready)?;
         let hcbtf = bake_look(setup, library, *grid, light, &assets, made)?;
@@ -275,7 +282,7 @@ mod tests {
 
     #[test]
     fn what_was_given_up_never_comes_and_the_next_one_does() {
-        let mut making = Making::new(|| {});
+        let mut making = HcbtfWorker::new(|| {});
         let import =
             || MakeRequest::Import { import: PictureImport::default(), from: "nowhere".into() };
         making.begin(import());

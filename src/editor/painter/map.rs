@@ -13,7 +13,7 @@ use super::list::copy_to;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Directions, HcbtfEdit};
 use crate::hcbtf::Provenance;
-use crate::state::painting::work::{OpenPainting, State};
+use crate::state::painting::work::{OpenPainting, SampleState};
 use crate::widgets::theme;
 
 /// Gap between rings, in points.
@@ -105,7 +105,7 @@ impl Map {
                 (self.laid, self.grid) = (Some((origin, side)), Some(grid));
                 heads(ui, work, rect, origin, side);
                 cells(ui, work, atlas, origin, side);
-                self.hand(ui, &response, work, peek, out);
+                self.point(ui, &response, work, peek, out);
             },
         );
     }
@@ -119,7 +119,7 @@ impl Map {
         grid.contains(address).then(|| Rect::from_min_size(origin + by, vec2(side, side)))
     }
 
-    fn hand(
+    fn point(
         &mut self,
         ui: &Ui,
         response: &Response,
@@ -160,9 +160,9 @@ impl Map {
         }
         if let Some(address) = hovered {
             let state = match work.state(address) {
-                State::Painted => "painted".to_owned(),
-                State::Filled(rule) => format!("filled by rule {}", rule + 1),
-                State::Empty => "empty: no rule fills it".to_owned(),
+                SampleState::Painted => "painted".to_owned(),
+                SampleState::Filled(rule) => format!("filled by rule {}", rule + 1),
+                SampleState::Empty => "empty: no rule fills it".to_owned(),
             };
             let name = name_of(work, address);
             let help = "Click: work here · Shift-click: copy it to the sample at work · hold Alt: \
@@ -183,7 +183,7 @@ fn menu(ui: &mut Ui, work: &OpenPainting, address: Address, out: &mut Vec<Comman
     if ui.button("Copy the sample at work to here").clicked() {
         out.extend(copy_to(work, work.at(), address));
     }
-    let is_painted = work.state(address) == State::Painted;
+    let is_painted = work.state(address) == SampleState::Painted;
     if ui
         .add_enabled(is_painted, eframe::egui::Button::new("Delete what is painted here"))
         .clicked()
@@ -269,14 +269,17 @@ fn cells(ui: &Ui, work: &OpenPainting, atlas: &Atlas, origin: Pos2, side: f32) {
             let state = work.state(address);
             let inner = cell.shrink(if side > 8.0 { 1.0 } else { 0.5 });
             match state {
-                State::Empty => {
+                SampleState::Empty => {
                     painter.circle_filled(cell.center(), (side * 0.1).max(0.6), colors.dim);
                 }
-                State::Painted | State::Filled(_) if side >= PICTURE => {
-                    let picture =
-                        if state == State::Painted { inner } else { inner.shrink(side * 0.1) };
+                SampleState::Painted | SampleState::Filled(_) if side >= PICTURE => {
+                    let picture = if state == SampleState::Painted {
+                        inner
+                    } else {
+                        inner.shrink(side * 0.1)
+                    };
                     atlas.paint(painter, work, address, picture);
-                    if state == State::Painted {
+                    if state == SampleState::Painted {
                         painter.rect_stroke(
                             inner,
                             0.0,
@@ -285,8 +288,8 @@ fn cells(ui: &Ui, work: &OpenPainting, atlas: &Atlas, origin: Pos2, side: f32) {
                         );
                     }
                 }
-                State::Painted => drop(painter.rect_filled(inner, 0.0, colors.accent)),
-                State::Filled(_) => {
+                SampleState::Painted => drop(painter.rect_filled(inner, 0.0, colors.accent)),
+                SampleState::Filled(_) => {
                     painter.rect_filled(
                         cell.shrink(side * 0.26),
                         0.0,

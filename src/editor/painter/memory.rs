@@ -14,15 +14,15 @@ use crate::state::worker::Worker;
 use crate::widgets::theme;
 
 /// Measured memory: the grid, the bytes of all tiles, and the need of each storage.
-pub(super) type Measured = (Grid, u64, Vec<Need>);
+pub(super) type MemoryFigures = (Grid, u64, Vec<Need>);
 
 /// Memory taken, as far as measured, and the device's limits.
 pub(super) struct Memory {
     pub(super) device: Device,
     /// Worker that measures the storages: all tiles are compared, which takes longer than a frame.
-    worker: Worker<Arc<FilledSamples>, Measured>,
+    worker: Worker<Arc<FilledSamples>, MemoryFigures>,
     asked: Weak<FilledSamples>,
-    known: Option<Measured>,
+    known: Option<MemoryFigures>,
 }
 
 impl Memory {
@@ -41,7 +41,7 @@ impl Memory {
     }
 
     /// Memory that the samples take, once measured; requests the measurement where it is missing.
-    pub(super) fn measured(&mut self, work: &OpenPainting) -> Option<&Measured> {
+    pub(super) fn measured(&mut self, work: &OpenPainting) -> Option<&MemoryFigures> {
         self.known = self.worker.answers().pop().or(self.known.take());
         let filled = work.filled().filter(|_| !work.is_live());
         if let Some(filled) = filled.filter(|filled| self.asked.as_ptr() != Arc::as_ptr(filled)) {

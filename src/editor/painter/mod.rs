@@ -18,7 +18,6 @@ mod easel;
 mod export;
 mod filling;
 mod grid;
-mod hand;
 mod icons;
 mod import;
 mod list;
@@ -26,6 +25,7 @@ mod making;
 mod map;
 mod memory;
 mod moves;
+mod pointer;
 mod preview;
 mod rules;
 mod sheet;
@@ -48,11 +48,12 @@ use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, HcbtfEdit, Storage};
 use crate::hcbtf::Device;
 use crate::hcbtf::exchange::Form;
+use crate::state::painting::PaintingUpdate;
 use crate::state::painting::work::OpenPainting;
-use crate::state::painting::work::State;
-use crate::state::painting::{PaintingUpdate, look};
+use crate::state::painting::work::SampleState;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
+use crate::state::session::painting::is_painting_shown;
 use crate::state::worker::BackgroundJobs;
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -73,7 +74,7 @@ pub struct Painting {
     memory: memory::Memory,
     /// Dialog for a grid, while it is open.
     grid: Option<grid::GridDialog>,
-    making: making::Making,
+    making: making::HcbtfWorker,
     /// Dialog for an import, while it is open; likewise the dialogs for a new tile and for a look
     /// to bake.
     import: Option<PictureImport>,
@@ -106,7 +107,7 @@ impl Painting {
             exports: export::Exports::new(wake.clone()),
             memory: memory::Memory::new(device, wake.clone()),
             preview: preview::Preview::new(wake.clone()),
-            making: making::Making::new(wake),
+            making: making::HcbtfWorker::new(wake),
             grid: None,
             import: None,
             synthesis: None,
@@ -191,7 +192,7 @@ impl Painting {
     pub(crate) fn ask(&mut self, ui: &Ui, session: &Session) -> Option<Command> {
         self.making.show(ui);
         let (work, device) = (session.painting(), &self.memory.device);
-        let is_filling = self.filling.is_busy() && look::shows(session);
+        let is_filling = self.filling.is_busy() && is_painting_shown(session);
         import::show(ui, &mut self.import)
             .or_else(|| grid::show(ui, &mut self.grid, work, device))
             .or_else(|| synthesis::show(ui, &mut self.synthesis, &mut self.making, work, device))
@@ -321,11 +322,11 @@ impl Painting {
         let at = work.at();
         ui.horizontal_wrapped(|ui| {
             let (state, color) = match work.state(at) {
-                State::Painted => ("painted".to_owned(), theme::of(ui).accent),
-                State::Filled(rule) => {
+                SampleState::Painted => ("painted".to_owned(), theme::of(ui).accent),
+                SampleState::Filled(rule) => {
                     (format!("filled by rule {}", rule + 1), theme::of(ui).second)
                 }
-                State::Empty => ("empty".to_owned(), theme::of(ui).dim),
+                SampleState::Empty => ("empty".to_owned(), theme::of(ui).dim),
             };
             let grid = work.grid();
             ui.label(format!("Light {}", moves::name(grid.light, at.light)));
@@ -334,7 +335,7 @@ impl Painting {
             let help = "A filled sample becomes painted by the first stroke, which begins from \
                         what is shown";
             ui.label(RichText::new(state).color(color)).on_hover_text(help);
-            let is_painted = work.state(at) == State::Painted;
+            let is_painted = work.state(at) == SampleState::Painted;
             let clear = ui.add_enabled(is_painted, Button::new("Delete painting").small());
             if clear.on_hover_text("Takes this painting away: the rules fill its place").clicked() {
                 out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::DeleteTile { address: at })));

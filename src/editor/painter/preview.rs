@@ -7,12 +7,12 @@ use super::textures::TileTexture;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Directions, Grid, Tile};
-use crate::frame::{Assets, Overlay, SetupLook, tile_assets};
+use crate::frame::{AssetStore, Assets, Overlay, SetupLook, tile_assets};
 use crate::ids::LightId;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::bake_look;
-use crate::state::revision::{DocumentNumber, MeaningRevision};
+use crate::state::revision::{DocumentNumber, MeaningRevision, PaintingRevision};
 use crate::state::worker::Worker;
 
 /// Largest side of a preview, in texels: it should be there at once.
@@ -24,8 +24,8 @@ const LIGHTS: Directions = Directions { theta: 3, phi: 1 };
 /// Inputs of a preview: any change makes another picture.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PreviewInputs {
-    /// Look's document, the revision of its meaning, and the version of the painting.
-    pub(super) look: (DocumentNumber, MeaningRevision, Option<u64>),
+    /// Look's document, the revision of its meaning, and that of the painting.
+    pub(super) look: (DocumentNumber, MeaningRevision, Option<PaintingRevision>),
     pub(super) size: [u32; 2],
     pub(super) light: LightId,
 }
@@ -35,6 +35,8 @@ pub(super) struct PreviewRequest {
     pub(super) setup: SetupLook,
     pub(super) library: Arc<Library>,
     pub(super) painting: Option<Overlay>,
+    /// Assets that all pictures of the window share.
+    pub(super) assets: AssetStore,
 }
 
 /// Samples seen from straight above, under a light straight above and one halfway down.
@@ -85,8 +87,8 @@ impl Preview {
             self.progress.stop();
             self.progress = Progress::new();
             self.asked = Some(of.clone());
-            let wish = (of.clone(), job(), self.progress.clone());
-            self.worker.request(|_| wish);
+            let request = (of.clone(), job(), self.progress.clone());
+            self.worker.request(|_| request);
         }
         self.done.as_ref().filter(|done| done.of == *of).map(|done| &done.made)
     }
@@ -130,8 +132,8 @@ impl PreviewRequest {
                 .next()
                 .unwrap_or_else(|| Diagnostic::error("stopped", "it was stopped"))
         };
-        let Self { setup, library, painting } = self;
-        let mut assets = Assets::default();
+        let Self { setup, library, painting, assets } = self;
+        let mut assets = Assets::of(&assets);
         assets.overlay(painting);
         let assets = tile_assets(&setup, &library, &of.light, assets, progress).map_err(first)?;
         let grid =

@@ -14,7 +14,8 @@ use super::moves;
 use crate::commands::{Command, PaintCommand};
 use crate::document::{Address, Direction, Grid};
 use crate::hcbtf::sheet::{SheetTexel, column, held, place, row, size};
-use crate::state::painting::work::{OpenPainting, State};
+use crate::state::painting::work::{OpenPainting, SampleState};
+use crate::state::revision::PaintingRevision;
 use crate::widgets::theme;
 
 /// Largest zoom, in points per texel of the sheet.
@@ -48,7 +49,7 @@ pub(super) struct Sheet {
 /// Inputs that the picture of the sheet depends on.
 #[derive(Clone, Copy, PartialEq)]
 struct SheetInputs {
-    version: u64,
+    revision: PaintingRevision,
     laid: SheetPlacement,
     pixels: [usize; 2],
 }
@@ -112,7 +113,7 @@ impl Sheet {
         let most = ui.input(|input| input.max_texture_side);
         let pixels = [room.width(), room.height()]
             .map(|side| ((f64::from(side) * scale) as usize).clamp(1, most));
-        let made = SheetInputs { version: work.version(), laid, pixels };
+        let made = SheetInputs { revision: work.revision(), laid, pixels };
         if self.made != Some(made) && !(is_painting && self.texture.is_some()) {
             let image = picture(work, &laid, pixels);
             match &mut self.texture {
@@ -340,9 +341,9 @@ fn tell(work: &OpenPainting, held: &SheetTexel) -> [String; 3] {
     let [r, g, b, a] = work.tile(address).map_or([0; 4], |tile| tile.texel(x.into(), y.into()));
     let color = format!("#{r:02x}{g:02x}{b:02x}, {:.0}%", f64::from(a) / 2.55);
     let state = match work.state(address) {
-        State::Painted => "painted".to_owned(),
-        State::Filled(rule) => format!("filled by rule {}", rule + 1),
-        State::Empty => "empty".to_owned(),
+        SampleState::Painted => "painted".to_owned(),
+        SampleState::Filled(rule) => format!("filled by rule {}", rule + 1),
+        SampleState::Empty => "empty".to_owned(),
     };
     let copy = if is_copy { ", a copy" } else { "" };
     let line = |name: &str, directions, direction: Direction| {

@@ -63,7 +63,7 @@ pub(crate) fn shown(session: &Session) -> Vec<ShownPainting> {
         ShownPainting {
             label: format!("Paint {name}"),
             help,
-            path: session.folder().join(named),
+            path: session.look.folder().join(named),
             name,
         }
     });

@@ -9,7 +9,7 @@ use eframe::egui::{
     Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::making::{MakeRequest, Making, SynthesizedTile, bar};
+use super::making::{HcbtfWorker, MakeRequest, SynthesizedTile, bar};
 use super::textures::TileTexture;
 use super::{grid, memory};
 use crate::commands::{Command, PaintCommand};
@@ -57,7 +57,7 @@ impl SynthesisDialog {
 pub(super) fn show(
     ui: &Ui,
     asked: &mut Option<SynthesisDialog>,
-    making: &mut Making,
+    making: &mut HcbtfWorker,
     work: Option<&OpenPainting>,
     device: &Device,
 ) -> Option<Command> {

@@ -9,8 +9,9 @@ use crate::commands::{Command, ViewCommand};
 use crate::state::orbit::Orbit;
 use crate::state::painting::work::OpenPainting;
 use crate::state::painting::{PaintingUpdate, look};
-use crate::state::revision::{DocumentNumber, MeaningRevision, PictureRevision};
+use crate::state::revision::{DocumentNumber, MeaningRevision, PaintingNumber, PictureRevision};
 use crate::state::session::Session;
+use crate::state::session::painting::{is_painting_shown, view_at_sample};
 
 /// Visibility of the painting, as far as known.
 #[derive(Default)]
@@ -28,22 +29,22 @@ pub(super) struct PaintingVisibility {
 #[derive(Clone, PartialEq)]
 struct VisibilityInputs {
     look: (DocumentNumber, MeaningRevision, Option<PathBuf>),
-    painting: Option<(u64, Option<PathBuf>)>,
-    stage: Option<PictureRevision>,
+    painting: Option<(PaintingNumber, Option<PathBuf>)>,
+    scene: Option<PictureRevision>,
 }
 
 impl VisibilityInputs {
     fn now(session: &Session) -> Self {
         Self {
             look: (
-                session.document_number(),
-                session.meaning(),
+                session.revisions().document,
+                session.revisions().meaning,
                 session.path().map(Path::to_path_buf),
             ),
             painting: session
                 .painting()
                 .map(|work| (work.number(), work.path().map(Path::to_path_buf))),
-            stage: session.stage_version(),
+            scene: session.scene_revision(),
         }
     }
 }
@@ -53,9 +54,9 @@ impl PaintingVisibility {
     pub(super) fn tick(&mut self, session: &Session) -> PaintingUpdate {
         let now = VisibilityInputs::now(session);
         if self.shown.as_ref().is_none_or(|(of, _)| *of != now) {
-            self.shown = Some((now, look::shows(session)));
+            self.shown = Some((now, is_painting_shown(session)));
         }
-        let number = session.document_number();
+        let number = session.revisions().document;
         let is_there = look::lies_flat(&session.view.orbit);
         self.turned_from = self.turned_from.take().filter(|(of, _)| *of == number && is_there);
         PaintingUpdate { is_shown: self.is_shown(), is_marked: self.marks && self.is_shown() }
@@ -84,14 +85,15 @@ impl PaintingVisibility {
         work: &OpenPainting,
         out: &mut Vec<Command>,
     ) {
-        if let Some(view) = look::from_here(session, work) {
+        if let Some(view) = view_at_sample(session, work) {
             let help = "Turns the picture's camera and light to where the eye and the light are \
                         that you paint for, over a \
                         flat square";
             if ui.small_button("Show in the picture").on_hover_text(help).clicked() {
                 let before = &session.view.orbit;
                 if !look::lies_flat(before) {
-                    self.turned_from = Some((session.document_number(), Box::new(before.clone())));
+                    self.turned_from =
+                        Some((session.revisions().document, Box::new(before.clone())));
                 }
                 out.push(Command::View(ViewCommand::TurnTo(Box::new(view))));
             }

@@ -22,7 +22,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     "The generated WGSL",
     PanelPlace::BELOW_PICTURE,
     |bench, ui, PanelContext { session, .. }| {
-        let is_alone = !session.solo().layers.is_empty();
+        let is_alone = !session.view.solo.layers.is_empty();
         let bar = is_alone.then(|| solo_bar::show(ui, session)).flatten();
         bench.memory.of::<Code>().show(ui, session).into_iter().chain(bar).collect()
     },
@@ -38,7 +38,7 @@ pub(crate) struct Code {
 
 impl Code {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
-        self.sync(session.baked());
+        self.sync(session.compilation().baked());
         let mut commands = Vec::new();
         let Some(shader) = self.shader.clone() else {
             ui.label(
@@ -48,7 +48,7 @@ impl Code {
             return commands;
         };
         self.head(ui, &shader, &mut commands);
-        let selected: Vec<NodeId> = session.selected().cloned().collect();
+        let selected: Vec<NodeId> = session.selection.nodes().cloned().collect();
         let mut marked = self.marked_lines(&shader, &selected);
         marked.sort_unstable();
         let jump = (self.shown_for != selected).then(|| marked.first().copied()).flatten();

@@ -33,14 +33,14 @@ pub(crate) struct History {
 impl History {
     /// Lists the steps, the first at the top; steps that were undone are dim.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
-        let labels: Vec<&str> = session.steps().collect();
-        let place = session.place();
+        let labels: Vec<&str> = session.steps().labels().collect();
+        let place = session.steps().done();
         let mut out = Vec::new();
         ui.spacing_mut().item_spacing.y = 0.0;
         let mut area = ScrollArea::vertical().auto_shrink([false, false]);
-        let is_new = self.shown != Some((session.document_number(), place));
+        let is_new = self.shown != Some((session.revisions().document, place));
         let height = ui.available_height();
-        self.shown = Some((session.document_number(), place));
+        self.shown = Some((session.revisions().document, place));
         if is_new {
             area = area.vertical_scroll_offset(((place as f32 + 1.5) * ROW - height).max(0.0));
         }

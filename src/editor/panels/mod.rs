@@ -24,7 +24,7 @@ mod thumbs;
 mod workbench;
 
 use crate::commands::PanelId;
-pub(crate) use table::{PanelContext, PanelRow, Presence, Stack};
+pub(crate) use table::{PanelContext, PanelRow, PanelStack, Presence};
 pub(crate) use workbench::Workbench;
 
 /// All panels, in the order of menus and of tabs.

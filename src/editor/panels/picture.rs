@@ -1,13 +1,13 @@
 //! Panel of the look's picture, with its tools.
 
-use super::table::{PanelPlace, PanelRow, Stack};
+use super::table::{PanelPlace, PanelRow, PanelStack};
 use crate::commands::PanelId;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::PICTURE,
     "Picture",
     "The look on a mesh: drag the lights and the camera",
-    PanelPlace { stack: Some(Stack::Picture), ..PanelPlace::CLOSED },
+    PanelPlace { stack: Some(PanelStack::Picture), ..PanelPlace::CLOSED },
     |bench, ui, context| {
         bench.viewport.show(ui, context.session, bench.picture.as_mut(), &mut bench.tools)
     },

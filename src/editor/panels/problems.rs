@@ -116,7 +116,7 @@ fn place(ui: &mut Ui, session: &Session, problem: &Diagnostic, out: &mut Vec<Com
         if let Some(port) = &problem.place.port {
             text = format!("{text}.{port}");
         }
-        let title = session.title(node);
+        let title = session.look_with_library().title(node);
         let link = ui.link(RichText::new(text).color(theme::of(ui).accent));
         if link.on_hover_text(format!("Selects {title} and brings it into view")).clicked() {
             out.push(Command::Show(path.clone()));
@@ -199,7 +199,9 @@ pub(crate) fn status(ui: &mut Ui, session: &Session) -> Option<Command> {
         ui.set_max_width(room);
         counts(ui, &problems);
         let node = first.place.node.as_ref().and_then(|path| path.outermost());
-        let node = node.map(|id| format!("{}: ", session.title(id))).unwrap_or_default();
+        let node = node
+            .map(|id| format!("{}: ", session.look_with_library().title(id)))
+            .unwrap_or_default();
         ui.add(Label::new(format!("{node}{}", plain(&first.message))).selectable(false).truncate());
     });
     let rect = shown

@@ -15,7 +15,7 @@ use super::thumbs::Thumbs;
 use crate::commands::table::{self, CommandRow};
 use crate::commands::{Command, PanelId};
 use crate::panels::{PanelContext, Workbench};
-use crate::state::safety::crashes::CrashLog;
+use crate::state::revision::SuspectsRevision;
 use crate::state::session::Session;
 use crate::widgets::rows::whole;
 use crate::widgets::theme;
@@ -43,23 +43,23 @@ const MOST_RECENT: usize = 12;
 #[derive(Default)]
 pub(crate) struct Start {
     examples: Vec<Card>,
-    recent: Vec<Recent>,
-    /// Number of changes to the record of crashes when the recent files were read.
-    crashes: u64,
+    recent: Vec<RecentFile>,
+    /// Revision of the suspects when the recent files were read.
+    suspects: SuspectsRevision,
     logo: Option<TextureHandle>,
     /// True if the page was shown in the last frame; each time it appears it begins at its top.
     is_seen: bool,
 }
 
 /// File that was opened before.
-struct Recent {
+struct RecentFile {
     path: PathBuf,
     /// Card of the file; `None` where the file is gone.
     card: Option<Card>,
 }
 
 /// Tile: a way to begin.
-struct Tile {
+struct StartTile {
     title: &'static str,
     text: &'static str,
     command: Command,
@@ -67,26 +67,26 @@ struct Tile {
     is_first: bool,
 }
 
-static TILES: [Tile; 4] = [
-    Tile {
+static TILES: [StartTile; 4] = [
+    StartTile {
         title: "Take the tour",
         text: "Your first look, from nothing, in two minutes",
         command: Command::StartTour,
         is_first: true,
     },
-    Tile {
+    StartTile {
         title: "New look",
         text: "A base and one light to begin with",
         command: Command::New,
         is_first: false,
     },
-    Tile {
+    StartTile {
         title: "Paint a surface",
         text: "A tile for every light and every side, by hand",
         command: Command::ShowPanel(PanelId::PAINT),
         is_first: false,
     },
-    Tile {
+    StartTile {
         title: "Open a file",
         text: "A look, a scene or a painting, yours or others'",
         command: Command::Open(None),
@@ -101,7 +101,7 @@ pub(crate) fn show(
     PanelContext { session, safety }: PanelContext<'_>,
 ) -> Vec<Command> {
     let start = bench.memory.of::<Start>();
-    start.know_recent(safety.recent(), &session.journals.crashes);
+    start.know_recent(safety.recent(), session);
     start.show(ui, session, &bench.thumbs)
 }
 
@@ -110,18 +110,20 @@ impl Start {
     fn know_recent<'p>(
         &mut self,
         files: impl Iterator<Item = (&'p PathBuf, bool)>,
-        crashes: &CrashLog,
+        session: &Session,
     ) {
+        let crashes = &session.journals.crashes;
         let now: Vec<(&PathBuf, bool)> = files.take(MOST_RECENT).collect();
-        let is_same = std::mem::replace(&mut self.crashes, crashes.changes()) == crashes.changes()
+        let is_same = std::mem::replace(&mut self.suspects, crashes.suspects_revision())
+            == crashes.suspects_revision()
             && now.len() == self.recent.len()
             && now.iter().zip(&self.recent).all(|((path, is_there), known)| {
                 **path == known.path && *is_there == known.card.is_some()
             });
         if !is_same {
-            let card = |(path, is_there): (&PathBuf, bool)| Recent {
+            let card = |(path, is_there): (&PathBuf, bool)| RecentFile {
                 path: path.clone(),
-                card: is_there.then(|| Card::of_file(path, SIDE, crashes)),
+                card: is_there.then(|| Card::of_file(path, SIDE, session)),
             };
             self.recent = now.into_iter().map(card).collect();
         }
@@ -137,7 +139,7 @@ impl Start {
     /// Shows the page.
     fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         if self.examples.is_empty() {
-            self.examples = Card::examples(SIDE);
+            self.examples = Card::examples(SIDE, session);
         }
         let mut out = Vec::new();
         ui.painter().rect_filled(ui.max_rect(), 0.0, theme::of(ui).panel);
@@ -271,7 +273,7 @@ fn tiles_in(
     first
 }
 
-impl Tile {
+impl StartTile {
     fn show(&self, ui: &mut Ui, size: egui::Vec2) -> Response {
         let (rect, response) = ui.allocate_exact_size(size, Sense::click());
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, self.title));

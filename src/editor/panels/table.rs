@@ -74,7 +74,7 @@ pub(crate) enum Presence {
 
 /// Stack of panels in one place, each behind its tab.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stack {
+pub(crate) enum PanelStack {
     /// Top left.
     Picture,
     /// Below the picture.
@@ -91,7 +91,7 @@ pub(crate) enum Stack {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PanelPlace {
     /// Stack of the panel in a new window; `None` for a panel that is closed there.
-    pub(crate) stack: Option<Stack>,
+    pub(crate) stack: Option<PanelStack>,
     /// True if a new layout for painting has the panel in front.
     pub(crate) is_for_painting: bool,
     /// Panels beside one of which a closed panel reopens: the first that is open.
@@ -113,7 +113,7 @@ impl PanelPlace {
     };
     /// Place below the picture, with the panels that tell of the look.
     pub(crate) const BELOW_PICTURE: Self = Self {
-        stack: Some(Stack::BelowPicture),
+        stack: Some(PanelStack::BelowPicture),
         beside: &[
             PanelId::CODE,
             PanelId::PROBLEMS,
@@ -127,13 +127,13 @@ impl PanelPlace {
     };
     /// Place below the picture, with the panels that draw curves.
     pub(crate) const BELOW_PICTURE_WITH_CURVES: Self = Self {
-        stack: Some(Stack::BelowPicture),
+        stack: Some(PanelStack::BelowPicture),
         beside: &[PanelId::PROFILE, PanelId::KEYS, PanelId::CODE, PanelId::EFFECTS],
         ..Self::CLOSED
     };
     /// Place on the right, with the panels that list the parts of a document.
     pub(crate) const WITH_DOCUMENT: Self = Self {
-        stack: Some(Stack::Document),
+        stack: Some(PanelStack::Document),
         beside: &[
             PanelId::LAYERS,
             PanelId::LIGHTS,

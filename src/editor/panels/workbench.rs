@@ -10,7 +10,7 @@ use crate::hcbtf::Device;
 use crate::painter::Painting;
 use crate::panels::cost::Cost;
 use crate::render::Gpu;
-use crate::state::safety::crashes::CrashLog;
+use crate::state::crashes::CrashLog;
 use crate::tools::PictureTools;
 use crate::viewport::Viewport;
 use crate::viewport::picture::Picture;

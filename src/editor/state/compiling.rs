@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::compile::{CompiledShader, Live, Options, TypedGraph, check, compile_typed};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
 use crate::ids::{NodePath, PortName};
 use crate::library::{Library, Type};
 use crate::milestones;
-use crate::state::revision::{DocumentNumber, PreviewRevision, SoloRevision};
-use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
+use crate::state::crashes::{CrashLog, CrashStep, DocumentOrigin};
+use crate::state::revision::{DocumentNumber, LookRevision, PreviewRevision, SoloRevision};
 use crate::state::wire::ShownWire;
 use crate::state::worker::Worker;
 
@@ -23,10 +23,10 @@ pub(crate) struct CompileRequest {
     /// Number of the look's document.
     pub(crate) document: DocumentNumber,
     /// Revision of the document.
-    pub(crate) revision: u64,
-    /// Number of the document's structure; other values with the same structure are shown by the
+    pub(crate) revision: LookRevision,
+    /// Revision of the document's structure; other values with the same structure are shown by the
     /// same live shader.
-    pub(crate) structure: u64,
+    pub(crate) structure: LookRevision,
     /// The edited values, which stay live however long the look is.
     pub(crate) touched: Arc<HashSet<(NodePath, PortName)>>,
     /// The wire shown in place of the look's own output, with its type.
@@ -50,7 +50,7 @@ pub(crate) struct CompileAnswer {
     /// The request, given back.
     pub(crate) request: CompileRequest,
     /// The shaders, or every problem of the look.
-    pub(crate) result: Result<Shaders, Vec<Diagnostic>>,
+    pub(crate) result: Result<Warned<Shaders>, Vec<Diagnostic>>,
 }
 
 /// A look's shaders.
@@ -70,13 +70,13 @@ pub(crate) type Compiler = Worker<CompileRequest, CompileAnswer>;
 pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Compiler {
     Worker::new("compile", wake, move |request: CompileRequest| {
         let origin = || DocumentOrigin::new(&request.name, request.path.as_deref(), &request.look);
-        let _going = crashes.begin(Step::Compile, origin);
+        let _going = crashes.begin(CrashStep::Compile, origin);
         let result = compile(&request);
         CompileAnswer { request, result }
     })
 }
 
-fn compile(request: &CompileRequest) -> Result<Shaders, Vec<Diagnostic>> {
+fn compile(request: &CompileRequest) -> Result<Warned<Shaders>, Vec<Diagnostic>> {
     let shown = request
         .wire
         .as_ref()
@@ -93,11 +93,11 @@ fn compile(request: &CompileRequest) -> Result<Shaders, Vec<Diagnostic>> {
         display: true,
         ..Options::default()
     };
-    let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed), warnings.clone())?);
+    let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed))?);
     let live = match request.only_baked {
         true => None,
-        false => Some(Arc::new(compile_typed(&typed, &with(Live::All), warnings)?)),
+        false => Some(Arc::new(compile_typed(&typed, &with(Live::All))?)),
     };
     milestones::reached("first shaders");
-    Ok(Shaders { live, baked, typed: Arc::new(typed) })
+    Ok(Warned::new(Shaders { live, baked, typed: Arc::new(typed) }, warnings))
 }

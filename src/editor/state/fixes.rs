@@ -29,7 +29,7 @@ impl Fix {
 }
 
 /// The node, and the port, that a problem is about.
-struct Spot<'a> {
+struct ProblemSpot<'a> {
     session: &'a Session,
     id: GraphId,
     graph: &'a Graph,
@@ -43,7 +43,7 @@ pub(crate) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
     if problem.code == "no-output" {
         return vec![add_output(session)];
     }
-    let Some(spot) = Spot::of(session, problem) else { return Vec::new() };
+    let Some(spot) = ProblemSpot::of(session, problem) else { return Vec::new() };
     let one = match problem.code {
         "unknown-kind" => return spot.known_kinds(),
         "unknown-light" => return spot.known_lights(),
@@ -65,7 +65,7 @@ pub(crate) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
     one.into_iter().collect()
 }
 
-impl<'a> Spot<'a> {
+impl<'a> ProblemSpot<'a> {
     fn of(session: &'a Session, problem: &Diagnostic) -> Option<Self> {
         let path = problem.place.node.as_ref()?;
         let found = session.look().find(path)?;
@@ -204,7 +204,7 @@ impl<'a> Spot<'a> {
         let loose = self.loose_end().filter(|_| ty == Type::Composite);
         let (mut edits, from, label, help) = match loose {
             Some(id) => {
-                let title = self.session.title(&id);
+                let title = self.session.look_with_library().title(&id);
                 (
                     Vec::new(),
                     id,

@@ -2,6 +2,7 @@
 //! selection, the compiled shaders, and the journals that keep unsaved work.
 
 pub(crate) mod compiling;
+pub(crate) mod crashes;
 pub(crate) mod document;
 pub(crate) mod fixes;
 pub(crate) mod interface;
@@ -14,12 +15,13 @@ pub(crate) mod reading;
 pub(crate) mod revision;
 pub(crate) mod safety;
 pub(crate) mod scene;
+pub(crate) mod selection;
 pub(crate) mod session;
 pub mod settings;
 pub(crate) mod sketch;
 pub(crate) mod snapshot;
 pub(crate) mod solo;
 pub(crate) mod stack;
-
+pub(crate) mod view;
 pub(crate) mod wire;
 pub(crate) mod worker;

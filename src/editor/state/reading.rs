@@ -2,17 +2,15 @@
 //! exposed parameters.
 
 use crate::catalog::{Catalog, Port};
-use crate::document::{ColorSpace, Definition, Light, Look, Node, Target, Value};
+use crate::document::{ColorSpace, Definition, Light, LightField, Look, Node, Target, Value};
 use crate::frame::light_field;
-use crate::ids::{LightId, NodePath, PortName};
+use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{Fallback, Library, Type};
-use crate::state::keying::field_port;
-use crate::state::session::Session;
 use crate::values;
 
 /// A look with the kinds of its nodes.
 #[derive(Clone, Copy)]
-pub(crate) struct Reading<'a> {
+pub(crate) struct LookWithLibrary<'a> {
     pub(crate) look: &'a Look,
     pub(crate) catalog: &'a Catalog,
     pub(crate) library: &'a Library,
@@ -31,18 +29,7 @@ pub(crate) struct Parameter {
     pub(crate) space: ColorSpace,
 }
 
-impl Session {
-    /// The open look.
-    pub(crate) fn reading(&self) -> Reading<'_> {
-        Reading {
-            look: self.look(),
-            catalog: &self.project.catalog,
-            library: &self.project.library,
-        }
-    }
-}
-
-impl<'a> Reading<'a> {
+impl<'a> LookWithLibrary<'a> {
     /// The group of a kind, the look's own before the library's.
     pub(crate) fn definition_of(self, kind: &str) -> Option<&'a Definition> {
         let own = self.look.definitions.get(kind);
@@ -90,6 +77,16 @@ impl<'a> Reading<'a> {
                 self.light_name(light),
                 port.map_or_else(|| field.clone(), |port| port.label.to_string()),
             ],
+        }
+    }
+
+    /// Display name of a node of the look's own graph.
+    pub(crate) fn title(self, id: &NodeId) -> String {
+        let node = self.look.graph.nodes.get(id);
+        match (node, node.and_then(|node| self.catalog.of(node))) {
+            (Some(node), _) if !node.name.is_empty() => node.name.clone(),
+            (_, Some(kind)) => kind.label.to_string(),
+            _ => id.to_string(),
         }
     }
 
@@ -165,6 +162,21 @@ fn spoken(name: &str) -> String {
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
+/// A light's field as a port.
+pub(crate) fn field_port(field: LightField) -> Port {
+    let range = field.range();
+    // Bounds of lengths and factors in files are no end of a slider.
+    let max = range.filter(|_| !field.unit().is_empty()).map(|[_, max]| max);
+    Port {
+        label: field.label().into(),
+        ty: Type::of_light_field(field),
+        unit: field.unit().to_owned(),
+        min: range.map(|[min, _]| min),
+        max,
+        ..Port::named(field.name())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -187,7 +199,7 @@ mod tests {
         let library = Library::built_in();
         let mut catalog = Catalog::new(library);
         catalog.sync(&look, library);
-        let found = Reading { look: &look, catalog: &catalog, library }.parameters();
+        let found = LookWithLibrary { look: &look, catalog: &catalog, library }.parameters();
         let labels: Vec<&str> = found.iter().map(|parameter| parameter.label.as_str()).collect();
         assert_eq!(labels, ["Rim cutoff", "By", "The sun"]);
         assert!(

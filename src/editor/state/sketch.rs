@@ -10,6 +10,7 @@ use std::sync::Arc;
 use crate::document::{Camera, Tile};
 use crate::state::document::times::Times;
 use crate::state::orbit::Orbit;
+use crate::state::revision::StepTime;
 
 /// Largest number of steps that can be taken back: each holds a picture of about a megabyte.
 const MOST_STEPS: usize = 32;
@@ -96,7 +97,7 @@ impl Sketch {
         what: &'static str,
         standpoint: Standpoint,
         tile: Option<Tile>,
-        now: u64,
+        now: StepTime,
     ) {
         if self.done.len() >= MOST_STEPS {
             self.done.remove(0);
@@ -116,7 +117,7 @@ impl Sketch {
         true
     }
 
-    pub(crate) fn redo(&mut self, now: u64) -> bool {
+    pub(crate) fn redo(&mut self, now: StepTime) -> bool {
         let Some((what, after)) = self.undone.pop() else { return false };
         self.done.push((what, std::mem::replace(&mut self.state, after)));
         self.times.redid(now);
@@ -156,15 +157,18 @@ mod tests {
         let mut sketch = Sketch::default();
         assert!(sketch.is_empty() && !sketch.undo());
         for step in 0..60_u8 {
-            sketch.did("light", here(), dot(step), u64::from(step));
+            sketch.did("light", here(), dot(step), StepTime(u64::from(step)));
         }
         assert_eq!((sketch.place(), sketch.times.all().count()), (MOST_STEPS, MOST_STEPS));
-        assert_eq!(sketch.times.last(), Some(59));
+        assert_eq!(sketch.times.last(), Some(StepTime(59)));
         assert!(sketch.undo());
         assert_eq!(sketch.tile().unwrap().bytes()[0], 58);
-        assert!(sketch.redo(61) && !sketch.redo(62));
-        assert_eq!((sketch.tile().unwrap().bytes()[0], sketch.times.last()), (59, Some(61)));
-        sketch.did("clear", here(), None, 63);
+        assert!(sketch.redo(StepTime(61)) && !sketch.redo(StepTime(62)));
+        assert_eq!(
+            (sketch.tile().unwrap().bytes()[0], sketch.times.last()),
+            (59, Some(StepTime(61)))
+        );
+        sketch.did("clear", here(), None, StepTime(63));
         assert!(sketch.is_empty() && sketch.standpoint().is_none());
         assert!(sketch.undo() && !sketch.is_empty() && sketch.standpoint().is_some());
     }

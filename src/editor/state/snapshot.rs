@@ -1,7 +1,7 @@
 //! Snapshot of the viewport that a thread can take along, and a stamp that tells whether it still
 //! holds.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use glam::DQuat;
@@ -11,12 +11,10 @@ use crate::document::{Look, SourceMap};
 use crate::frame::{AssetStore, Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
 use crate::state::orbit::Orbit;
-use crate::state::painting::work::OpenPainting;
 use crate::state::revision::{
-    DocumentNumber, FilesRevision, LookRevision, PictureRevision, PreviewRevision,
+    DocumentNumber, FilesRevision, LookRevision, PaintingRevision, PictureRevision, PreviewRevision,
 };
 use crate::state::scene::SceneSnapshot;
-use crate::state::session::Session;
 use crate::state::solo::Solo;
 
 /// A look with everything that its picture depends on, but for the size.
@@ -31,7 +29,7 @@ pub(crate) struct RenderSnapshot {
     /// Moment, in seconds.
     pub(crate) time: f64,
     /// The scene around the look; without one the look is on a mesh of its own.
-    pub(crate) stage: Option<Arc<SceneSnapshot>>,
+    pub(crate) scene: Option<Arc<SceneSnapshot>>,
     /// The HCBTF that is being painted, in place of its file.
     pub(crate) painting: Option<Overlay>,
     /// Assets that all pictures of the window share.
@@ -42,15 +40,15 @@ impl RenderSnapshot {
     /// The snapshot without the objects that do not wear the look.
     #[must_use]
     pub(crate) fn alone(self) -> Self {
-        let stage = self.stage.map(|stage| Arc::new(stage.alone()));
-        Self { stage, ..self }
+        let scene = self.scene.map(|scene| Arc::new(scene.alone()));
+        Self { scene, ..self }
     }
 
     /// Scene of the snapshot, with warnings about the mesh. The look is the first of its looks. Of
-    /// a stage, missing parts are left out and reported.
+    /// a scene, missing parts are left out and reported.
     ///
     /// # Errors
-    /// Problems of the mesh, without a stage.
+    /// Problems of the mesh, without a scene.
     pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
         assets.share(&self.assets);
         assets.begin_picture();
@@ -60,12 +58,12 @@ impl RenderSnapshot {
             source: self.source.clone(),
             folder: self.folder.clone(),
         };
-        let (mut setup, notes) = match &self.stage {
-            Some(stage) => stage.setup(look, assets),
+        let (mut setup, notes) = match &self.scene {
+            Some(scene) => scene.setup(look, assets),
             None => default_setup(look, &self.orbit.mesh, assets)?,
         }
         .into_parts();
-        if self.orbit.z_is_up && self.stage.is_none() {
+        if self.orbit.z_is_up && self.scene.is_none() {
             setup.stand_up();
         }
         setup.scene.camera = self.orbit.camera();
@@ -76,13 +74,13 @@ impl RenderSnapshot {
 }
 
 /// A planner that keeps meshes and images, and compiled shaders of the last look alone.
-pub(crate) struct Reused {
+pub(crate) struct CachedPlanner {
     planner: Planner,
     make: fn(Assets) -> Planner,
     last: Option<(Arc<Look>, Arc<Library>)>,
 }
 
-impl Reused {
+impl CachedPlanner {
     /// Creates the planner; `make` makes one from assets.
     pub(crate) fn new(make: fn(Assets) -> Planner) -> Self {
         Self { planner: make(Assets::default()), make, last: None }
@@ -103,61 +101,14 @@ impl Reused {
 /// Key of one moment of a session: the same stamp is the same look in the same view.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Stamp {
-    document: DocumentNumber,
-    revision: LookRevision,
-    files: FilesRevision,
-    orbit: Orbit,
-    time: f64,
-    solo: Solo,
-    preview: PreviewRevision,
+    pub(super) document: DocumentNumber,
+    pub(super) revision: LookRevision,
+    pub(super) files: FilesRevision,
+    pub(super) orbit: Orbit,
+    pub(super) time: f64,
+    pub(super) solo: Solo,
+    pub(super) preview: PreviewRevision,
     /// Revision of the scene, if there is one.
-    stage: Option<PictureRevision>,
-    painting: Option<u64>,
-}
-
-impl Session {
-    /// The document as shown, in the present view.
-    pub(crate) fn snapshot(&self) -> RenderSnapshot {
-        self.snapshot_of(Arc::new(self.shown_look().into_owned()))
-    }
-
-    /// Snapshot with another look in place of the document's.
-    pub(crate) fn snapshot_of(&self, look: Arc<Look>) -> RenderSnapshot {
-        RenderSnapshot {
-            look,
-            source: self.source().clone(),
-            folder: self.folder(),
-            library: self.project.library.clone(),
-            orbit: self.view.orbit.clone(),
-            time: self.view.time,
-            stage: self.stage().map(|stage| self.solo().lit_stage(stage.staged())),
-            painting: self.painting().map(OpenPainting::overlay),
-            assets: self.assets.clone(),
-        }
-    }
-
-    /// Revision of the scene's picture, if there is a scene.
-    pub(crate) fn stage_version(&self) -> Option<PictureRevision> {
-        self.stage().map(|stage| stage.staged().version())
-    }
-
-    /// Folder that the look's assets are relative to.
-    pub(crate) fn folder(&self) -> PathBuf {
-        self.path().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
-    }
-
-    /// A stamp that changes whenever [`snapshot`](Self::snapshot) does.
-    pub(crate) fn stamp(&self) -> Stamp {
-        Stamp {
-            document: self.document_number(),
-            revision: self.revision(),
-            files: self.files(),
-            orbit: self.view.orbit.clone(),
-            time: self.view.time,
-            solo: self.solo().clone(),
-            preview: self.preview_revision(),
-            stage: self.stage_version(),
-            painting: self.painting().map(OpenPainting::version),
-        }
-    }
+    pub(super) scene: Option<PictureRevision>,
+    pub(super) painting: Option<PaintingRevision>,
 }

@@ -109,15 +109,15 @@ impl Solo {
     /// The scene around the look, with its dark lights put out. Where one of the scene's lights is
     /// shown alone, the own lights of its other looks are out too, except where keys of those looks
     /// light them again.
-    pub(crate) fn lit_stage(&self, staged: &Arc<SceneSnapshot>) -> Arc<SceneSnapshot> {
-        let of_scene = &staged.scene.lights;
+    pub(crate) fn lit_scene(&self, snapshot: &Arc<SceneSnapshot>) -> Arc<SceneSnapshot> {
+        let of_scene = &snapshot.scene.lights;
         let is_any_alone = self.lights.iter().any(|id| of_scene.contains_key(id));
         if !is_any_alone && !of_scene.keys().any(|id| self.is_dark(id)) {
-            return staged.clone();
+            return snapshot.clone();
         }
-        let mut lit = SceneSnapshot::clone(staged);
+        let mut lit = SceneSnapshot::clone(snapshot);
         if is_any_alone {
-            for (id, light) in staged.other_looks().flat_map(|look| &look.look.lights) {
+            for (id, light) in snapshot.other_looks().flat_map(|look| &look.look.lights) {
                 if self.is_dark(id) {
                     lit.scene.lights.entry(id.clone()).or_insert_with(|| light.clone());
                 }

@@ -25,7 +25,7 @@ pub(crate) enum SwitchPlace {
     Options,
 }
 
-type Is = fn(&PictureTools) -> bool;
+type IsOn = fn(&PictureTools) -> bool;
 type ShowSwitch = fn(&mut PictureTools, &mut Ui, &mut Vec<Command>);
 type ShowBar = fn(&mut PictureTools, &mut Ui, &Session);
 type Interact = fn(&mut PictureTools, &Ui, &PictureContext<'_>) -> Option<Command>;
@@ -36,7 +36,7 @@ type Hint = fn(&PictureTools) -> &str;
 /// Tool of the picture.
 pub(crate) struct ToolRow {
     pub(crate) place: SwitchPlace,
-    pub(crate) is_on: Is,
+    pub(crate) is_on: IsOn,
     /// True if the tool has the pointer over the picture to itself while it is on.
     pub(crate) takes_pointer: bool,
     /// Shows the switch that turns the tool on and off.
@@ -54,7 +54,7 @@ pub(crate) struct ToolRow {
 }
 
 impl ToolRow {
-    pub(crate) const fn new(place: SwitchPlace, is_on: Is, switch: ShowSwitch) -> Self {
+    pub(crate) const fn new(place: SwitchPlace, is_on: IsOn, switch: ShowSwitch) -> Self {
         Self {
             place,
             is_on,

@@ -14,6 +14,7 @@ use super::surface::Surface;
 use super::{place_in, project};
 use crate::compile::LightValues;
 use crate::document::LightKind;
+use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
@@ -46,6 +47,7 @@ pub(super) fn of(
     pointer: Option<Pos2>,
 ) -> Vec<Arrow> {
     let lights: Vec<(LightValues, Color32)> = session
+        .keys()
         .shining()
         .map(|(_, light)| {
             let [r, g, b] = light.color.map(|c| (c.clamp(0.0, 1.0) * 255.0) as u8);
@@ -53,8 +55,8 @@ pub(super) fn of(
         })
         .collect();
     let directional: Vec<bool> =
-        session.shining().map(|(_, light)| light.kind == LightKind::Directional).collect();
-    let (_, radius) = session.ball();
+        session.keys().shining().map(|(_, light)| light.kind == LightKind::Directional).collect();
+    let (_, radius) = sphere_of_lights(session.open_scene());
     let mut arrows = Vec::new();
     let mut stand = |place: [f32; 2], length: f64| {
         let Some(pixel) = surface.pixel_at(place).filter(|pixel| surface.is_covered(*pixel)) else {

@@ -26,9 +26,9 @@ pub(super) fn show_picture(
         None => {
             ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
             let font = egui::FontId::proportional(theme::TEXT_SIZE);
-            let is_broken =
-                !picture.problems.is_empty() || crate::diag::has_errors(session.problems());
-            let text = match session.held() {
+            let is_broken = !picture.problems.is_empty()
+                || crate::diag::has_errors(session.compilation().problems());
+            let text = match session.journals.held() {
                 Some(_) => "Not drawn until you press Try again above",
                 None if is_broken => "No picture: Problems says what is to be mended",
                 None => "Making the first picture",

@@ -6,7 +6,7 @@ use eframe::egui::{PopupCloseBehavior, Rect, Role, Sense, Ui, UiBuilder, WidgetI
 use std::path::Path;
 
 use super::Viewport;
-use super::show::{self, Place};
+use super::show::{self, ReferencePlacement};
 use super::solo_bar;
 use crate::commands::{Command, PanelId, PictureExport, ViewCommand, table};
 use crate::document::{Projection, Scene};
@@ -31,14 +31,14 @@ impl Viewport {
         out: &mut Vec<Command>,
     ) {
         ui.horizontal(|ui| {
-            match session.stage() {
+            match session.open_scene() {
                 None => mesh_choice(ui, session, out),
-                Some(stage) => {
-                    let text = match stage.scene().objects.len() {
+                Some(open_scene) => {
+                    let text = match open_scene.scene().objects.len() {
                         1 => "1 object".to_owned(),
                         count => format!("{count} objects"),
                     };
-                    let label = ui.link(format!("{}, {text}", stage.name()));
+                    let label = ui.link(format!("{}, {text}", open_scene.name()));
                     if label.on_hover_text("Shows the objects of the scene").clicked() {
                         out.push(Command::ShowPanel(PanelId::OBJECTS));
                     }
@@ -77,7 +77,7 @@ impl Viewport {
         ui.checkbox(&mut self.has_arrows, "Arrows toward eye and lights").on_hover_text(help);
         ui.checkbox(&mut self.turns, "Turntable")
             .on_hover_text(help_of(ViewCommand::ToggleTurntable));
-        if session.stage().is_none() && !session.view.orbit.mesh.starts_with(SHAPE_PREFIX) {
+        if session.open_scene().is_none() && !session.view.orbit.mesh.starts_with(SHAPE_PREFIX) {
             let help = "Stands up a mesh that lies on its back: one whose z axis points up, as in \
                         many scans";
             let mut z_is_up = session.view.orbit.z_is_up;
@@ -103,7 +103,7 @@ impl Viewport {
             }
         };
         button(ui, "Frame the object", ViewCommand::FrameObject);
-        if session.stage().is_some() {
+        if session.open_scene().is_some() {
             button(ui, "Frame all", ViewCommand::FrameAll);
         }
         button(ui, "Reset camera and lights", ViewCommand::Reset);
@@ -156,11 +156,11 @@ impl Viewport {
         let mut is_over = false;
         ui.horizontal(|ui| {
             ui.label(&reference.name);
-            ui.selectable_value(&mut reference.place, Place::Beside, "Beside");
-            ui.selectable_value(&mut reference.place, Place::Over, "Over");
+            ui.selectable_value(&mut reference.place, ReferencePlacement::Beside, "Beside");
+            ui.selectable_value(&mut reference.place, ReferencePlacement::Over, "Over");
             is_over = ui.button("Take away").clicked();
         });
-        if reference.place == Place::Over {
+        if reference.place == ReferencePlacement::Over {
             ui.horizontal(|ui| {
                 let label = ui.label("Opacity of the image");
                 ui.add(egui::Slider::new(&mut reference.opacity, 0.0..=1.0)).labelled_by(label.id);
@@ -260,7 +260,7 @@ fn mesh_choice(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 /// Shows notices over the top of the picture, which does not move when they come and go: of a wire
 /// that is viewed in place of the picture, and of soloed or muted layers and lights.
 pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec<Command>) {
-    if session.wire().is_none() && session.solo().is_empty() {
+    if session.view.wire.is_none() && session.view.solo.is_empty() {
         return;
     }
     let id = ui.scope_id().with("told over the picture");
@@ -283,7 +283,7 @@ pub(super) fn over_top(ui: &mut Ui, rect: Rect, session: &Session, out: &mut Vec
 
 /// Says that a wire is viewed in place of the picture, with a button that leads back.
 fn wire_bar(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) -> Option<()> {
-    let wire = session.wire()?;
+    let wire = session.view.wire.as_ref()?;
     let node = node_at(session.look(), &session.project.library, wire.node.ids())?;
     let kind = session.project.catalog.of(node);
     let name = wire_name(session, &wire.node);

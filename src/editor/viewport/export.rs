@@ -12,8 +12,9 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Projection;
 use crate::files::{OutputKind, Outputs};
-use crate::frame::{Assets, Picture, PlanOptions, Planner};
-use crate::render::{Gpu, Renderer};
+use crate::frame::{AssetStore, Assets, Executor, Picture, PlanOptions, Planner};
+use crate::progress::Progress;
+use crate::render::Gpu;
 use crate::state::orbit::Orbit;
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
@@ -34,8 +35,8 @@ pub(crate) enum Destination {
 }
 
 enum PictureExportRequest {
-    Draw { export: PictureExport, still: Box<RenderSnapshot>, to: Destination },
-    Read(PathBuf),
+    Draw { export: PictureExport, snapshot: Box<RenderSnapshot>, to: Destination },
+    Read(PathBuf, AssetStore),
 }
 
 /// Result of a request.
@@ -56,7 +57,7 @@ impl Exports {
     /// drawn.
     pub(super) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + 'static) -> Self {
         let mut drawer =
-            gpu.map(|gpu| Drawer { renderer: Renderer::new(gpu), assets: Assets::default() });
+            gpu.map(|gpu| Drawer { executor: gpu.executor(), assets: Assets::default() });
         let work = async move |jobs: Vec<PictureExportRequest>| {
             let mut all = Vec::new();
             for job in jobs {
@@ -69,13 +70,13 @@ impl Exports {
     }
 
     /// Draws a picture, and saves or copies it.
-    pub(super) fn draw(&self, export: PictureExport, still: RenderSnapshot, to: Destination) {
-        self.add(PictureExportRequest::Draw { export, still: Box::new(still), to });
+    pub(super) fn draw(&self, export: PictureExport, snapshot: RenderSnapshot, to: Destination) {
+        self.add(PictureExportRequest::Draw { export, snapshot: Box::new(snapshot), to });
     }
 
-    /// Reads an image to be shown.
-    pub(super) fn read(&self, path: PathBuf) {
-        self.add(PictureExportRequest::Read(path));
+    /// Reads an image to be shown, with the assets that the window's pictures share.
+    pub(super) fn read(&self, path: PathBuf, assets: AssetStore) {
+        self.add(PictureExportRequest::Read(path, assets));
     }
 
     fn add(&self, job: PictureExportRequest) {
@@ -102,16 +103,16 @@ async fn run(
     drawer: Option<&mut Drawer>,
 ) -> Result<PictureExportResult, Diagnostic> {
     match job {
-        PictureExportRequest::Read(path) => {
-            let image = Assets::default().image(Path::new(""), &path.display().to_string())?;
+        PictureExportRequest::Read(path, assets) => {
+            let image = Assets::of(&assets).image(Path::new(""), &path.display().to_string())?;
             Ok(PictureExportResult::Read(path, shown(image.size, &image.rgba())))
         }
-        PictureExportRequest::Draw { export, still, to } => {
+        PictureExportRequest::Draw { export, snapshot, to } => {
             let drawer = drawer.ok_or_else(|| {
                 Diagnostic::error("no-gpu", "there is no GPU to draw with")
                     .hint("`chiaro render --on reference` needs none")
             })?;
-            let picture = drawer.draw(export, *still).await?;
+            let picture = drawer.draw(export, *snapshot).await?;
             match to {
                 Destination::File(path) => {
                     // Overwriting was confirmed in the dialog; but the picture must not replace a
@@ -147,7 +148,7 @@ fn shown(size: [u32; 2], rgba: &[u8]) -> ColorImage {
 }
 
 struct Drawer {
-    renderer: Renderer,
+    executor: Box<dyn Executor + Send>,
     assets: Assets,
 }
 
@@ -155,18 +156,18 @@ impl Drawer {
     async fn draw(
         &mut self,
         export: PictureExport,
-        mut still: RenderSnapshot,
+        mut snapshot: RenderSnapshot,
     ) -> Result<Picture, Diagnostic> {
         let size = match export {
             PictureExport::Picture(size) => size,
             PictureExport::LitSphere(side) => {
-                still.orbit = before_a_ball(&still.orbit);
-                still.stage = None;
+                snapshot.orbit = before_a_ball(&snapshot.orbit);
+                snapshot.scene = None;
                 [side; 2]
             }
         };
         let mut planner = Planner::new(std::mem::take(&mut self.assets));
-        let drawn = self.try_draw(&mut planner, &still, export, size).await;
+        let drawn = self.try_draw(&mut planner, &snapshot, export, size).await;
         self.assets = planner.assets;
         // The list of problems shows all of them; one is enough for the reason here.
         let picture = drawn.map_err(|mut problems| {
@@ -182,17 +183,17 @@ impl Drawer {
     async fn try_draw(
         &mut self,
         planner: &mut Planner,
-        still: &RenderSnapshot,
+        snapshot: &RenderSnapshot,
         export: PictureExport,
         size: [u32; 2],
     ) -> Result<Picture, Vec<Diagnostic>> {
-        let mut setup = still.setup(&mut planner.assets)?.value;
+        let mut setup = snapshot.setup(&mut planner.assets)?.value;
         if matches!(export, PictureExport::LitSphere(_)) {
             setup.scene.backdrop = None;
         }
-        let options = PlanOptions { size, samples: 4, time: still.time };
-        let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
-        self.renderer.picture(&plan).await.map_err(|error| vec![error.into()])
+        let options = PlanOptions { size, samples: 4, time: snapshot.time };
+        let plan = planner.plan(&setup, &snapshot.library, &Live::Keyed, &options)?.value;
+        self.executor.picture(&plan, &Progress::new()).await.map_err(|problem| vec![problem])
     }
 }
 

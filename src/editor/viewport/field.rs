@@ -20,12 +20,12 @@ pub(super) struct Field {
 }
 
 /// Direction or position of a light.
-enum Toward {
+enum LightPlace {
     Far(Vec3),
     Near(Vec3),
 }
 
-impl Toward {
+impl LightPlace {
     fn at(&self, position: Vec3) -> Vec3 {
         match self {
             Self::Far(direction) => *direction,
@@ -48,8 +48,8 @@ impl Field {
         light: &LightValues,
     ) -> (Self, Option<(usize, f32)>) {
         let toward = match light.kind {
-            LightKind::Directional => Toward::Far(light.direction().as_vec3()),
-            LightKind::Point | LightKind::Spot => Toward::Near(light.position().as_vec3()),
+            LightKind::Directional => LightPlace::Far(light.direction().as_vec3()),
+            LightKind::Point | LightKind::Spot => LightPlace::Near(light.position().as_vec3()),
         };
         let rotation = surface.camera_from_world().as_mat3();
         let own = light.own_from_world.as_mat3();
@@ -109,7 +109,7 @@ impl Field {
     /// left out, and no line crosses from one piece of surface to another behind it.
     pub(super) fn lines(&self, surface: &Surface, level: f32) -> Vec<Line> {
         let [width, height] = self.size;
-        let mut joints = Joints::default();
+        let mut joints = EdgeJoints::default();
         for y in 0..height.saturating_sub(1) {
             for x in 0..width - 1 {
                 let first = y * width + x;
@@ -186,13 +186,13 @@ fn between(d: Vec3, l: Vec3) -> f32 {
 
 /// Crossed edges, each with the at most two that it is joined to.
 #[derive(Default)]
-struct Joints {
+struct EdgeJoints {
     of: HashMap<usize, [Option<usize>; 2]>,
     /// Edges in the order in which they were found, so that lines are the same each time.
     order: Vec<usize>,
 }
 
-impl Joints {
+impl EdgeJoints {
     fn join(&mut self, a: usize, b: usize) {
         for (from, to) in [(a, b), (b, a)] {
             let ends = self.of.entry(from).or_insert_with(|| {

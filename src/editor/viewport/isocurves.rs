@@ -83,7 +83,7 @@ impl Isocurves {
 
     /// Makes the lines anew where their inputs have changed.
     pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
-        let Some(light) = session.light(&layer.light) else { return self.clear() };
+        let Some(light) = session.keys().light(&layer.light) else { return self.clear() };
         let light = light_values(light, session.view.orbit.illumination, surface);
         let is_same_surface =
             self.surface.as_ref().is_some_and(|known| Arc::ptr_eq(known, surface));
@@ -191,7 +191,7 @@ impl Isocurves {
         // A hundredth of a degree is finer than a pixel, and keeps files readable.
         let angle = ((angle * 1e4).round() / 1e4).clamp(least, most);
         let targets = held.curves.iter().map(|curve| layer.shape[*curve as usize].target.clone());
-        let edit = session.set_all_at(targets.map(|target| (target, Value::Number(angle))));
+        let edit = session.keys().set_all_at(targets.map(|target| (target, Value::Number(angle))));
         Some(Command::EditHeld(Id::unique("isocurve"), edit))
     }
 

@@ -125,7 +125,7 @@ impl Layer {
 }
 
 /// Node with its kind, in the graph that is open.
-struct Place<'a> {
+struct NodeInGraph<'a> {
     session: &'a Session,
     graph: &'a Graph,
     id: &'a NodeId,
@@ -133,7 +133,7 @@ struct Place<'a> {
     kind: &'a Kind,
 }
 
-impl<'a> Place<'a> {
+impl<'a> NodeInGraph<'a> {
     fn of(session: &'a Session, id: &NodeId) -> Option<Self> {
         let graph = session.graph();
         let (id, node) = graph.nodes.get_key_value(id.as_str())?;
@@ -165,9 +165,9 @@ impl<'a> Place<'a> {
 
     fn setting<T>(&self, port: &str, read: impl Fn(Option<&Value>) -> T) -> Option<Setting<T>> {
         self.kind.input(port)?;
-        let target = self.session.target(self.id, &port.into());
-        let value = read(self.session.value_now(&target).as_ref());
-        let at_key = read(self.session.value_at(&target).as_ref());
+        let target = self.session.selection.target(self.id, &port.into());
+        let value = read(self.session.keys().value_now(&target).as_ref());
+        let at_key = read(self.session.keys().value_at(&target).as_ref());
         Some(Setting { target, value, at_key, is_wired: self.is_wired(port) })
     }
 
@@ -215,31 +215,31 @@ impl<'a> Place<'a> {
 
 /// Layer of the node that was selected last, if there is one.
 pub(super) fn selected(session: &Session) -> Option<Layer> {
-    if session.is_read_only() {
+    if session.graph_view().is_read_only() {
         return None;
     }
-    let place = Place::of(session, session.selection.nodes.last()?)?;
+    let place = NodeInGraph::of(session, session.selection.nodes.last()?)?;
     group(&place).or_else(|| profile(&place)).or_else(|| {
         // A node for an angle, a light or a warp stands for the profile that it feeds, if that is
         // exactly one.
-        let fed = |from: &Place<'_>| {
+        let fed = |from: &NodeInGraph<'_>| {
             let mut wires = from.graph.wires.iter().filter(|wire| wire.from.node == *from.id);
             let mut to = wires.by_ref().map(|wire| wire.to.node.clone()).collect::<Vec<_>>();
             to.dedup();
             to
         };
         let found: Vec<Layer> =
-            fed(&place).iter().filter_map(|id| profile(&Place::of(session, id)?)).collect();
+            fed(&place).iter().filter_map(|id| profile(&NodeInGraph::of(session, id)?)).collect();
         (found.len() == 1).then(|| found.into_iter().next()).flatten()
     })
 }
 
 /// Selected light: that of a layer, or that of a Light node.
 pub(super) fn selected_light(session: &Session) -> Option<LightId> {
-    Place::of(session, session.selection.nodes.last()?)?.light()
+    NodeInGraph::of(session, session.selection.nodes.last()?)?.light()
 }
 
-fn group(place: &Place<'_>) -> Option<Layer> {
+fn group(place: &NodeInGraph<'_>) -> Option<Layer> {
     let shading = ShadingType::of(place.word("type")?)?;
     let shape = place.shape()?;
     let (slope, amount) = (place.number("slope"), place.number("amount"));
@@ -272,7 +272,7 @@ fn group(place: &Place<'_>) -> Option<Layer> {
     })
 }
 
-fn profile(place: &Place<'_>) -> Option<Layer> {
+fn profile(place: &NodeInGraph<'_>) -> Option<Layer> {
     if place.node.kind != "profile" {
         return None;
     }

@@ -16,8 +16,10 @@ use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
 use crate::document::{Light, LightKind, Projection, Value};
+use crate::fields::lighting::{OwnedLight, set_light_at};
 use crate::ids::LightId;
 use crate::state::orbit::Orbit;
+use crate::state::scene::sphere_of_lights;
 use crate::state::session::Session;
 use crate::widgets::theme;
 
@@ -56,9 +58,8 @@ impl HeldLight {
 
     /// Hint on the drag.
     pub(super) fn hint(&self, session: &Session) -> String {
-        let name = session
-            .lamp(&self.light)
-            .map_or_else(|| self.light.to_string(), |lamp| lamp.full_name());
+        let name = OwnedLight::lighting(session, &self.light)
+            .map_or_else(|| self.light.to_string(), |owned_light| owned_light.full_name());
         match &self.grip {
             Grip::Middle(shading) => {
                 format!(
@@ -89,8 +90,8 @@ pub(super) fn resolved(light: &Light, orbit: &Orbit) -> LightValues {
 
 /// Light whose needle ends under the pointer.
 pub(super) fn hit(session: &Session, rect: Rect, at: Pos2) -> Option<HeldLight> {
-    let lights = session.shining().filter(|(_, light)| light.kind == LightKind::Directional);
-    let (center, radius) = session.ball();
+    let lights = session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional);
+    let (center, radius) = sphere_of_lights(session.open_scene());
     let ends = lights.filter_map(|(id, light)| {
         let toward = resolved(light, &session.view.orbit).direction();
         let distance = project(center + toward * NEEDLE[1] * radius, rect, session)?.distance(at);
@@ -110,13 +111,18 @@ pub(super) fn drag(
     rect: Rect,
     at: Pos2,
 ) -> Option<Command> {
-    let light = session.light(&held.light)?;
+    let light = session.keys().light(&held.light)?;
     let values = resolved(light, &session.view.orbit);
     let (toward, place) = match &mut held.grip {
         Grip::Middle(shading) => at_surface(surface?, *shading, &values, rect, at)?,
         Grip::Needle { is_behind, is_outside } => {
-            let (toward, is_on_ball) =
-                on_ball(&session.view.orbit, session.ball(), rect, at, *is_behind);
+            let (toward, is_on_ball) = on_ball(
+                &session.view.orbit,
+                sphere_of_lights(session.open_scene()),
+                rect,
+                at,
+                *is_behind,
+            );
             // A drag over the rim and back leads to the other side.
             if is_on_ball && *is_outside {
                 *is_behind = !*is_behind;
@@ -135,7 +141,7 @@ pub(super) fn drag(
             ("position", light.position, short(values.own_from_world * (place + toward * distance)))
         }
     };
-    let set = || session.set_light_at(&held.light, field, Value::Vector(new.to_vec()));
+    let set = || set_light_at(session, &held.light, field, Value::Vector(new.to_vec()));
     (new != old).then(|| set().held(Id::unique("light on the object")))
 }
 
@@ -215,8 +221,10 @@ pub(super) fn paint_needles(
     held: Option<&LightId>,
 ) {
     let painter = ui.painter_at(rect);
-    let (center, radius) = session.ball();
-    for (id, light) in session.shining().filter(|(_, light)| light.kind == LightKind::Directional) {
+    let (center, radius) = sphere_of_lights(session.open_scene());
+    for (id, light) in
+        session.keys().shining().filter(|(_, light)| light.kind == LightKind::Directional)
+    {
         let toward = resolved(light, &session.view.orbit).direction();
         let ends = NEEDLE.map(|far| project(center + toward * far * radius, rect, session));
         let [Some(from), Some(to)] = ends else { continue };

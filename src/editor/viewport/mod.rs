@@ -28,7 +28,7 @@ use eframe::egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Role, Sense,
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::commands::table::{self, Place};
+use crate::commands::table::{self, KeyScope};
 use crate::commands::{Command, PictureExport, SceneCommand, ViewCommand, keyboard};
 use crate::ids::ObjectId;
 use crate::render::Gpu;
@@ -47,7 +47,7 @@ use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
 use layer::{Curve, Layer};
 use place::{is_on_object, place_in, project};
-use show::{Place as ReferencePlace, Reference};
+use show::{ReferenceImage, ReferencePlacement};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
 
 /// Speed of the turntable, as a horizontal drag in heights of the picture per second.
@@ -91,7 +91,7 @@ pub struct Viewport {
     exposure: f32,
     exports: Exports,
     preparing: preparing::Preparing,
-    reference: Option<Reference>,
+    reference: Option<ReferenceImage>,
     /// Side of baked images, in pixels.
     bake_side: u32,
 }
@@ -280,7 +280,8 @@ impl Viewport {
         let layer = layer::selected(session).filter(|_| is_on && is_free);
         let wants_lines = is_on && (layer.is_some() || layer::selected_light(session).is_some());
         // In a scene the surface is needed in any case, to find the object under the pointer.
-        if !(wants_lines || self.has_arrows || session.stage().is_some()) || rect.area() < 16.0 {
+        if !(wants_lines || self.has_arrows || session.open_scene().is_some()) || rect.area() < 16.0
+        {
             self.isocurves.clear();
             return Handles { surface: None, layer, is_on, places: None };
         }
@@ -291,9 +292,10 @@ impl Viewport {
             .is_some_and(|(slope, amount)| slope * amount != 0.0);
         let surface = self.surfaces.update(&key, with_kappa, || session.snapshot());
         let is_elsewhere = |places: &&Vec<ObjectPlace>| {
-            session.stage().is_some_and(|stage| stage.placed != **places)
+            session.open_scene().is_some_and(|open_scene| open_scene.placed != **places)
         };
-        let places = surface.as_ref().map(|surface| &surface.pieces.placed).filter(is_elsewhere);
+        let places =
+            surface.as_ref().map(|surface| &surface.parts_seen.placed).filter(is_elsewhere);
         let places = places.cloned();
         match (&surface, &layer) {
             (Some(surface), Some(layer)) => self.isocurves.update(session, surface, layer),
@@ -391,7 +393,7 @@ impl Viewport {
             && let Some(origin) = ui.input(|input| input.pointer.press_origin())
         {
             self.before =
-                Some(DragStart { view: session.view.orbit.clone(), place: session.place() });
+                Some(DragStart { view: session.view.orbit.clone(), place: session.steps().done() });
             let is_primary = response.dragged_by(PointerButton::Primary);
             let grip = (is_primary && !is_alt && handles.is_on)
                 .then(|| self.grip(ui, rect, origin, session, handles));
@@ -439,7 +441,7 @@ impl Viewport {
         let factor = f64::from((-scroll / 300.0).exp() / pinch);
         // Strokes belong to the view that they were painted in, which the wheel would leave too
         // easily.
-        let is_held = fitting.is_on() && !session.sketch().is_empty();
+        let is_held = fitting.is_on() && !session.sketchbook.sketch().is_empty();
         if factor != 1.0 && !is_held {
             view.dolly(factor);
         }
@@ -447,9 +449,9 @@ impl Viewport {
             return;
         }
         if fitting.is_on() {
-            out.extend(table::pressed(ui, Place::Light));
+            out.extend(table::pressed(ui, KeyScope::Light));
         }
-        out.extend(table::pressed(ui, Place::Picture));
+        out.extend(table::pressed(ui, KeyScope::Picture));
     }
 
     /// Starts or stops the turntable.
@@ -472,7 +474,7 @@ impl Viewport {
     pub(crate) fn give_up(&mut self, session: &Session) -> Option<(Orbit, bool)> {
         self.drag = None;
         let before = self.before.take()?;
-        Some((before.view, session.place() == before.place + 1))
+        Some((before.view, session.steps().done() == before.place + 1))
     }
 
     /// Hint on the actions possible at the pointer; empty while the pointer is not over the
@@ -538,8 +540,8 @@ impl Viewport {
     }
 
     /// Shows an image with the picture.
-    pub(crate) fn show_reference(&mut self, path: PathBuf) {
-        self.exports.read(path);
+    pub(crate) fn show_reference(&mut self, session: &Session, path: PathBuf) {
+        self.exports.read(path, session.assets.clone());
     }
 
     fn take_exports(&mut self, ui: &Ui, out: &mut Vec<Command>) {
@@ -557,10 +559,10 @@ impl Viewport {
                     let (place, opacity) = self
                         .reference
                         .as_ref()
-                        .map_or((ReferencePlace::Beside, 0.5), |old| (old.place, old.opacity));
+                        .map_or((ReferencePlacement::Beside, 0.5), |old| (old.place, old.opacity));
                     let message =
                         format!("{name} is shown with the picture; Options takes it away");
-                    self.reference = Some(Reference { name, texture, place, opacity });
+                    self.reference = Some(ReferenceImage { name, texture, place, opacity });
                     message
                 }
                 PictureExportResult::Failed(problem) => problem.message,

@@ -5,7 +5,7 @@ use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Stroke, Ui, pos2, vec2};
 
 use super::place_in;
-use super::surface::{Piece, Surface};
+use super::surface::{ObjectPart, Surface};
 use crate::commands::{Command, SceneCommand};
 use crate::frame::look_of;
 use crate::ids::ObjectId;
@@ -18,7 +18,7 @@ const CORNER: f32 = 10.0;
 
 /// Object under the pointer.
 pub(super) struct HoveredObject {
-    piece: Piece,
+    piece: ObjectPart,
     /// Name of the object's look.
     look: String,
 }
@@ -30,7 +30,7 @@ impl HoveredObject {
 
     /// Hint on the object.
     pub(super) fn hint(&self) -> String {
-        let Self { piece: Piece { object, is_open, .. }, look } = self;
+        let Self { piece: ObjectPart { object, is_open, .. }, look } = self;
         match is_open {
             true => format!("{object} wears the open look · "),
             false => format!("{object} wears {look}: a click opens it · "),
@@ -51,10 +51,10 @@ pub(super) fn seen(
     rect: Rect,
     pointer: Option<Pos2>,
 ) -> Option<HoveredObject> {
-    let stage = session.stage()?;
+    let open_scene = session.open_scene()?;
     let piece = surface?.piece_at(place_in(rect, pointer?))?.clone();
     let look =
-        look_of(stage.scene().objects.get(&piece.object)?, &piece.material).map(file_label)?;
+        look_of(open_scene.scene().objects.get(&piece.object)?, &piece.material).map(file_label)?;
     Some(HoveredObject { piece, look })
 }
 
@@ -64,7 +64,7 @@ pub(super) fn pick(
     surface: Option<&Surface>,
     seen: Option<&HoveredObject>,
 ) -> Option<Command> {
-    session.stage().filter(|_| surface.is_some())?;
+    session.open_scene().filter(|_| surface.is_some())?;
     Some(Command::Scene(match seen {
         Some(HoveredObject { piece, .. }) => {
             SceneCommand::Pick(piece.object.clone(), Some(piece.material.clone()))
@@ -81,7 +81,7 @@ pub(super) fn paint(
     surface: Option<&Surface>,
     seen: Option<&HoveredObject>,
 ) {
-    let (Some(stage), Some(surface)) = (session.stage(), surface) else { return };
+    let (Some(open_scene), Some(surface)) = (session.open_scene(), surface) else { return };
     let around = |id: &ObjectId| {
         let corners = surface.box_of(id)?;
         let on_screen =
@@ -93,7 +93,7 @@ pub(super) fn paint(
         )
     };
     let painter = ui.painter_at(rect);
-    if let Some(at) = stage.selected().and_then(|(id, _)| around(id)) {
+    if let Some(at) = open_scene.selected().and_then(|(id, _)| around(id)) {
         for (width, color) in [(3.5, theme::HALO), (1.5, egui::Color32::WHITE)] {
             let stroke = Stroke::new(width, color);
             for (corner, x, y) in [

@@ -10,32 +10,35 @@ use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
 use crate::compile::{CompiledShader, Live};
-use crate::diag::{Diagnostic, has_errors};
+use crate::diag::{Diagnostic, Warned, has_errors};
 use crate::document::Look;
 use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
+use crate::state::crashes::{CrashLog, CrashMark, CrashStep, DocumentOrigin};
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, PictureRevision};
-use crate::state::safety::crashes::{CrashLog, CrashMark, DocumentOrigin, Step};
 use crate::state::session::{DrawableLook, Session};
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
 
 /// Subject of a picture: another document or another mesh is another subject.
 #[derive(Clone, PartialEq)]
-struct Subject {
+struct PictureSubject {
     document: DocumentNumber,
     mesh: String,
 }
 
-impl Subject {
+impl PictureSubject {
     fn of(session: &Session) -> Self {
         // A scene has meshes of its own.
-        let mesh =
-            if session.stage().is_some() { String::new() } else { session.view.orbit.mesh.clone() };
-        Self { document: session.document_number(), mesh }
+        let mesh = if session.open_scene().is_some() {
+            String::new()
+        } else {
+            session.view.orbit.mesh.clone()
+        };
+        Self { document: session.revisions().document, mesh }
     }
 }
 
@@ -52,9 +55,9 @@ pub(crate) enum MissingPicture {
 
 /// Request for a picture.
 struct PictureRequest {
-    subject: Subject,
+    subject: PictureSubject,
     showing: DrawableLook,
-    still: RenderSnapshot,
+    snapshot: RenderSnapshot,
     size: [u32; 2],
     /// True if the picture's effects are to be reported.
     tells_effects: bool,
@@ -75,10 +78,10 @@ struct PictureInputs {
 
 /// Drawn picture; without a texture where it could not be drawn.
 struct DrawnPicture {
-    subject: Subject,
+    subject: PictureSubject,
     texture: Option<wgpu::TextureView>,
     /// Resources that were made for the picture, and need not be made for the next one.
-    ready: Option<Ready>,
+    ready: Option<PreparedAssets>,
     problems: Vec<Diagnostic>,
     effects: Option<Vec<Effect>>,
     /// Lives until the GPU has done the picture's work, where that work was the first of its kind.
@@ -87,18 +90,18 @@ struct DrawnPicture {
 
 /// Resources that take long to make: a shader's pipelines, and a mesh on the GPU.
 #[derive(Clone)]
-struct Ready {
+struct PreparedAssets {
     shader: Arc<CompiledShader>,
     library: Arc<Library>,
     mesh: String,
 }
 
-impl Ready {
-    fn of(showing: &DrawableLook, still: &RenderSnapshot) -> Self {
+impl PreparedAssets {
+    fn of(showing: &DrawableLook, snapshot: &RenderSnapshot) -> Self {
         Self {
             shader: showing.shader.clone(),
-            library: still.library.clone(),
-            mesh: still.orbit.mesh.clone(),
+            library: snapshot.library.clone(),
+            mesh: snapshot.orbit.mesh.clone(),
         }
     }
 
@@ -136,12 +139,12 @@ struct Pace {
     slow: u32,
     quick: u32,
     /// True if the last frame requested a picture: only then does its duration tell anything.
-    has_wished: bool,
+    has_requested: bool,
 }
 
 impl Default for Pace {
     fn default() -> Self {
-        Self { coarseness: 1, last: 1, slow: 0, quick: 0, has_wished: false }
+        Self { coarseness: 1, last: 1, slow: 0, quick: 0, has_requested: false }
     }
 }
 
@@ -151,7 +154,7 @@ impl Pace {
             *self = Self { last: self.last, ..Self::default() };
             return;
         }
-        if self.has_wished {
+        if self.has_requested {
             self.slow = if dt > SLOW { self.slow + 1 } else { 0 };
             self.quick = if dt < QUICK { self.quick + 1 } else { 0 };
         }
@@ -173,11 +176,11 @@ pub(crate) struct Picture {
     worker: Worker<PictureRequest, DrawnPicture>,
     texture: Option<TextureId>,
     /// Subject of the picture that is shown.
-    shown: Option<Subject>,
-    wished: Option<PictureInputs>,
+    shown: Option<PictureSubject>,
+    wanted: Option<PictureInputs>,
     pace: Pace,
     /// Resources that the last picture was drawn with.
-    ready: Option<Ready>,
+    ready: Option<PreparedAssets>,
     /// True if all that is requested needs only to be drawn: nothing is to be built, and no mesh to
     /// be read.
     is_quick: bool,
@@ -191,7 +194,7 @@ pub(crate) struct Picture {
     /// be running as well.
     unfinished: Weak<CrashMark>,
     /// Number of pictures that were requested.
-    pub(crate) wishes: u64,
+    pub(crate) requested: u64,
     /// Problems that keep the picture from being drawn, or warnings about it.
     pub(crate) problems: Vec<Diagnostic>,
     /// True if the cost of the picture is to be reported.
@@ -213,15 +216,18 @@ impl Picture {
         // when one goes out.
         let planner = Planner::default().culling(Cull::Objects);
         let renderer = Renderer::new(gpu.clone());
-        let mut artist = Artist { renderer, planner, provided: None, library: None, crashes };
-        let worker = Worker::waiting("picture", wake, async move |wish| artist.draw(&wish).await);
+        let mut picture_renderer =
+            PictureRenderer { renderer, planner, provided: None, library: None, crashes };
+        let worker = Worker::waiting("picture", wake, async move |request| {
+            picture_renderer.draw(&request).await
+        });
         Self {
             state,
             gpu,
             worker,
             texture: None,
             shown: None,
-            wished: None,
+            wanted: None,
             pace: Pace::default(),
             ready: None,
             is_quick: true,
@@ -229,7 +235,7 @@ impl Picture {
             late: 0,
             size: [0; 2],
             unfinished: Weak::new(),
-            wishes: 0,
+            requested: 0,
             problems: Vec::new(),
             tells_effects: false,
             effects: Arc::default(),
@@ -254,7 +260,7 @@ impl Picture {
         self.take();
         self.size = size;
         self.pace.tell(is_at_work, dt);
-        self.pace.has_wished = self.ask(session);
+        self.pace.has_requested = self.ask(session);
         self.texture
     }
 
@@ -262,7 +268,7 @@ impl Picture {
     /// if it needs only to be drawn. The GPU works in order, so that this frame shows the picture
     /// already: the picture need not be finished, only be handed over before the frame is.
     pub(crate) fn hurry(&mut self, session: &Session) {
-        self.pace.has_wished |= self.ask(session);
+        self.pace.has_requested |= self.ask(session);
         if !self.worker.is_busy() {
             return;
         }
@@ -292,30 +298,30 @@ impl Picture {
         let size = self
             .size
             .map(|side| if side > 0 { side.div_ceil(self.pace.coarseness).max(1) } else { 0 });
-        let wished = Some(PictureInputs {
-            picture: session.picture(),
+        let wanted = Some(PictureInputs {
+            picture: session.revisions().picture,
             orbit: session.view.orbit.clone(),
             time: session.view.time,
             size,
-            folder: session.folder(),
+            folder: session.look.folder(),
             tells_effects: self.tells_effects,
         });
-        if self.wished != wished
+        if self.wanted != wanted
             && size.iter().all(|&side| side > 0)
             && let Some(showing) = session.showing()
         {
-            self.wished = wished;
-            self.wishes += 1;
-            let still = session.snapshot_of(showing.look.clone());
-            let wanted = Ready::of(&showing, &still);
+            self.wanted = wanted;
+            self.requested += 1;
+            let snapshot = session.snapshot_of(showing.look.clone());
+            let wanted = PreparedAssets::of(&showing, &snapshot);
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));
             self.is_quick = is_ready && (self.is_quick || !self.worker.is_busy());
             let first_of = (!is_ready).then(|| session.shown_file());
-            let (subject, tells_effects) = (Subject::of(session), self.tells_effects);
+            let (subject, tells_effects) = (PictureSubject::of(session), self.tells_effects);
             self.worker.request(|_| PictureRequest {
                 subject,
                 showing,
-                still,
+                snapshot,
                 size,
                 tells_effects,
                 first_of,
@@ -352,7 +358,7 @@ impl Picture {
     /// Part that is missing for the first picture of the open document, while the picture shows
     /// another subject.
     pub(crate) fn awaited(&self, session: &Session) -> Option<MissingPicture> {
-        let subject = Subject::of(session);
+        let subject = PictureSubject::of(session);
         let shown = self.shown.as_ref().filter(|shown| **shown != subject && self.is_there())?;
         if session.is_compiling() {
             return Some(MissingPicture::Shader);
@@ -364,7 +370,8 @@ impl Picture {
         }
         // On a mesh that cannot be read the last good picture stays.
         let is_broken = shown.document != subject.document;
-        let is_broken = is_broken && (!self.problems.is_empty() || has_errors(session.problems()));
+        let is_broken = is_broken
+            && (!self.problems.is_empty() || has_errors(session.compilation().problems()));
         is_broken.then_some(MissingPicture::Mended)
     }
 
@@ -397,7 +404,7 @@ impl Picture {
 }
 
 /// State of the thread that draws.
-struct Artist {
+struct PictureRenderer {
     renderer: Renderer,
     planner: Planner,
     /// Shader that the planner was given last, with its look.
@@ -407,19 +414,18 @@ struct Artist {
     crashes: CrashLog,
 }
 
-impl Artist {
-    async fn draw(&mut self, wish: &PictureRequest) -> DrawnPicture {
-        let subject = wish.subject.clone();
-        let going = wish.first_of.as_ref().map(|(name, path)| {
-            let origin = || DocumentOrigin::new(name, path.as_deref(), &wish.showing.look);
-            self.crashes.begin(Step::Draw, origin)
+impl PictureRenderer {
+    async fn draw(&mut self, request: &PictureRequest) -> DrawnPicture {
+        let subject = request.subject.clone();
+        let going = request.first_of.as_ref().map(|(name, path)| {
+            let origin = || DocumentOrigin::new(name, path.as_deref(), &request.showing.look);
+            self.crashes.begin(CrashStep::Draw, origin)
         });
-        let drawn = self.try_draw(wish).await;
+        let drawn = self.try_draw(request).await;
         let unfinished = going.map(|going| self.hand_to_gpu(going));
         match drawn {
-            Ok(effects) => {
-                let problems = std::mem::take(&mut self.planner.warnings);
-                let ready = Some(Ready::of(&wish.showing, &wish.still));
+            Ok(Warned { value: effects, warnings: problems }) => {
+                let ready = Some(PreparedAssets::of(&request.showing, &request.snapshot));
                 DrawnPicture {
                     subject,
                     texture: self.renderer.picture_view(),
@@ -453,15 +459,19 @@ impl Artist {
     /// look is edited nothing is left out, as that would only flicker.
     async fn try_draw(
         &mut self,
-        wish: &PictureRequest,
-    ) -> Result<Option<Vec<Effect>>, Vec<Diagnostic>> {
-        let showing = &wish.showing;
-        if !self.library.as_ref().is_some_and(|library| Arc::ptr_eq(library, &wish.still.library)) {
+        request: &PictureRequest,
+    ) -> Result<Warned<Option<Vec<Effect>>>, Vec<Diagnostic>> {
+        let showing = &request.showing;
+        if !self
+            .library
+            .as_ref()
+            .is_some_and(|library| Arc::ptr_eq(library, &request.snapshot.library))
+        {
             self.planner =
                 Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
-            (self.library, self.provided) = (Some(wish.still.library.clone()), None);
+            (self.library, self.provided) = (Some(request.snapshot.library.clone()), None);
         }
-        let (mut setup, notes) = wish.still.setup(&mut self.planner.assets)?.into_parts();
+        let (mut setup, of_setup) = request.snapshot.setup(&mut self.planner.assets)?.into_parts();
         setup.edited = Some(0);
         if !self.provided.as_ref().is_some_and(|(shader, look)| {
             Arc::ptr_eq(shader, &showing.shader) && same_keys(look, &showing.look)
@@ -469,11 +479,13 @@ impl Artist {
             self.planner.provide(&showing.look, &showing.live, showing.shader.clone());
             self.provided = Some((showing.shader.clone(), showing.look.clone()));
         }
-        let options = PlanOptions { size: wish.size, samples: 4, time: wish.still.time };
-        let plan = self.planner.plan(&setup, &wish.still.library, &showing.live, &options)?;
-        self.planner.warnings.extend(notes);
-        self.planner.warnings.extend(self.renderer.gpu().warnings(&plan));
-        let is_told = wish.tells_effects && showing.live == Live::Keyed;
+        let options = PlanOptions { size: request.size, samples: 4, time: request.snapshot.time };
+        let planned =
+            self.planner.plan(&setup, &request.snapshot.library, &showing.live, &options)?;
+        let (plan, mut warnings) = planned.into_parts();
+        warnings.extend(of_setup);
+        warnings.extend(self.renderer.gpu().warnings(&plan));
+        let is_told = request.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
         if milestones::are_told() {
@@ -488,7 +500,7 @@ impl Artist {
             let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
-        Ok(effects)
+        Ok(Warned::new(effects, warnings))
     }
 }
 
@@ -507,7 +519,7 @@ mod tests {
         let mut frames = |is_at_work: bool, dt: f32, count: u32| {
             for _ in 0..count {
                 pace.tell(is_at_work, dt);
-                pace.has_wished = true;
+                pace.has_requested = true;
             }
             pace.coarseness
         };
@@ -518,7 +530,7 @@ mod tests {
         assert_eq!(frames(true, 0.016, 1), 4, "the next hand begins where the last one ended");
         assert_eq!(frames(true, 0.005, TRUST), 2);
         // A drag that rests in between has no long frame.
-        pace.has_wished = false;
+        pace.has_requested = false;
         pace.tell(true, 3.0);
         assert_eq!(pace.slow, 0);
     }

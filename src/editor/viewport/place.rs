@@ -18,7 +18,7 @@ pub(super) fn is_on_object(at: Pos2, rect: Rect, session: &Session, handles: &Ha
     if let Some(surface) = &handles.surface {
         return surface.piece_at(place_in(rect, at)).is_some();
     }
-    if session.stage().is_some() {
+    if session.open_scene().is_some() {
         return false;
     }
     let radius = session.view.orbit.radius_in_picture() as f32 * rect.height();

@@ -53,7 +53,7 @@ impl Preparing {
             Some(MissingPicture::Picture) => {
                 sign(ui, rect, strength, true, &text, "reading meshes and paintings, drawing");
             }
-            Some(MissingPicture::Mended) if session.held().is_some() => {
+            Some(MissingPicture::Mended) if session.journals.held().is_some() => {
                 sign(ui, rect, 1.0, false, "Not drawn", "until you press Try again above");
             }
             Some(MissingPicture::Mended) => {

@@ -12,7 +12,7 @@ pub(super) const MOST_STOPS: f32 = 4.0;
 
 /// Place of a reference image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
+pub(super) enum ReferencePlacement {
     /// Left of the picture, at the same size.
     Beside,
     /// Over the picture, translucent.
@@ -20,19 +20,19 @@ pub(super) enum Place {
 }
 
 /// Reference image to work from.
-pub(super) struct Reference {
+pub(super) struct ReferenceImage {
     pub(super) name: String,
     pub(super) texture: TextureHandle,
-    pub(super) place: Place,
+    pub(super) place: ReferencePlacement,
     pub(super) opacity: f32,
 }
 
-impl Reference {
+impl ReferenceImage {
     /// Splits the available area: the picture's part, and the part of an image beside it.
     pub(super) fn split(&self, room: Rect) -> (Rect, Option<Rect>) {
         match self.place {
-            Place::Over => (room, None),
-            Place::Beside => {
+            ReferencePlacement::Over => (room, None),
+            ReferencePlacement::Beside => {
                 let (left, right) = room.split_left_right_at_fraction(0.5);
                 (right, Some(left))
             }
@@ -43,7 +43,7 @@ impl Reference {
     pub(super) fn paint(&self, ui: &Ui, rect: Rect) {
         let size = self.texture.size_vec2();
         let scale = (rect.size() / size.max(Vec2::splat(1.0))).min_elem();
-        let opacity = if self.place == Place::Over { self.opacity } else { 1.0 };
+        let opacity = if self.place == ReferencePlacement::Over { self.opacity } else { 1.0 };
         let at = Rect::from_center_size(rect.center(), size * scale);
         ui.painter_at(rect).image(
             self.texture.id(),

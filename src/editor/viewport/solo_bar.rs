@@ -4,6 +4,7 @@ use eframe::egui;
 use eframe::egui::{RichText, Ui};
 
 use crate::commands::Command;
+use crate::fields::lighting::OwnedLight;
 use crate::ids::{LightId, NodeId};
 use crate::state::session::Session;
 use crate::state::solo::{OF_THE_WINDOW, Solo};
@@ -40,12 +41,16 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Option<Command> {
 
 /// Sentence on the soloed and the muted layers and lights.
 fn sentence(session: &Session) -> Option<String> {
-    let solo = session.solo();
+    let solo = &session.view.solo;
     if solo.is_empty() {
         return None;
     }
-    let layer = |id: &NodeId| session.title(id);
-    let light = |id: &LightId| session.lamp(id).map_or(id.as_str(), |lamp| lamp.name()).to_owned();
+    let layer = |id: &NodeId| session.look_with_library().title(id);
+    let light = |id: &LightId| {
+        OwnedLight::lighting(session, id)
+            .map_or(id.as_str(), |owned_light| owned_light.name())
+            .to_owned()
+    };
     let list = |names: Vec<String>| names.join(", ");
     let mut parts = Vec::new();
     if !solo.layers.is_empty() {

@@ -178,7 +178,7 @@ fn angles(
             let angle = (degrees.to_radians() * 1e4).round() / 1e4;
             out.push(Command::EditHeld(
                 response.id,
-                session.set_at(&setting.target, Value::Number(angle.clamp(least, most))),
+                session.keys().set_at(&setting.target, Value::Number(angle.clamp(least, most))),
             ));
         }
     }
@@ -199,10 +199,10 @@ fn surface(
                 color::swatch(ui, label.id, setting.at_key, session.look().color_space, true)
             })
             .inner;
-        if let Some((hand, color)) = changed {
+        if let Some((widget, color)) = changed {
             out.push(Command::EditHeld(
-                hand,
-                session.set_at(&setting.target, Value::Vector(color.to_vec())),
+                widget,
+                session.keys().set_at(&setting.target, Value::Vector(color.to_vec())),
             ));
         }
     }
@@ -215,7 +215,7 @@ fn surface(
         if response.changed() {
             out.push(Command::EditHeld(
                 response.id,
-                session.set_at(&setting.target, Value::Number(slope)),
+                session.keys().set_at(&setting.target, Value::Number(slope)),
             ));
         }
     }
@@ -230,7 +230,7 @@ fn surface(
         if response.changed() {
             out.push(Command::EditHeld(
                 response.id,
-                session.set_at(&setting.target, Value::Number(degrees.to_radians())),
+                session.keys().set_at(&setting.target, Value::Number(degrees.to_radians())),
             ));
         }
     }

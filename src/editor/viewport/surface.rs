@@ -10,13 +10,14 @@ use glam::{DMat3, DVec3, Vec3};
 
 use crate::diag::Diagnostic;
 use crate::document::Camera;
-use crate::frame::{Assets, FramePlan, Pass, PassId, Setup, SetupObject, View};
+use crate::frame::{Assets, FramePlan, Setup, SetupObject, View};
 use crate::ids::ObjectId;
 use crate::interp::Precision;
+use crate::library::Context;
 use crate::progress::Progress;
 use crate::reference::{
-    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Shaders,
-    Sides, Target, Texels, Triangles, Varying, VertexStage, rasterise, shade_all,
+    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Sides,
+    Target, Texels, Triangles, Varying, VertexStage, execute_screens, rasterise,
 };
 use crate::state::revision::{FilesRevision, PictureRevision};
 use crate::state::scene::ObjectPlace;
@@ -38,7 +39,7 @@ const LEAST_FACING: f32 = 0.05;
 pub(super) struct Key {
     mesh: String,
     z_is_up: bool,
-    stage: Option<PictureRevision>,
+    scene: Option<PictureRevision>,
     /// Number of changes to files, meshes among them.
     files: FilesRevision,
     camera: Camera,
@@ -48,16 +49,16 @@ pub(super) struct Key {
 impl Key {
     /// Key for a picture of this size in points.
     pub(super) fn new(session: &Session, points: eframe::egui::Vec2) -> Self {
-        let (orbit, files) = (&session.view.orbit, session.files());
+        let (orbit, files) = (&session.view.orbit, session.revisions().files);
         // Neither lights nor values move objects.
-        let stage = session.stage().map(|stage| stage.staged().shape());
+        let scene = session.open_scene().map(|open| open.snapshot().shape());
         let scale = (MOST / (points.x * points.y).max(1.0)).sqrt().min(1.0);
         let size =
             [points.x, points.y].map(|side| (side * scale).round().clamp(2.0, 4096.0) as u32);
         Self {
             mesh: orbit.mesh.clone(),
             z_is_up: orbit.z_is_up,
-            stage,
+            scene,
             files,
             camera: orbit.camera(),
             size,
@@ -83,12 +84,12 @@ pub(super) struct Surface {
     pub(super) kappa: Option<Vec<f32>>,
     pub(super) view: View,
     /// Parts of objects that are visible.
-    pub(super) pieces: Arc<Pieces>,
+    pub(super) parts_seen: Arc<VisibleParts>,
 }
 
 /// Part of an object.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct ObjectPart {
     pub(super) object: ObjectId,
     pub(super) material: String,
     /// True if the part wears the open look.
@@ -97,8 +98,8 @@ pub(super) struct Piece {
 
 /// Part visible at each pixel, and the places of all objects.
 #[derive(Debug, Default)]
-pub(super) struct Pieces {
-    all: Vec<Piece>,
+pub(super) struct VisibleParts {
+    all: Vec<ObjectPart>,
     /// Number of each pixel's part, from 1 on; 0 where there is none.
     seen: Vec<u16>,
     pub(super) placed: Vec<ObjectPlace>,
@@ -159,19 +160,19 @@ impl Surface {
     }
 
     /// Part of an object at a place of the picture, in parts of its size, whatever look it wears.
-    pub(super) fn piece_at(&self, place: [f32; 2]) -> Option<&Piece> {
-        let number = *self.pieces.seen.get(self.pixel_at(place)?)?;
-        self.pieces.all.get(usize::from(number).checked_sub(1)?)
+    pub(super) fn piece_at(&self, place: [f32; 2]) -> Option<&ObjectPart> {
+        let number = *self.parts_seen.seen.get(self.pixel_at(place)?)?;
+        self.parts_seen.all.get(usize::from(number).checked_sub(1)?)
     }
 
     /// Corners, in parts of the picture's size, of a box around the visible part of an object.
     pub(super) fn box_of(&self, object: &ObjectId) -> Option<[[f32; 2]; 2]> {
         let width = self.size[0];
         let is_it: Vec<bool> =
-            self.pieces.all.iter().map(|piece| piece.object == *object).collect();
+            self.parts_seen.all.iter().map(|piece| piece.object == *object).collect();
         let of_it =
             |number: &u16| usize::from(*number).checked_sub(1).is_some_and(|piece| is_it[piece]);
-        let pixels = self.pieces.seen.iter().enumerate().filter(|(_, number)| of_it(number));
+        let pixels = self.parts_seen.seen.iter().enumerate().filter(|(_, number)| of_it(number));
         let (mut least, mut most) = ([usize::MAX; 2], [0; 2]);
         for (pixel, _) in pixels {
             let at = [pixel % width, pixel / width];
@@ -196,7 +197,7 @@ impl Surface {
 
 struct SurfaceRequest {
     key: Key,
-    still: RenderSnapshot,
+    snapshot: RenderSnapshot,
     with_kappa: bool,
 }
 
@@ -212,14 +213,14 @@ impl Surfaces {
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
         let mut assets = Assets::default();
         let mut last: Option<Arc<Surface>> = None;
-        let work = move |wish: SurfaceRequest| {
-            let old = last.take().filter(|old| old.key == wish.key);
+        let work = move |request: SurfaceRequest| {
+            let old = last.take().filter(|old| old.key == request.key);
             last = match old {
-                Some(old) if wish.with_kappa && old.kappa.is_none() => {
+                Some(old) if request.with_kappa && old.kappa.is_none() => {
                     Some(Arc::new(with_kappa(&old)))
                 }
                 Some(old) => Some(old),
-                None => make(&wish, &mut assets).map(Arc::new),
+                None => make(&request, &mut assets).map(Arc::new),
             };
             last.clone()
         };
@@ -231,7 +232,7 @@ impl Surfaces {
         &mut self,
         key: &Key,
         with_kappa: bool,
-        still: impl FnOnce() -> RenderSnapshot,
+        snapshot: impl FnOnce() -> RenderSnapshot,
     ) -> Option<Arc<Surface>> {
         if let Some(answer) = self.worker.answers().pop() {
             self.last = answer;
@@ -239,8 +240,8 @@ impl Surfaces {
         let knows = |(known, kappa): &(Key, bool)| known == key && (*kappa || !with_kappa);
         if !self.asked.as_ref().is_some_and(knows) {
             self.asked = Some((key.clone(), with_kappa));
-            let wish = SurfaceRequest { key: key.clone(), still: still(), with_kappa };
-            self.worker.request(|_| wish);
+            let request = SurfaceRequest { key: key.clone(), snapshot: snapshot(), with_kappa };
+            self.worker.request(|_| request);
         }
         self.last.clone().filter(|surface| surface.key == *key)
     }
@@ -255,10 +256,10 @@ impl Surfaces {
 }
 
 /// Surface for a request; `None` where there is no mesh: the picture shows why.
-fn make(wish: &SurfaceRequest, assets: &mut Assets) -> Option<Surface> {
-    let setup = wish.still.setup(assets).ok()?.value;
-    let surface = surface_of(&setup, &wish.key).ok()?;
-    Some(if wish.with_kappa { with_kappa(&surface) } else { surface })
+fn make(request: &SurfaceRequest, assets: &mut Assets) -> Option<Surface> {
+    let setup = request.snapshot.setup(assets).ok()?.value;
+    let surface = surface_of(&setup, &request.key).ok()?;
+    Some(if request.with_kappa { with_kappa(&surface) } else { surface })
 }
 
 fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
@@ -278,7 +279,7 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
     let shaders: Vec<_> = parts
         .iter()
         .zip(1..)
-        .map(|((object, _), number)| Plain::new(object, &view, number))
+        .map(|((object, _), number)| SurfaceShader::new(object, &view, number))
         .collect();
     let triangles = parts.iter().zip(&shaders).map(|((object, part), shader)| {
         let part = &object.mesh.parts[*part];
@@ -298,7 +299,7 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
         &Options::default(),
         &Progress::new(),
     )?;
-    let all: Vec<Piece> = parts.iter().map(|(object, part)| piece(object, *part)).collect();
+    let all: Vec<ObjectPart> = parts.iter().map(|(object, part)| piece(object, *part)).collect();
     let vector =
         |numbers: &[f64]| Vec3::new(numbers[0] as f32, numbers[1] as f32, numbers[2] as f32);
     let (mut normals, mut positions, mut seen) = (Vec::new(), Vec::new(), Vec::new());
@@ -309,16 +310,17 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
         positions.push(vector(&pixel[3..]));
         seen.push(number);
     }
-    let pieces = Arc::new(Pieces { all, seen, placed: setup.objects.iter().map(placed).collect() });
+    let parts_seen =
+        Arc::new(VisibleParts { all, seen, placed: setup.objects.iter().map(placed).collect() });
     let size = size.map(|side| side as usize);
     let links = links(&normals, &positions, size, &view);
-    Ok(Surface { key: key.clone(), size, normals, positions, links, kappa: None, view, pieces })
+    Ok(Surface { key: key.clone(), size, normals, positions, links, kappa: None, view, parts_seen })
 }
 
-fn piece(object: &SetupObject, part: usize) -> Piece {
+fn piece(object: &SetupObject, part: usize) -> ObjectPart {
     let material = object.mesh.parts[part].material.clone();
     // The open look is the first of a setup's.
-    Piece { object: object.id.clone(), material, is_open: object.looks[part] == Some(0) }
+    ObjectPart { object: object.id.clone(), material, is_open: object.looks[part] == Some(0) }
 }
 
 fn placed(object: &SetupObject) -> ObjectPlace {
@@ -370,7 +372,7 @@ fn links(
 
 /// The surface with curvature, measured by the same pass as in the picture.
 fn with_kappa(surface: &Surface) -> Surface {
-    let Surface { key, size, normals, positions, links, view, pieces, .. } = surface;
+    let Surface { key, size, normals, positions, links, view, parts_seen, .. } = surface;
     Surface {
         key: key.clone(),
         size: *size,
@@ -379,13 +381,9 @@ fn with_kappa(surface: &Surface) -> Surface {
         links: links.clone(),
         kappa: Some(kappa(surface).unwrap_or_else(|_| vec![0.0; normals.len()])),
         view: *view,
-        pieces: pieces.clone(),
+        parts_seen: parts_seen.clone(),
     }
 }
-
-/// Passes that draw normals and measure their curvature.
-const NORMALS: PassId = PassId::named("normals");
-const CURVATURE: PassId = PassId::named("curvature");
 
 fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
@@ -399,21 +397,15 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
             drawn.values[5 * pixel..][..5].copy_from_slice(&[n.x, n.y, n.z, 1.0, depth]);
         }
     }
+    let pass = Context::KAPPA.pass();
+    let nothing = || Diagnostic::error("reference-plan", "no pass measures curvature");
+    let pass = pass.ok_or_else(nothing)?;
+    let plan = FramePlan::of_screens(pass, view, size);
     let mut images = PassImages::default();
-    images.insert(NORMALS, &drawn);
-    let pass = Pass { id: CURVATURE, reason: String::new(), input_hash: 0 };
-    let plan = FramePlan {
-        size,
-        samples: 1,
-        backdrop: None,
-        view,
-        draws: Vec::new(),
-        passes: vec![pass],
-        dropped: Vec::new(),
-    };
+    plan.missing().for_each(|of_meshes| images.insert(of_meshes, &drawn));
     let modules = Modules::new(&plan, Precision::F64)?;
-    let shader = modules.screen(&plan, CURVATURE, &images)?;
-    let texels = shade_all(size, 1, shader.as_ref(), &Options::default(), &Progress::new())?;
+    execute_screens(&plan, &mut images, &modules, &Options::default(), &Progress::new())?;
+    let texels = images.first(pass).ok_or_else(nothing)?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
 
@@ -421,14 +413,14 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
 const NUMBERS: usize = 7;
 
 /// Shader that draws a part's normals and positions, world space, and its number.
-struct Plain<'a> {
+struct SurfaceShader<'a> {
     object: &'a SetupObject,
     number: usize,
     clip_from_object: glam::DMat4,
     normals: DMat3,
 }
 
-impl<'a> Plain<'a> {
+impl<'a> SurfaceShader<'a> {
     fn new(object: &'a SetupObject, view: &View, number: usize) -> Self {
         let linear = DMat3::from_mat4(object.world_from_object);
         let normals =
@@ -445,25 +437,25 @@ impl<'a> Plain<'a> {
 const VARYINGS: [Varying; 2] =
     [Varying { components: 3, interpolation: Interpolation::Perspective }; 2];
 
-impl Shader for Plain<'_> {
+impl Shader for SurfaceShader<'_> {
     fn varyings(&self) -> &[Varying] {
         &VARYINGS
     }
 
     fn vertices(&self) -> Box<dyn VertexStage + '_> {
-        Box::new(PlainVertexStage(self))
+        Box::new(SurfaceStages(self))
     }
 
     fn fragments(&self) -> Box<dyn FragmentStage + '_> {
-        Box::new(PlainVertexStage(self))
+        Box::new(SurfaceStages(self))
     }
 }
 
-struct PlainVertexStage<'a>(&'a Plain<'a>);
+struct SurfaceStages<'a>(&'a SurfaceShader<'a>);
 
-impl VertexStage for PlainVertexStage<'_> {
+impl VertexStage for SurfaceStages<'_> {
     fn shade(&mut self, vertices: &[u32], out: &mut [f64]) -> Result<(), Diagnostic> {
-        let Plain { object, clip_from_object, normals, .. } = self.0;
+        let SurfaceShader { object, clip_from_object, normals, .. } = self.0;
         for (&vertex, out) in vertices.iter().zip(out.chunks_exact_mut(10)) {
             let position = DVec3::from(object.mesh.positions[vertex as usize].map(f64::from));
             let normal =
@@ -477,7 +469,7 @@ impl VertexStage for PlainVertexStage<'_> {
     }
 }
 
-impl FragmentStage for PlainVertexStage<'_> {
+impl FragmentStage for SurfaceStages<'_> {
     fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
         for component in 0..6 {
             out.channel_mut(component)[..batch.lanes()]

@@ -10,7 +10,7 @@ use super::variant::{Variant, can_be_left_out, tiers_of};
 use super::{Colors, ErrorFigures, Estimate, MeasureError};
 use crate::compile::Live;
 use crate::document::Tier;
-use crate::frame::{Assets, FramePlan, PlanOptions, Planner, Setup};
+use crate::frame::{Assets, Executor, FramePlan, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -54,7 +54,7 @@ pub async fn bench(
     let nodes = nodes(setup, library, options.nodes);
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
-    let precise = Renderer::new(renderer.gpu().precise());
+    let precise = renderer.gpu().precise().executor();
     let mut bench =
         Bench { setup, library, renderer, precise, options, planner: Planner::default() };
     let truth = if options.truth { Some(bench.truth(progress).await?) } else { None };
@@ -121,7 +121,7 @@ struct Bench<'a> {
     setup: &'a Setup,
     library: &'a Library,
     renderer: &'a mut Renderer,
-    precise: Renderer,
+    precise: Box<dyn Executor + Send>,
     options: &'a BenchOptions,
     planner: Planner,
 }
@@ -129,7 +129,7 @@ struct Bench<'a> {
 impl Bench<'_> {
     fn plan(&mut self, variant: &Variant) -> Result<FramePlan, MeasureError> {
         let setup = variant.of(self.setup);
-        Ok(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?)
+        Ok(self.planner.plan(&setup, self.library, &Live::Keyed, &self.options.plan)?.value)
     }
 
     /// The truth of the setup, [settled](Truth::settle) with the exact tier's picture.
@@ -140,7 +140,7 @@ impl Bench<'_> {
         let mut planner = Planner::for_truth(Assets::default());
         let mut truth = Truth::of(&setup, self.library, &mut planner, options, &progress.part(1))?;
         let plan = FramePlan { samples: 1, ..self.plan(&exact)? };
-        let got = self.precise.picture(&plan).await?;
+        let got = self.precise.picture(&plan, &Progress::new()).await?;
         truth.settle(
             &Colors::from(&got),
             |_| VISIBLE,
@@ -160,7 +160,7 @@ impl Bench<'_> {
         // The picture is compared with one sample a pixel, as the truth has.
         let plan = FramePlan { samples: 1, ..plan.clone() };
         match truth {
-            Some(truth) => Ok(Some(truth.compare(&mut self.precise, &plan).await?)),
+            Some(truth) => Ok(Some(truth.compare(&mut *self.precise, &plan).await?)),
             None => Ok(None),
         }
     }

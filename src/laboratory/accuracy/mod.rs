@@ -14,7 +14,6 @@ pub mod measure;
 pub mod plot;
 pub mod report;
 pub mod size;
-pub mod sweep;
 pub mod truth;
 pub mod tune;
 pub mod variant;
@@ -50,6 +49,12 @@ impl From<Stopped> for MeasureError {
 impl From<RenderError> for MeasureError {
     fn from(error: RenderError) -> Self {
         Self::Problems(vec![error.into()])
+    }
+}
+
+impl From<Diagnostic> for MeasureError {
+    fn from(problem: Diagnostic) -> Self {
+        vec![problem].into()
     }
 }
 

@@ -7,12 +7,11 @@ use glam::DVec3;
 use super::error::difference;
 use super::{Colors, ErrorFigures, MeasureError, compare};
 use crate::compile::Live;
-use crate::frame::{FramePlan, PlanOptions, Planner, Setup, View};
+use crate::frame::{Executor, FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::reference::{self, Modules, ReferencePicture, Snap};
-use crate::render::Renderer;
 
 /// Grid that vertices are snapped to. GPUs and software Vulkan decide coverage after rounding
 /// vertices to 2^-8 of a pixel; coverage agrees if the truth rounds them alike. Interpolated values
@@ -62,7 +61,7 @@ impl Truth {
         progress: &Progress,
     ) -> Result<Self, MeasureError> {
         let options = PlanOptions { samples: 1, ..options.clone() };
-        let plan = planner.plan(setup, library, &Live::All, &options)?;
+        let plan = planner.plan(setup, library, &Live::All, &options)?.value;
         let one = |problem| vec![problem];
         let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
         let [width, height] = options.size;
@@ -120,8 +119,8 @@ impl Truth {
             if open.is_empty() {
                 break;
             }
-            let plan =
-                planner.plan(&aside(setup, &self.view, step), library, &Live::All, &options)?;
+            let seen = aside(setup, &self.view, step);
+            let plan = planner.plan(&seen, library, &Live::All, &options)?.value;
             let one = |problem| vec![problem];
             let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
             let mut left = Vec::new();
@@ -145,17 +144,17 @@ impl Truth {
         Ok(all - open.len())
     }
 
-    /// Error figures of the GPU's picture of `plan` against this truth. `renderer` should be
+    /// Error figures of a picture of `plan` against this truth. `executor` should be
     /// [precise](crate::render::Gpu::precise), and the plan have one sample a pixel.
     ///
     /// # Errors
-    /// Errors of the GPU.
+    /// Errors of the executor.
     pub async fn compare(
         &self,
-        renderer: &mut Renderer,
+        executor: &mut dyn Executor,
         plan: &FramePlan,
     ) -> Result<ErrorFigures, MeasureError> {
-        Ok(self.figures(&Colors::from(&renderer.picture(plan).await?)))
+        Ok(self.figures(&Colors::from(&executor.picture(plan, &Progress::new()).await?)))
     }
 
     /// Error figures of a drawn picture against this truth.

@@ -16,7 +16,7 @@ use super::viewpoint::{Viewpoint, viewpoints};
 use super::{ErrorFigures, Estimate, MeasureError};
 use crate::compile::Live;
 use crate::document::Tier;
-use crate::frame::{Assets, PlanOptions, Planner, Setup};
+use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup};
 use crate::ids::NodeId;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -338,7 +338,7 @@ struct Tuner<'a> {
     setups: &'a [Setup],
     library: &'a Library,
     renderer: &'a mut Renderer,
-    precise: Renderer,
+    precise: Box<dyn Executor + Send>,
     options: &'a TuneOptions,
     planner: Planner,
     /// Truth of each viewpoint, with the index of its setup.
@@ -353,7 +353,7 @@ impl<'a> Tuner<'a> {
         options: &'a TuneOptions,
         progress: &Progress,
     ) -> Result<Self, MeasureError> {
-        let precise = Renderer::new(renderer.gpu().precise());
+        let precise = renderer.gpu().precise().executor();
         let mut tuner = Self {
             setups,
             library,
@@ -404,8 +404,8 @@ impl<'a> Tuner<'a> {
             let (index, station, truth) = &self.truths[at];
             let setup = station.of(&self.with(*index, chosen));
             let options = self.error_plan(station);
-            let plan = self.planner.plan(&setup, self.library, &Live::Keyed, &options)?;
-            let found = truth.compare(&mut self.precise, &plan).await?;
+            let plan = self.planner.plan(&setup, self.library, &Live::Keyed, &options)?.value;
+            let found = truth.compare(&mut *self.precise, &plan).await?;
             if found.max > worst.error {
                 let side = self.options.error_side;
                 worst = Worst {
@@ -431,12 +431,8 @@ impl<'a> Tuner<'a> {
         let mut plans = Vec::new();
         for chosen in choices {
             let setup = self.with(0, &chosen_of(candidates, chosen));
-            plans.push(self.planner.plan(
-                &setup,
-                self.library,
-                &Live::Keyed,
-                &self.options.plan,
-            )?);
+            let options = &self.options.plan;
+            plans.push(self.planner.plan(&setup, self.library, &Live::Keyed, options)?.value);
         }
         alternate(self.renderer, &plans.iter().collect::<Vec<_>>(), self.options.rounds, progress)
             .await

@@ -20,7 +20,7 @@ use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{Light, Values};
 use crate::frame::{
-    Assets, CompiledShader, ParamTable, PlanOptions, Planner, Rig, RigInputs, Setup, Stage, Wires,
+    Assets, CompiledShader, ParamTable, PlanOptions, Planner, Rig, RigInputs, Setup, Wires,
 };
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
@@ -89,7 +89,7 @@ impl Model {
         let touched = knobs.iter().flat_map(Knob::inputs).collect();
         let options = PlanOptions { size: shot.size, samples: 1, time: shot.time };
         let mut planner = Planner::new(Assets::default()).culling(crate::frame::Cull::Objects);
-        let plan = planner.plan(&setup, shot.library, &Live::Touched(touched), &options)?;
+        let plan = planner.plan(&setup, shot.library, &Live::Touched(touched), &options)?.value;
         let look = &setup.looks[shot.look].look;
         let mut parts = Vec::new();
         for (number, draw) in plan.draws.iter().enumerate() {
@@ -285,7 +285,10 @@ fn of_quads(quads: &[Vec<usize>], chosen: Vec<usize>) -> Vec<usize> {
 }
 
 fn plan_numbers(draw: &crate::frame::Draw) -> Vec<f64> {
-    draw.look_uniforms.get(&Stage::Draw).map(|uniform| uniform.numbers.clone()).unwrap_or_default()
+    draw.look_uniforms
+        .get(&draw.look.stage)
+        .map(|uniform| uniform.numbers.clone())
+        .unwrap_or_default()
 }
 
 /// True if a pixel lies beside one with another draw on top: an antialiased picture has mixed their

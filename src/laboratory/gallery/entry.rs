@@ -12,7 +12,7 @@ use crate::document::Look;
 use crate::frame::{Assets, FramePlan, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::Renderer;
+use crate::render::{Gpu, Renderer};
 
 /// Content of one document's page.
 pub(super) struct Entry {
@@ -62,8 +62,7 @@ impl DocumentPlan {
         let mut planner = Planner::new(std::mem::take(assets));
         let plan = planner.plan(&setup, library, &Live::Keyed, &options);
         *assets = planner.assets;
-        let plan = plan?;
-        warnings.append(&mut planner.warnings);
+        let plan = plan?.tell(&mut warnings);
         Ok(Self { setup, options, plan, warnings })
     }
 }
@@ -89,12 +88,13 @@ impl Entry {
     pub(super) async fn make(
         shown: &GalleryDocument,
         library: &Library,
-        renderer: &mut Renderer,
+        gpu: &Gpu,
         options: &Options,
     ) -> Result<Warned<Self>, Vec<Diagnostic>> {
         let DocumentPlan { setup, options: plan_options, plan, warnings } =
             DocumentPlan::new(shown, library, options, &mut Assets::default())?;
-        let picture = renderer.picture(&plan).await.map_err(|error| vec![error.into()])?;
+        let picture = gpu.executor().picture(&plan, &Progress::new()).await;
+        let picture = picture.map_err(|problem| vec![problem])?;
         let png = picture.to_png().map_err(|problem| vec![problem])?;
         let mut seen = HashSet::new();
         let modules = plan.draws.iter().filter(|draw| seen.insert(Arc::as_ptr(&draw.look)));
@@ -102,7 +102,7 @@ impl Entry {
             modules.map(|draw| (draw.look_name.clone(), draw.look.wgsl.clone())).collect();
         let report = match options.rounds {
             0 => None,
-            rounds => Some(measure(&setup, library, renderer, &plan_options, rounds).await?),
+            rounds => Some(measure(&setup, library, gpu, &plan_options, rounds).await?),
         };
         let looks = looks(&setup);
         let (name, about) = told(shown, &setup);
@@ -130,7 +130,7 @@ impl Entry {
 async fn measure(
     setup: &Setup,
     library: &Library,
-    renderer: &mut Renderer,
+    gpu: &Gpu,
     plan: &PlanOptions,
     rounds: usize,
 ) -> Result<Report, Vec<Diagnostic>> {
@@ -140,7 +140,8 @@ async fn measure(
         nodes: MeasuredNodes::None,
         truth: true,
     };
-    Ok(bench(setup, library, renderer, &options, &Progress::new()).await?)
+    let mut renderer = Renderer::new(gpu.clone());
+    Ok(bench(setup, library, &mut renderer, &options, &Progress::new()).await?)
 }
 
 /// Distinct looks, in the order in which objects wear them.

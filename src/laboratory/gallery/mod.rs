@@ -22,7 +22,7 @@ use crate::frame::Assets;
 use crate::ids::make_slug;
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Gpu, Renderer};
+use crate::render::Gpu;
 use entry::Entry;
 pub use list::{GalleryDocument, List, Section};
 
@@ -95,10 +95,9 @@ pub async fn build(
             let slug = order.next().unwrap_or_default();
             let library = library_for(&shown.file);
             made.problems.extend(library.problems.iter().cloned());
-            // Each document has a renderer of its own; a shared one would keep the pipelines and
+            // Each document has a store of its own; a shared one would keep the pipelines and
             // textures of all documents.
-            let mut renderer = Renderer::new(gpu.with_own_store());
-            match Entry::make(shown, &library, &mut renderer, options).await {
+            match Entry::make(shown, &library, &gpu.with_own_store(), options).await {
                 Ok(entry) => {
                     let entry = entry.tell(&mut made.problems);
                     let mut catalog = Catalog::new(&library);

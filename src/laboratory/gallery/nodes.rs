@@ -11,7 +11,7 @@ use crate::files::{OutputKind, Outputs};
 use crate::frame::Picture;
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::{Gpu, Renderer};
+use crate::render::Gpu;
 
 /// Side of a picture, in pixels.
 pub const SIDE: u32 = 144;
@@ -47,9 +47,9 @@ pub async fn draw_nodes(
     let kinds: Vec<_> = catalog.all().filter(|kind| kind.id != CUSTOM_KIND).collect();
     progress.expect(kinds.len() as u64);
     for kind in kinds {
-        let mut renderer = Renderer::new(gpu.with_own_store());
+        let mut executor = gpu.with_own_store().executor();
         let picture =
-            sample::picture(kind, &catalog, library, &mut renderer, (folder.path(), SIDE)).await?;
+            sample::picture(kind, &catalog, library, &mut *executor, (folder.path(), SIDE)).await?;
         done(NodePictures { kind: kind.id.clone(), svg: node_svg(&kind.id, &catalog), picture })
             .map_err(one)?;
         progress.step()?;

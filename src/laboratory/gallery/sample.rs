@@ -9,9 +9,11 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
 use crate::examples;
-use crate::frame::{Assets, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup};
+use crate::frame::{
+    Assets, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX, SetupLook, default_setup,
+};
 use crate::library::{Fallback, Library, Type};
-use crate::render::Renderer;
+use crate::progress::Progress;
 
 /// Table of samples that show more of a node than its defaults, by kind: values as in a look's
 /// JSON, the source that `feed`s each input, the factor of the output (`times`), the own shape to
@@ -280,7 +282,7 @@ pub(super) async fn picture(
     kind: &Kind,
     catalog: &Catalog,
     library: &Library,
-    renderer: &mut Renderer,
+    executor: &mut dyn Executor,
     (folder, side): (&Path, u32),
 ) -> Result<Option<Picture>, Vec<Diagnostic>> {
     let Some(showing) = NodeSample::of(kind) else { return Ok(None) };
@@ -298,8 +300,9 @@ pub(super) async fn picture(
         setup.scene.camera.target = [0.0; 3];
     }
     let options = PlanOptions { size: [side, side], samples: 4, time: 0.4 };
-    let plan = Planner::new(assets).plan(&setup, library, &Live::Keyed, &options)?;
-    Ok(Some(renderer.picture(&plan).await.map_err(|error| vec![error.into()])?))
+    let plan = Planner::new(assets).plan(&setup, library, &Live::Keyed, &options)?.value;
+    let picture = executor.picture(&plan, &Progress::new()).await;
+    Ok(Some(picture.map_err(|problem| vec![problem])?))
 }
 
 /// Writes the image and the HCBTF that samples read.

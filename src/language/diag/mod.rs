@@ -208,12 +208,14 @@ impl fmt::Display for Diagnostic {
 
 /// Value that can be used, with warnings: the one channel of warnings. A function that makes a
 /// value of a file or a graph returns this type; code that shows results to people passes a list
-/// down to [`tell`](Self::tell).
+/// down to [`tell`](Self::tell). A scene without what could not be read is such a value, too, and
+/// then the errors of the parts that are missing are among its warnings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Warned<T> {
     /// Value itself.
     pub value: T,
-    /// Warnings and notes, in the order in which they were found; no errors.
+    /// Warnings and notes, and errors of parts that the value does without, in the order in which
+    /// they were found.
     pub warnings: Vec<Diagnostic>,
 }
 

@@ -31,7 +31,7 @@ pub use permitted::{
     MAX_CODE_OPERATIONS, MAX_TABLE_BYTES, MAX_TABLE_LENGTH, MAX_VARIABLE_BYTES, refusals,
 };
 pub use scan::{
-    Declaration, DeclarationKind, Field, Import, Scan, identifiers, rename_identifiers, scan,
+    Declaration, DeclarationKind, Field, Import, Scan, code, identifiers, rename_identifiers, scan,
 };
 pub use validate::{Valid, WgslError, parse, validate};
 

@@ -135,6 +135,18 @@ pub(super) fn tokenize(source: &str) -> Vec<Token> {
     tokens
 }
 
+/// The code of a source: its tokens without comments and the space between them. Sources with the
+/// same code are the same program.
+pub fn code(source: &str) -> String {
+    let tokens = tokenize(source).into_iter();
+    let is_code = |token: &Token| !matches!(token.kind, TokenKind::Doc | TokenKind::ModuleDoc);
+    tokens.filter(is_code).fold(String::with_capacity(source.len()), |mut code, token| {
+        code.push_str(&source[token.span]);
+        code.push('\n');
+        code
+    })
+}
+
 fn end_of_block_comment(bytes: &[u8], start: usize) -> usize {
     let mut depth = 0usize;
     let mut at = start;

@@ -2,7 +2,7 @@
 
 use wgpu::util::DeviceExt as _;
 
-use crate::compile::{BindingKind, CompiledShader, Stage};
+use crate::compile::{BindingKind, CompiledShader};
 use crate::frame::{Draw, FramePlan, PassImage};
 use crate::pipeline::{LookPipeline, Sides};
 use crate::{RenderError, Renderer};
@@ -49,7 +49,7 @@ impl Renderer {
         let view = self.uniform(&plan.view.uniform_bytes());
         let mut bound = Vec::new();
         for draw in &plan.draws {
-            bound.push(self.bind(&draw.look, Stage::Draw, draw, &view, plan.samples)?);
+            bound.push(self.bind(&draw.look, draw, &view, plan.samples)?);
         }
         let (Some(picture), Some(depth)) = (self.picture_view(), &self.targets.depth) else {
             return Ok(());
@@ -93,7 +93,6 @@ impl Renderer {
     pub(super) fn bind(
         &mut self,
         shader: &CompiledShader,
-        stage: Stage,
         draw: &Draw,
         view: &wgpu::Buffer,
         samples: u32,
@@ -102,9 +101,10 @@ impl Renderer {
         let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides)?;
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
         let object = self.uniform(&draw.object_uniform.bytes);
-        let look = draw.look_uniforms.get(&stage).map(|uniform| &uniform.bytes);
+        let look = draw.look_uniforms.get(&shader.stage).map(|uniform| &uniform.bytes);
         let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
-        let images = self.images.of(&self.gpu, draw.images_of(stage), &shader.needs.images)?;
+        let images =
+            self.images.of(&self.gpu, draw.images_of(shader.stage), &shader.needs.images)?;
         let mut entries = Vec::new();
         for binding in &shader.bindings {
             let resource = match &binding.kind {

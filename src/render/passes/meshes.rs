@@ -17,7 +17,7 @@ impl Renderer {
         let mut bound: Vec<(usize, Bound)> = Vec::new();
         for (index, draw) in plan.draws.iter().enumerate() {
             if let Some(shader) = draw.module(stage) {
-                bound.push((index, self.bind(shader, stage, draw, &view, 1)?));
+                bound.push((index, self.bind(shader, draw, &view, 1)?));
             }
         }
         let Some(buffer) = self.targets.buffer(pass) else { return Ok(()) };

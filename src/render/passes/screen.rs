@@ -4,7 +4,7 @@ use std::collections::hash_map::Entry;
 
 use wgpu::util::DeviceExt as _;
 
-use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource};
+use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource, ViewNumber};
 use crate::gpu::Gpu;
 use crate::target::format_of;
 use crate::{RenderError, Renderer};
@@ -72,13 +72,13 @@ fn layout(device: &wgpu::Device, module: &ScreenModule) -> wgpu::BindGroupLayout
     let entry = |binding: &crate::frame::ScreenBinding| wgpu::BindGroupLayoutEntry {
         binding: binding.binding,
         visibility: wgpu::ShaderStages::FRAGMENT,
-        ty: match binding.holds {
+        ty: match &binding.holds {
             ScreenResource::Image(_) => wgpu::BindingType::Texture {
                 sample_type: wgpu::TextureSampleType::Float { filterable: false },
                 view_dimension: wgpu::TextureViewDimension::D2,
                 multisampled: false,
             },
-            ScreenResource::View => wgpu::BindingType::Buffer {
+            ScreenResource::Numbers(_) => wgpu::BindingType::Buffer {
                 ty: wgpu::BufferBindingType::Uniform,
                 has_dynamic_offset: false,
                 min_binding_size: None,
@@ -103,23 +103,32 @@ impl Renderer {
             Entry::Vacant(place) => place.insert(ScreenPipeline::new(&self.gpu, pass)?),
         };
         let device = &self.gpu.device;
-        let numbers = plan.view.screen_numbers(plan.samples).map(|number| number as f32);
-        let uniform = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("screen"),
-            contents: bytemuck::cast_slice(&numbers),
-            usage: wgpu::BufferUsages::UNIFORM,
+        let uniform = |numbers: &[&ViewNumber]| {
+            let numbers = plan.view.numbers(numbers, plan.samples);
+            let numbers: Vec<f32> = numbers.into_iter().map(|number| number as f32).collect();
+            device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some("screen"),
+                contents: bytemuck::cast_slice(&numbers),
+                usage: wgpu::BufferUsages::UNIFORM,
+            })
+        };
+        let uniforms = module.bindings.iter().map(|binding| match &binding.holds {
+            ScreenResource::Image(_) => None,
+            ScreenResource::Numbers(numbers) => Some(uniform(numbers)),
         });
+        let uniforms: Vec<_> = uniforms.collect();
         let mut entries = Vec::new();
-        for binding in &module.bindings {
-            let resource = match binding.holds {
-                ScreenResource::Image(image) => {
+        for (binding, uniform) in module.bindings.iter().zip(&uniforms) {
+            let resource = match (&binding.holds, uniform) {
+                (ScreenResource::Numbers(_), Some(uniform)) => uniform.as_entire_binding(),
+                (ScreenResource::Image(image), _) => {
                     let missing = || RenderError::Refused {
                         message: format!("`{}` comes before what it reads", pass.label()),
                     };
-                    let view = self.targets.image(image).ok_or_else(missing)?;
+                    let view = self.targets.image(*image).ok_or_else(missing)?;
                     wgpu::BindingResource::TextureView(view)
                 }
-                ScreenResource::View => uniform.as_entire_binding(),
+                (ScreenResource::Numbers(_), None) => continue,
             };
             entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource });
         }

@@ -56,6 +56,7 @@ use super::reflect::Bound;
 use super::{exposed, host};
 use crate::compile::{ParamId, TypedGraph};
 use crate::document::{ColorSpace, Look};
+use crate::frame::ViewNumber;
 use crate::library::Library;
 
 pub use super::exposed::{LightDescription, Parameter};
@@ -240,16 +241,7 @@ fn meaningful(member: &Member, feed: &Feed) -> MeaningfulMember {
             "inverse transpose of the model matrix's upper left 3x3, for normals"
         }
         (Feed::Object, "id") => "counts objects from 0",
-        (Feed::Curvature, "pixel") => {
-            "a pixel's size in scene units: at depth 1 for perspective, at every depth for \
-             parallel projection"
-        }
-        (Feed::Curvature, "perspective") => "1 for perspective, 0 for parallel projection",
-        (Feed::Curvature, "viewport_height") => "in pixels",
-        (Feed::Curvature, "rows_up") => {
-            "1 where the API's `first_row` is bottom, 0 where it is top"
-        }
-        (Feed::Curvature, "samples") => "samples a pixel of the picture",
+        (Feed::Numbers, name) => ViewNumber::named(name).map_or("", |number| number.meaning),
         _ => "",
     };
     MeaningfulMember { member: member.clone(), meaning }

@@ -33,6 +33,7 @@ use std::path::Path;
 use crate::compile::check;
 use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
+use crate::frame::Assets;
 use crate::library::Library;
 
 pub use files::{in_the_way, write};
@@ -120,8 +121,8 @@ impl File {
 
 /// Exports `look` in `languages` as files whose names begin with `stem`, such as `rim` for
 /// `rim.frag`. The images and HCBTFs that the look reads, whose paths are relative to `folder`, are
-/// carried along; one that cannot be read is a warning. Returns the files to write, in order; no
-/// two files have the same name.
+/// read with `assets` and carried along; one that cannot be read is a warning. Returns the files to
+/// write, in order; no two files have the same name.
 ///
 /// # Errors
 /// All errors of the look, and constructs that a language cannot express.
@@ -130,12 +131,11 @@ pub fn export(
     library: &Library,
     stem: &str,
     languages: &[&'static Language],
-    folder: &Path,
+    (folder, assets): (&Path, &mut Assets),
 ) -> Result<Warned<Vec<File>>, Vec<Diagnostic>> {
     let (typed, mut warnings) = check(look, library, None)?.into_parts();
     let mut modules = modules::compile(&typed, stem)?;
-    warnings.append(&mut modules.warnings);
-    let carried = textures::carried(&mut modules.images, stem, folder).tell(&mut warnings);
+    let carried = textures::carried(&mut modules.images, stem, folder, assets).tell(&mut warnings);
     let mut files = Vec::new();
     let mut written = Vec::new();
     let mut problems = Vec::new();

@@ -69,8 +69,10 @@ pub enum Feed {
         /// Name of the pass's output.
         output: &'static str,
     },
-    /// The numbers of the curvature pass: set once a view.
-    Curvature,
+    /// The numbers of the view that the module of a pass over the picture asks for: set once a
+    /// view. Hosts know them by the name of the first such passes.
+    #[serde(rename = "curvature")]
+    Numbers,
     /// The results of earlier passes that each pass's `inputs` name: the module runs in several
     /// passes.
     Inputs,
@@ -147,12 +149,11 @@ pub(super) struct Modules {
     pub(super) modules: Vec<ShaderModule>,
     pub(super) passes: Vec<Pass>,
     pub(super) images: Vec<Image>,
-    pub(super) warnings: Vec<Diagnostic>,
 }
 
 impl ShaderModule {
     pub(super) fn is_draw(&self) -> bool {
-        self.name == PassId::LOOK.row().slug
+        PassId::from_slug(self.name).is_some_and(PassId::writes_picture)
     }
 
     pub(super) fn wgsl(&self) -> &str {
@@ -184,8 +185,7 @@ impl ShaderModule {
         images: &mut Vec<Image>,
     ) -> Self {
         let source = shader.host.source();
-        let is_look = name == PassId::LOOK.row().slug;
-        let middle = if is_look { String::new() } else { format!(".{name}") };
+        let middle = if shader.stage.is_picture() { String::new() } else { format!(".{name}") };
         let file = format!("{stem}{middle}.prepare.wgsl");
         let file = (!source.wgsl.is_empty()).then_some(file);
         let bindings = reflect::bindings(&shader.valid.module);
@@ -203,7 +203,7 @@ impl ShaderModule {
         let bindings = reflect::bindings(&valid.module);
         let feeds = bindings.iter().map(|bound| match bound.kind {
             Kind::Texture => Feed::Inputs,
-            _ => Feed::Curvature,
+            _ => Feed::Numbers,
         });
         Ok(Some(Self {
             name: pass.row().module(),
@@ -275,7 +275,7 @@ impl Pass {
 pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Diagnostic>> {
     let compile = |stage| {
         let options = Options { live: Live::Exposed, stage, ..Options::default() };
-        compile_typed(typed, &options, Vec::new())
+        compile_typed(typed, &options)
     };
     let draw = compile(Stage::Draw)?;
     let wanted = wanted(&draw);

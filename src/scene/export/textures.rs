@@ -13,8 +13,12 @@ use crate::hcbtf::{LayerOptions, Layers, ktx2};
 /// Reads every image, relative to `folder`, names the file that carries it, and returns those files
 /// with warnings about images that could not be read. An image is carried unchanged; an HCBTF as
 /// the texture that the shader looks up.
-pub(super) fn carried(images: &mut [Image], stem: &str, folder: &Path) -> Warned<Vec<File>> {
-    let mut assets = Assets::default();
+pub(super) fn carried(
+    images: &mut [Image],
+    stem: &str,
+    folder: &Path,
+    assets: &mut Assets,
+) -> Warned<Vec<File>> {
     let mut files: Vec<File> = Vec::new();
     let mut problems = Vec::new();
     let mut taken = HashSet::new();

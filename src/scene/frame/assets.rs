@@ -93,13 +93,17 @@ impl<T> UsedAsset<T> {
 /// Number of pictures for which an unused asset is kept.
 const MOST_ROUNDS: u64 = 16;
 
+/// Version of an overlay's content: another number means another content.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct OverlayVersion(pub u64);
+
 /// An HCBTF that is being painted, shown in place of its file.
 #[derive(Clone, Debug)]
 pub struct Overlay {
     /// Path of the HCBTF's file, once there is one; [`UNSAVED_HCBTF`] names the HCBTF also before.
     pub path: Option<PathBuf>,
-    /// Version of the content: another number means another content.
-    pub version: u64,
+    /// Version of the content.
+    pub version: OverlayVersion,
     /// The HCBTF as painted so far.
     pub hcbtf: Arc<Hcbtf>,
     /// Samples that the rules made of the rest, as far as they are known.
@@ -486,6 +490,7 @@ mod tests {
         for (address, color) in tiles {
             hcbtf.painted.insert(*address, Arc::new(Tile::filled(hcbtf.grid.size, *color)));
         }
+        let version = OverlayVersion(version);
         Overlay { path: None, version, hcbtf: Arc::new(hcbtf), filled: None }
     }
 
@@ -530,7 +535,7 @@ mod tests {
         let mut assets = Assets::default();
         let mut baked = |version: u64, hcbtf: &Hcbtf, filled: &FilledSamples| {
             let (hcbtf, filled) = (Arc::new(hcbtf.clone()), Some(Arc::new(filled.clone())));
-            let overlay = Overlay { path: None, version, hcbtf, filled };
+            let overlay = Overlay { path: None, version: OverlayVersion(version), hcbtf, filled };
             assets.overlay(Some(overlay.clone()));
             let image = assets
                 .hcbtf(Path::new("nowhere"), UNSAVED_HCBTF, LayerOptions::default())

@@ -158,13 +158,6 @@ impl View {
         (f64::from(self.viewport[1]) / 800.0).round().max(1.0) as u32
     }
 
-    /// All numbers of the uniform of passes over the picture, in order, for images whose first row
-    /// is at the top, before a picture of `samples` samples a pixel.
-    pub fn screen_numbers(&self, samples: u32) -> [f64; 5] {
-        let is_perspective = f64::from(u8::from(self.is_perspective));
-        [self.pixel_size(), is_perspective, f64::from(self.viewport[1]), 0.0, f64::from(samples)]
-    }
-
     /// The bytes of the shader's `View` uniform.
     pub fn uniform_bytes(&self) -> Vec<u8> {
         self.uniform_numbers().into_iter().flat_map(|x| (x as f32).to_le_bytes()).collect()

@@ -3,22 +3,24 @@
 use super::assets::Image;
 use super::plan::{Draw, FramePlan};
 use super::screen::ScreenModule;
-use crate::compile::{Stage, Uniform};
+use crate::compile::Uniform;
 use crate::geometry::Mesh;
+use crate::wgsl::code;
 
 /// Receiver of bytes; the caller marks where one part ends and the next begins.
 type Sink<'a> = &'a mut dyn FnMut(&[u8]);
 
 impl FramePlan {
-    /// Hands over everything that decides on the picture, modules, numbers, meshes and images,
-    /// always in the same order. Plans with the same content make the same picture on one device.
+    /// Hands over everything that decides on the picture, modules (without comments), numbers,
+    /// meshes and images, always in the same order. Plans with the same content make the same
+    /// picture on one device.
     pub fn content(&self, sink: Sink<'_>) {
         sink(format!("{:?} {} {:?}", self.size, self.samples, self.backdrop).as_bytes());
         sink(&self.view.uniform_bytes());
         for pass in &self.passes {
             sink(pass.id.label().as_bytes());
             if let Ok(Some(module)) = ScreenModule::of(pass.id) {
-                sink(module.text.as_bytes());
+                sink(code(&module.text).as_bytes());
             }
         }
         self.draws.iter().for_each(|draw| draw.content(sink));
@@ -29,14 +31,14 @@ impl Draw {
     fn content(&self, sink: Sink<'_>) {
         let how = (&self.indices, self.two_sided, self.is_mirrored, self.distance);
         sink(format!("{how:?}").as_bytes());
-        sink(self.look.wgsl.as_bytes());
+        sink(code(&self.look.wgsl).as_bytes());
         uniform(&self.object_uniform, sink);
-        for stage in std::iter::once(Stage::Draw).chain(self.before.keys().copied()) {
+        for stage in std::iter::once(self.look.stage).chain(self.before.keys().copied()) {
             if let Some(values) = self.look_uniforms.get(&stage) {
                 uniform(values, sink);
             }
             if let Some(shader) = self.before.get(&stage) {
-                sink(shader.wgsl.as_bytes());
+                sink(code(&shader.wgsl).as_bytes());
             }
             self.images_of(stage).iter().for_each(|one| image(one, sink));
         }

@@ -33,9 +33,10 @@ pub use crate::compile::{
     Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
 };
 /// The passes of a plan, which the compiler lists: a look's module names those that it reads.
-pub use crate::library::{PassId, PassRow, PassWork, TexelFormat};
+pub use crate::library::{PassId, PassOutput, PassRow, PassWork, TexelFormat};
 pub use assets::{
-    Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, SHAPE_PREFIX, UNSAVED_HCBTF, image_bytes,
+    Assets, Change, Image, MAX_IMAGE_SIDE, Overlay, OverlayVersion, SHAPE_PREFIX, UNSAVED_HCBTF,
+    image_bytes,
 };
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
@@ -49,9 +50,9 @@ pub use keys::{
 };
 pub use picture::Picture;
 pub use place::{Misplaced, place_camera, turn_lights};
-pub use plan::{Draw, Dropped, FramePlan, Pass, PlanOptions, Planner};
+pub use plan::{Draw, Dropped, FramePlan, Pass, PlanOptions, PlanStyle, Planner};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
-pub use screen::{PassImage, ScreenBinding, ScreenModule, ScreenResource};
+pub use screen::{PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
 pub use setup::{
     ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,

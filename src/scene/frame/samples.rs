@@ -141,7 +141,7 @@ impl<'a> Evaluable<'a> {
             setup.source.locate_all(&mut problems);
             problems
         })?;
-        Self::of(setup, &look, shader.into(), assets)
+        Self::of(setup, &look, shader.value.into(), assets)
     }
 
     fn of(
@@ -228,7 +228,7 @@ pub fn eval_batches(
                     .collect(),
             )
         })?;
-        let made = Evaluable::of(setup, &look, Arc::new(shader), assets)?;
+        let made = Evaluable::of(setup, &look, Arc::new(shader.value), assets)?;
         let packed = made
             .pack(indices.iter().map(|&index| &samples[index]))
             .map_err(|problem| vec![problem])?;
@@ -355,14 +355,16 @@ impl<'a> Packer<'a> {
                     continue;
                 };
                 let at = at + (*offset + member) as usize;
-                if context.is_curvature() {
-                    // Kappa is written unchanged, even infinite or NaN: users may ask how a look
-                    // bears such curvature.
-                    packed.bytes[at..at + 4].copy_from_slice(&(sample.kappa as f32).to_le_bytes());
-                    packed.numbers.push(sample.kappa);
+                let given = sample.contexts.get(context).map(Vec::as_slice);
+                let row = context.row();
+                let value = row.sample.value(*context, &surface, given);
+                if row.sample.is_unchanged() {
+                    let numbers = value.components().unwrap_or_default();
+                    for (number, bytes) in numbers.iter().zip(packed.bytes[at..].chunks_mut(4)) {
+                        bytes.copy_from_slice(&(*number as f32).to_le_bytes());
+                    }
+                    packed.numbers.extend(numbers.iter());
                 } else {
-                    let given = sample.contexts.get(context).map(Vec::as_slice);
-                    let value = context.row().sample.value(*context, &surface, given);
                     layout.write(&value, at, &mut packed.bytes);
                     push_numbers(&value, &mut packed.numbers);
                 }

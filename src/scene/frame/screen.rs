@@ -1,6 +1,7 @@
 //! The modules of passes over the whole picture, ready to be run, with the resource of each
 //! binding.
 
+use super::camera::View;
 use crate::diag::Diagnostic;
 use crate::library::{PassId, PassInput, PassWork};
 use crate::wgsl::{self, Valid};
@@ -17,7 +18,7 @@ pub struct ScreenModule {
 }
 
 /// A binding of a pass's module.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct ScreenBinding {
     /// Number of the binding.
     pub binding: u32,
@@ -26,12 +27,69 @@ pub struct ScreenBinding {
 }
 
 /// Resource of a binding of a pass's module.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub enum ScreenResource {
     /// A result of an earlier pass.
     Image(PassImage),
-    /// The numbers of the view, in order: [`View::screen_numbers`](super::View::screen_numbers).
-    View,
+    /// The numbers of the view that the module's uniform asks for, in the order of its members.
+    Numbers(Vec<&'static ViewNumber>),
+}
+
+/// Number of the view that the uniform of a pass over the picture may ask for, by the name of a
+/// member.
+#[derive(Debug)]
+pub struct ViewNumber {
+    /// Name of the member.
+    pub name: &'static str,
+    /// Description for hosts that run an exported pass.
+    pub meaning: &'static str,
+    /// Value for images whose first row is at the top, before a picture of so many samples a pixel.
+    value: fn(&View, u32) -> f64,
+}
+
+/// All numbers of the view that passes over the picture may ask for.
+const VIEW_NUMBERS: &[ViewNumber] = &[
+    ViewNumber {
+        name: "pixel",
+        meaning: "a pixel's size in scene units: at depth 1 for perspective, at every depth for \
+                  parallel projection",
+        value: |view, _| view.pixel_size(),
+    },
+    ViewNumber {
+        name: "perspective",
+        meaning: "1 for perspective, 0 for parallel projection",
+        value: |view, _| f64::from(u8::from(view.is_perspective)),
+    },
+    ViewNumber {
+        name: "viewport_height",
+        meaning: "in pixels",
+        value: |view, _| f64::from(view.viewport[1]),
+    },
+    ViewNumber {
+        name: "rows_up",
+        meaning: "1 where the API's `first_row` is bottom, 0 where it is top",
+        value: |_, _| 0.0,
+    },
+    ViewNumber {
+        name: "samples",
+        meaning: "samples a pixel of the picture",
+        value: |_, samples| f64::from(samples),
+    },
+];
+
+impl ViewNumber {
+    /// The number that a member of this name asks for.
+    pub fn named(name: &str) -> Option<&'static Self> {
+        VIEW_NUMBERS.iter().find(|number| number.name == name)
+    }
+}
+
+impl View {
+    /// Values of numbers that a pass over the picture asks for, for images whose first row is at
+    /// the top, before a picture of `samples` samples a pixel.
+    pub fn numbers(&self, wanted: &[&ViewNumber], samples: u32) -> Vec<f64> {
+        wanted.iter().map(|number| (number.value)(self, samples)).collect()
+    }
 }
 
 /// A result of a pass.
@@ -73,7 +131,8 @@ impl ScreenModule {
             let Some(at) = &variable.binding else { continue };
             let name = variable.name.as_deref().unwrap_or_default();
             let holds = if variable.space == naga::AddressSpace::Uniform {
-                ScreenResource::View
+                let numbers = view_numbers(&valid.module, variable.ty);
+                ScreenResource::Numbers(numbers.map_err(wrong)?)
             } else {
                 let input = pass.row().reads.iter().find(|input| input.binding == name);
                 let image = input.and_then(PassImage::read);
@@ -85,6 +144,24 @@ impl ScreenModule {
         }
         Ok(Some(Self { text, valid, bindings }))
     }
+}
+
+/// The numbers that the members of a uniform's struct ask for.
+fn view_numbers(
+    module: &naga::Module,
+    ty: naga::Handle<naga::Type>,
+) -> Result<Vec<&'static ViewNumber>, String> {
+    let naga::TypeInner::Struct { members, .. } = &module.types[ty].inner else {
+        return Err("its uniform is no struct".to_owned());
+    };
+    let number = |(index, member): (usize, &naga::StructMember)| {
+        let name = member.name.as_deref().unwrap_or_default();
+        let is_number = module.types[member.ty].inner == naga::TypeInner::Scalar(naga::Scalar::F32)
+            && member.offset as usize == 4 * index;
+        let known = ViewNumber::named(name).filter(|_| is_number);
+        known.ok_or_else(|| format!("no number of the view is `{name}`"))
+    };
+    members.iter().enumerate().map(number).collect()
 }
 
 #[cfg(test)]

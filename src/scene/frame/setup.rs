@@ -152,7 +152,8 @@ pub fn open(
             let Some(scene) = loaded.value.clone().filter(|_| !has_errors(&problems)) else {
                 return Err(problems);
             };
-            let setup = scene_setup(scene, &folder, &loaded.source, mesh, assets, &mut problems);
+            let setup =
+                scene_setup(scene, &folder, &loaded.source, mesh, assets).tell(&mut problems);
             if has_errors(&problems) { Err(problems) } else { Ok(Warned::new(setup, problems)) }
         }
     }
@@ -198,20 +199,20 @@ pub fn object_matrix(transform: &Transform, mesh: &Mesh) -> DMat4 {
 }
 
 /// Resolves the names in a scene: meshes relative to `folder` (`mesh` in place of all of them) and
-/// looks. Errors go to `problems`; what could not be found is left out.
+/// looks. What could not be found is left out, with errors among the warnings.
 pub fn scene_setup(
     scene: Scene,
     folder: &Path,
     source: &SourceMap,
     mesh: Option<&str>,
     assets: &mut Assets,
-    problems: &mut Vec<Diagnostic>,
-) -> Setup {
+) -> Warned<Setup> {
     let files = assets.source().clone();
     let mut looks = LookFiles { files: &*files, folder, found: Vec::new() };
-    let objects = place_objects(&scene, folder, source, mesh, assets, &mut looks, problems);
+    let placed = place_objects(&scene, folder, source, mesh, assets, &mut looks);
     let looks = looks.found.into_iter().map(|(_, look)| look).collect();
-    Setup { scene, source: Some(source.clone().into()), looks, objects, edited: None }
+    let source = Some(source.clone().into());
+    placed.map(|objects| Setup { scene, source, looks, objects, edited: None })
 }
 
 /// Source of the looks of a scene.
@@ -219,13 +220,13 @@ pub trait Wardrobe {
     /// True if there is a look of this name, even a broken one.
     fn has(&self, name: &str) -> bool;
 
-    /// The index of a look among those of the setup; `None` if the look cannot be used. Its errors
-    /// go to `problems`.
-    fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize>;
+    /// The index of a look among those of the setup; `None` if the look cannot be used, with the
+    /// errors that were not told yet.
+    fn find(&mut self, name: &str) -> Warned<Option<usize>>;
 }
 
 /// Places the visible objects of a scene, with their meshes, relative to `folder`, and their looks.
-/// Errors go to `problems`; what could not be found is left out.
+/// What could not be found is left out, with errors among the warnings.
 pub fn place_objects(
     scene: &Scene,
     folder: &Path,
@@ -233,21 +234,20 @@ pub fn place_objects(
     mesh: Option<&str>,
     assets: &mut Assets,
     looks: &mut dyn Wardrobe,
-    problems: &mut Vec<Diagnostic>,
-) -> Vec<SetupObject> {
-    let mut objects = Vec::new();
+) -> Warned<Vec<SetupObject>> {
+    let (mut objects, mut problems) = (Vec::new(), Vec::new());
     for (index, (id, object)) in scene.objects.iter().enumerate() {
         if !object.visible {
             continue;
         }
         let path_of = |field: &str| format!("objects[{index}].{field}");
-        missing_looks(id, object, looks, &path_of("looks"), source, problems);
+        missing_looks(id, object, looks, &path_of("looks"), source, &mut problems);
         let found = match mesh {
             Some(replacement) => assets.mesh(Path::new(""), replacement),
             None => assets.mesh(folder, &object.mesh),
         };
         let mesh = match found {
-            Ok(mesh) => mesh.tell(problems),
+            Ok(mesh) => mesh.tell(&mut problems),
             Err(found) => {
                 // A mesh that was given in place of the scene's has no place in the scene's text.
                 let place = mesh.is_none().then(|| path_of("mesh"));
@@ -262,7 +262,7 @@ pub fn place_objects(
         let worn = mesh
             .parts
             .iter()
-            .map(|part| looks.find(look_of(object, &part.material)?, problems))
+            .map(|part| looks.find(look_of(object, &part.material)?).tell(&mut problems))
             .collect();
         objects.push(SetupObject {
             id: id.clone(),
@@ -277,10 +277,10 @@ pub fn place_objects(
             &objects[objects.len() - 1].mesh,
             &path_of("looks"),
             source,
-            problems,
+            &mut problems,
         );
     }
-    objects
+    Warned::new(objects, problems)
 }
 
 /// The name of the look that an object wears on a material.
@@ -381,23 +381,23 @@ impl Wardrobe for LookFiles<'_> {
         self.files.has_file(&self.folder.join(name))
     }
 
-    fn find(&mut self, name: &str, problems: &mut Vec<Diagnostic>) -> Option<usize> {
+    fn find(&mut self, name: &str) -> Warned<Option<usize>> {
         let path = self.folder.join(name);
         if let Some(index) = self.found.iter().position(|(known, _)| *known == path) {
-            return Some(index);
+            return Some(index).into();
         }
         if !self.files.has_file(&path) {
             // The error is reported with the object that names the look.
-            return None;
+            return None.into();
         }
         let loaded = Look::load(self.files, &path);
-        problems.extend(loaded.diagnostics.iter().cloned());
-        let look = loaded.value.clone()?;
+        let problems = loaded.diagnostics.clone();
+        let Some(look) = loaded.value.clone() else { return Warned::new(None, problems) };
         let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
         self.found.push((
             path,
             SetupLook { look, source: loaded.source.clone().into(), folder: own_folder },
         ));
-        Some(self.found.len() - 1)
+        Warned::new(Some(self.found.len() - 1), problems)
     }
 }

@@ -46,7 +46,8 @@ pub fn missing_uvs(setup: &Setup, library: &Library) -> Vec<Diagnostic> {
     for object in setup.objects.iter().filter(|object| !object.mesh.has_uvs) {
         for &index in &worn(object) {
             let look = &setup.looks[index];
-            let Ok(shader) = compile(&look.look, library, &Options::default()) else { continue };
+            let Ok(compiled) = compile(&look.look, library, &Options::default()) else { continue };
+            let shader = compiled.value;
             if let Some(lack) = Lack::of(&shader) {
                 found.push(without_uvs(object, look, lack, &readers(look, &shader, lack, library)));
             }

@@ -199,17 +199,17 @@ impl Hand {
 
     /// Ids of the selected nodes.
     pub(crate) fn selected(&self) -> Vec<String> {
-        self.app().session().selected().map(ToString::to_string).collect()
+        self.app().session().selection().nodes().map(ToString::to_string).collect()
     }
 
     /// Errors of the look, which keep it from being shown.
     pub(crate) fn errors(&self) -> Vec<String> {
-        let problems = self.app().session().problems().iter();
+        let problems = self.app().session().compilation().problems().iter();
         problems.filter(|problem| problem.is_error()).map(ToString::to_string).collect()
     }
 
     /// Number of steps that can be undone.
     pub(crate) fn steps(&self) -> usize {
-        self.app().session().place()
+        self.app().session().steps().done()
     }
 }

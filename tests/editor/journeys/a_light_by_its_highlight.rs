@@ -34,7 +34,7 @@ fn one_step(artist: &mut Artist, gesture: impl FnOnce(&mut Artist)) {
     let before = artist.steps();
     gesture(artist);
     artist.settle();
-    assert_eq!(artist.steps(), before + 1, "{:?}", artist.app().session().undo_label());
+    assert_eq!(artist.steps(), before + 1, "{:?}", artist.app().session().steps().undo_label());
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     artist.press("Save picture 1×");
     assert!(artist.says("Saved"), "{:?}", artist.app().message());
     let size = format!("{}x{}", size.x.round(), size.y.round());
-    let mesh = artist.app().session().orbit().mesh.clone();
+    let mesh = artist.app().session().view().orbit().mesh.clone();
     studio.chiaro(&["render", "hand.json", "-o", "alone.png", "--mesh", &mesh, "--size", &size]);
     Picture::read(&path).equals(&Picture::read(&studio.path("alone.png")));
     studio.finish(artist, "hand.json");

@@ -78,9 +78,9 @@ fn figure_1_is_built_layer_by_layer() {
         specular
     );
     assert!(
-        artist.app().session().problems().is_empty(),
+        artist.app().session().compilation().problems().is_empty(),
         "{:?}",
-        artist.app().session().problems()
+        artist.app().session().compilation().problems()
     );
     let rows = ["Back-light", "Specular", "Diffuse", "Fill"]
         .map(|name| artist.place(&format!("Layer {name}")).min.y);

@@ -99,11 +99,11 @@ impl Studio {
     /// take the exported files. Gives the exported WGSL.
     #[track_caller]
     pub(super) fn finish(&self, mut artist: Artist, name: &str) -> String {
-        let mesh = artist.app().session().orbit().mesh.clone();
+        let mesh = artist.app().session().view().orbit().mesh.clone();
         artist.save_under(&self.path(name));
         artist.look_from_the_front();
         assert_eq!(
-            artist.app().session().time(),
+            artist.app().session().view().time(),
             0.0,
             "pictures of files are of their first moment"
         );
@@ -247,7 +247,7 @@ impl Artist {
     pub(super) fn undo_all(&mut self) {
         let at = self.on_canvas(0.5, 0.97);
         self.hover(at);
-        while self.app().session().undo_label().is_some() {
+        while self.app().session().steps().undo_label().is_some() {
             let before = self.steps();
             self.key_with(Modifiers::COMMAND, Key::Z);
             assert_eq!(self.steps() + 1, before);

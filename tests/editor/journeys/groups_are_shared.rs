@@ -44,7 +44,7 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     artist.settle();
     artist.key_with(CTRL, Key::Enter);
     artist.settle();
-    assert_eq!(artist.app().session().open_groups().len(), 1);
+    assert_eq!(artist.app().session().selection().open_groups().len(), 1);
     let name = artist.text_field("Name");
     artist.type_over(name, "Skin");
     // The highlight's color becomes an input of the group: a wire from its socket to the group's
@@ -67,7 +67,9 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     // The group is shared with the project: its file is there, and the look uses that file.
     artist.press("Share with the project");
     assert!(studio.path("nodes/skin.json").is_file(), "{:?}", artist.app().message());
-    assert!(artist.look().definitions.is_empty() && artist.app().session().is_read_only());
+    assert!(
+        artist.look().definitions.is_empty() && artist.app().session().graph_view().is_read_only()
+    );
     artist.press("Go to Look");
     assert!(artist.errors().is_empty(), "{:?}", artist.errors());
     let group = artist
@@ -101,7 +103,7 @@ fn a_group_is_made_named_shared_and_changed_for_all() {
     over_canvas(&mut other);
     other.key_with(CTRL, Key::Enter);
     other.settle();
-    assert!(other.app().session().is_read_only());
+    assert!(other.app().session().graph_view().is_read_only());
     other.press("Make it the look's own");
     let inner = other.place_like("Node Diffuse").center_top() + eframe::egui::vec2(0.0, 8.0);
     other.click(inner);

@@ -37,7 +37,7 @@ fn without_keys(studio: &Studio, artist: &Artist, color: [f64; 3], intensity: f6
     let layer = nodes.iter_mut().find(|node| node["id"] == "back_light").unwrap();
     layer["values"]["convex"] = color.to_vec().into();
     studio.write("still.json", &look.to_string());
-    let orbit = artist.app().session().orbit();
+    let orbit = artist.app().session().view().orbit();
     let camera = format!("orbit={:.9},{:.9}", orbit.yaw.to_degrees(), orbit.pitch.to_degrees());
     studio.rendered("still.json", &["--camera", &camera])
 }
@@ -61,7 +61,7 @@ fn a_back_light_changes_with_the_view() {
 
     // Another view, and another light there.
     walk(&mut artist, 150.0);
-    let there = artist.app().session().orbit().clone();
+    let there = artist.app().session().view().orbit().clone();
     artist.press("Add key here");
     artist.set_color("Convex color", "#ff4020");
     let field = artist.place_of(Role::SpinButton, "back: Intensity at key 2");
@@ -123,7 +123,7 @@ fn a_back_light_changes_with_the_view() {
     }
     assert!(steepest < 0.3, "no step jumps: {steepest}");
     assert!(
-        (artist.app().session().orbit().yaw - there.yaw).abs() < 1e-4 && last[1] > 0.999,
+        (artist.app().session().view().orbit().yaw - there.yaw).abs() < 1e-4 && last[1] > 0.999,
         "it came to key 2"
     );
     assert!(!artist.app().session().is_dirty(), "walking around changes nothing of the look");

@@ -18,7 +18,7 @@ fn scrub(artist: &mut Artist, seconds: f64) {
     let at = start + ((seconds - from) / (to - from)) as f32 * (end - start);
     artist.click(pos2(at, ruler.top() + 6.0));
     artist.settle();
-    let time = artist.app().session().time();
+    let time = artist.app().session().view().time();
     assert!(
         (time - seconds).abs() < 0.05 && (time * 24.0 - (time * 24.0).round()).abs() < 1e-3,
         "{time} for {seconds}"
@@ -58,7 +58,7 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     assert_eq!(artist.look().time_keys.len(), 3);
     // Other values at a later time: setting them where the playhead is makes second keys.
     scrub(&mut artist, 2.0);
-    let later = artist.app().session().time();
+    let later = artist.app().session().view().time();
     artist.set("Cut-off", "150");
     artist.set_color("Convex color", "#2080ff");
     artist.set_word("Blending", "Multiply");
@@ -79,7 +79,7 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     let mut seen = Vec::new();
     for seconds in [0.0, 1.0, 2.0] {
         scrub(&mut artist, seconds);
-        let (time, picture) = (artist.app().session().time(), artist.picture());
+        let (time, picture) = (artist.app().session().view().time(), artist.picture());
         let apart = picture.apart(&drawn(&studio, time));
         assert_eq!(apart.max, 0, "at {time} s: {apart:?}");
         seen.push(picture);
@@ -105,15 +105,15 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     let mut times = Vec::new();
     for _ in 0..4 {
         artist.harness.step();
-        times.push(artist.app().session().time());
+        times.push(artist.app().session().view().time());
     }
     assert!(times.windows(2).all(|pair| pair[1] >= pair[0]) && times[3] > 1.2, "{times:?}");
     let pause = artist.place("Pause").center();
     artist.click(pause);
     artist.settle();
-    let stopped = artist.app().session().time();
+    let stopped = artist.app().session().view().time();
     artist.harness.run_steps(10);
-    assert_eq!(artist.app().session().time(), stopped);
+    assert_eq!(artist.app().session().view().time(), stopped);
     assert!(!artist.app().session().is_dirty(), "playing changes nothing");
     scrub(&mut artist, 0.0);
     studio.finish(artist, "moving.json");

@@ -114,7 +114,8 @@ pub(crate) fn picture(setup: &Setup) -> ReferencePicture {
     let options = PlanOptions { size: [SIDE; 2], samples: 1, time: 0.0 };
     let plan = Planner::new(Assets::default())
         .plan(setup, Library::built_in(), &Live::Keyed, &options)
-        .unwrap();
+        .unwrap()
+        .value;
     let modules = Modules::new(&plan, Precision::F64).unwrap();
     reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new()).unwrap()
 }

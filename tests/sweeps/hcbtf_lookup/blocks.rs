@@ -115,7 +115,10 @@ fn a_device_without_blocks_says_so_once_and_draws_the_same() {
     let options = PlanOptions { size: [64, 48], samples: 1, time: 0.0 };
     let plan = |storage: &str| {
         let mut planner = Planner::new(Assets::default());
-        planner.plan(&setup(storage), Library::built_in(), &Default::default(), &options).unwrap()
+        planner
+            .plan(&setup(storage), Library::built_in(), &Default::default(), &options)
+            .unwrap()
+            .value
     };
     let plan_of_blocks = plan("blocks");
     let mut plain = Renderer::new(without_blocks());

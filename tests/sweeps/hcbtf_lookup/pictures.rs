@@ -87,7 +87,7 @@ fn measured(
             let setup = setup(path, storage, tier, far, repeats);
             let plan =
                 Planner::default().plan(&setup, Library::built_in(), &Live::Exposed, &options);
-            let plan = plan.unwrap_or_else(|problems| panic!("{}", told(&problems)));
+            let plan = plan.unwrap_or_else(|problems| panic!("{}", told(&problems))).value;
             (
                 format!("{storage} {tier} from {far} with {repeats}"),
                 flawless(block_on(truth.compare(precise, &plan))),

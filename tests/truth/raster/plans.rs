@@ -88,6 +88,7 @@ fn plan(look: &str, size: [u32; 2]) -> FramePlan {
     Planner::new(assets)
         .plan(&setup, Library::built_in(), &Live::Keyed, &options)
         .expect("an example")
+        .value
 }
 
 #[test]

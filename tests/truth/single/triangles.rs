@@ -55,7 +55,8 @@ fn both(setup: &Setup, snap: Snap) -> (Picture, ReferencePicture) {
     let size = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
     let plan = Planner::default()
         .plan(setup, Library::built_in(), &Live::Keyed, &size)
-        .expect("it is planned");
+        .expect("it is planned")
+        .value;
     let modules = Modules::new(&plan, Precision::F64).expect("it compiles");
     let options = Options { snap, ..Options::default() };
     let reference =

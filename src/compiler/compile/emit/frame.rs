@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::attributes::{Attribute, VARYINGS, Varying};
 use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
-use crate::compile::{ImageShape, Stage};
+use crate::compile::ImageShape;
 use crate::document::ColorSpace;
 use crate::library::{PassId, Type};
 
@@ -70,14 +70,14 @@ impl Emitter<'_> {
     /// Whether the picture's colors are encoded where they leave the shader.
     fn encodes(&self) -> bool {
         self.options.display
-            && self.options.stage == Stage::Draw
+            && self.options.stage.is_picture()
             && self.graph.color_space == ColorSpace::Linear
     }
 
     /// The functions of the library that the frame may call.
     pub(super) fn frame_functions(&self) -> Vec<String> {
         let stage = self.options.stage;
-        if stage == Stage::Eval {
+        if !stage.draws_meshes() {
             return Vec::new();
         }
         let root = &self.special.values[self.special.root].ty;
@@ -96,8 +96,8 @@ impl Emitter<'_> {
     }
 
     pub(super) fn write_structs(&mut self) {
-        let is_eval = self.options.stage == Stage::Eval;
-        if !is_eval {
+        let draws_meshes = self.options.stage.draws_meshes();
+        if draws_meshes {
             let reads_screen = self.needs.contexts.iter().any(|c| ExpressionInputs::of(*c).screen);
             self.out.push_str(if reads_screen { VIEW_WITH_SCREEN } else { VIEW });
             self.out.push('\n');
@@ -131,7 +131,7 @@ impl Emitter<'_> {
             }
             self.out.push_str("}\n\n");
         }
-        if is_eval {
+        if !draws_meshes {
             self.out.push_str("struct Sample {\n");
             if self.has_surface() {
                 self.out.push_str("    surface: Surface,\n");
@@ -168,13 +168,7 @@ impl Emitter<'_> {
         let mut push = |kind, name: &str, declaration: String| {
             bindings.push((kind, name.to_owned(), declaration));
         };
-        if self.options.stage == Stage::Eval {
-            push(
-                BindingKind::Samples,
-                "samples",
-                "var<storage, read> samples: array<Sample>;".to_owned(),
-            );
-        } else {
+        if self.options.stage.draws_meshes() {
             push(BindingKind::View, "view", "var<uniform> view: View;".to_owned());
             push(BindingKind::Object, "object", "var<uniform> object: Object;".to_owned());
             if !self.host.members.is_empty() {
@@ -190,6 +184,9 @@ impl Emitter<'_> {
                     push(BindingKind::Pass(pass), name, format!("var {name}: {texture};"));
                 }
             }
+        } else {
+            let samples = "var<storage, read> samples: array<Sample>;".to_owned();
+            push(BindingKind::Samples, "samples", samples);
         }
         for image in 0..self.needs.images.len() {
             if self.image_is_used(image) {
@@ -213,7 +210,7 @@ impl Emitter<'_> {
             let _ = writeln!(self.out, "@group(0) @binding({binding}) {declaration}");
             numbered.push(Binding { binding, name, kind });
         }
-        if self.options.stage == Stage::Eval && !self.host.members.is_empty() {
+        if !self.options.stage.draws_meshes() && !self.host.members.is_empty() {
             self.out.push_str("/// Each sample has values of its own.\nvar<private> look: Look;\n");
         }
         self.out.push('\n');
@@ -221,11 +218,11 @@ impl Emitter<'_> {
     }
 
     pub(super) fn write_entry_points(&mut self) {
-        if self.options.stage == Stage::Eval {
-            self.write_eval();
-        } else {
+        if self.options.stage.draws_meshes() {
             self.write_vertex();
             self.write_fragment();
+        } else {
+            self.write_eval();
         }
     }
 

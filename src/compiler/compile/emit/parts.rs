@@ -10,7 +10,6 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::Emitter;
-use crate::compile::Stage;
 use crate::compile::specialize::{Operation, ValueId, operands};
 use crate::ids::NodePath;
 use crate::library::{Rate, Type};
@@ -64,10 +63,7 @@ impl Emitter<'_> {
 
     fn write_shade(&mut self, blocks: &[Block], body: &mut Body) {
         let parameters = if self.has_surface() { "surface: Surface" } else { "" };
-        let comment = match self.options.stage {
-            Stage::Normals | Stage::DetailNormals => "/// The normal that the curvature pass sees.",
-            Stage::Draw | Stage::Eval => "/// The look at one point of the surface.",
-        };
+        let comment = self.options.stage.row().shade;
         let root = self.special.root;
         let root_type =
             self.type_name(&self.special.values[root].ty, self.special.values[root].node);
@@ -84,7 +80,7 @@ impl Emitter<'_> {
                 color_type.wgsl()
             );
         }
-        let _ = writeln!(body.text, "{comment}\nfn shade({parameters}) -> {result} {{");
+        let _ = writeln!(body.text, "/// {comment}\nfn shade({parameters}) -> {result} {{");
         let inherited = self.write_blocks(blocks, body);
         let value = self.expression(root);
         if let (Some(cutoff), Some(color)) = (self.special.cutoff, self.special.color) {

@@ -1,6 +1,7 @@
 //! Inputs from lights: most fields of a light as they are, and values computed from several.
 
-use super::{LightField, LightQuantity};
+use super::{LightField, LightQuantity, LightValues};
+use crate::interp::Value;
 
 /// Input from the light that a node names, in world space and ready for use: `from=light.` and the
 /// word.
@@ -8,17 +9,16 @@ use super::{LightField, LightQuantity};
 pub enum LightInput {
     /// Field whose row lets shaders ask for it.
     Field(LightField),
-    /// Direction of a directional light as the artist gave it.
-    OwnDirection,
-    /// Own frame of the light.
-    OwnFromWorld,
-    /// Both cones of a spot light.
-    Cone,
-    /// Half distance and range of a light.
-    Fading,
+    /// Input that is computed from several fields.
+    Computed(ComputedInput),
 }
 
+/// Row of the table of inputs that are computed from several fields.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ComputedInput(u8);
+
 /// Properties of an input.
+#[derive(Clone, Copy)]
 struct InputRow {
     word: &'static str,
     wgsl: &'static str,
@@ -28,14 +28,63 @@ struct InputRow {
     is_unit: bool,
 }
 
-impl LightInput {
-    /// Inputs that are computed from several fields.
-    const MADE: [Self; 4] = [Self::OwnDirection, Self::OwnFromWorld, Self::Cone, Self::Fading];
+/// Input that is computed from several fields.
+struct ComputedRow {
+    input: InputRow,
+    value: fn(&LightValues) -> Value,
+}
 
+/// Table of the inputs that are computed from several fields.
+const COMPUTED: &[ComputedRow] = &[
+    ComputedRow {
+        input: InputRow {
+            word: "light.own_direction",
+            wgsl: "vec3f",
+            help: "unit, toward a directional light, in the light's own frame",
+            after: LightField::Direction,
+            is_unit: true,
+        },
+        value: |light| Value::vec(&light.own_direction.to_array()),
+    },
+    ComputedRow {
+        input: InputRow {
+            word: "light.own_from_world",
+            wgsl: "mat3x3f",
+            help: "rotation from world space to the light's own frame",
+            after: LightField::Aim,
+            is_unit: true,
+        },
+        value: |light| Value::matrix(&light.own_from_world.to_cols_array_2d()),
+    },
+    ComputedRow {
+        input: InputRow {
+            word: "light.cone",
+            wgsl: "vec2f",
+            help: "cosines of a spot light's inner and outer half-angles; the inner at most the \
+                   outer angle",
+            after: LightField::Intensity,
+            is_unit: true,
+        },
+        value: |light| Value::vec(&light.cone),
+    },
+    ComputedRow {
+        input: InputRow {
+            word: "light.fading",
+            wgsl: "vec2f",
+            help: "half distance and range; 0 for none",
+            after: LightField::HalfDistance,
+            is_unit: false,
+        },
+        value: |light| Value::vec(&[light.world.half_distance, light.world.range]),
+    },
+];
+
+impl LightInput {
     /// All inputs.
     pub fn all() -> impl Iterator<Item = Self> {
         let asked = LightField::ALL.into_iter().filter(|field| field.shader_help().is_some());
-        asked.map(Self::Field).chain(Self::MADE)
+        let computed = (0..COMPUTED.len()).map(|index| ComputedInput(index as u8));
+        asked.map(Self::Field).chain(computed.map(Self::Computed))
     }
 
     fn row(self) -> InputRow {
@@ -54,35 +103,18 @@ impl LightInput {
                     is_unit: quantity == LightQuantity::Direction,
                 }
             }
-            Self::OwnDirection => InputRow {
-                word: "light.own_direction",
-                wgsl: "vec3f",
-                help: "unit, toward a directional light, in the light's own frame",
-                after: LightField::Direction,
-                is_unit: true,
+            Self::Computed(ComputedInput(index)) => COMPUTED[usize::from(index)].input,
+        }
+    }
+
+    /// Value of the input from a light.
+    pub fn value(self, light: &LightValues) -> Value {
+        match self {
+            Self::Field(field) => match field.numbers(&light.world) {
+                [number] => Value::Float(*number),
+                numbers => Value::vec(numbers),
             },
-            Self::OwnFromWorld => InputRow {
-                word: "light.own_from_world",
-                wgsl: "mat3x3f",
-                help: "rotation from world space to the light's own frame",
-                after: LightField::Aim,
-                is_unit: true,
-            },
-            Self::Cone => InputRow {
-                word: "light.cone",
-                wgsl: "vec2f",
-                help: "cosines of a spot light's inner and outer half-angles; the inner at most \
-                       the outer angle",
-                after: LightField::Intensity,
-                is_unit: true,
-            },
-            Self::Fading => InputRow {
-                word: "light.fading",
-                wgsl: "vec2f",
-                help: "half distance and range; 0 for none",
-                after: LightField::HalfDistance,
-                is_unit: false,
-            },
+            Self::Computed(ComputedInput(index)) => (COMPUTED[usize::from(index)].value)(light),
         }
     }
 

@@ -7,6 +7,7 @@
 
 mod field;
 mod input;
+mod values;
 
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +20,7 @@ use field::{Lens, LightRow, NumbersOf as _};
 
 pub use field::LightQuantity;
 pub use input::LightInput;
+pub use values::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 
 const ANY: &[LightKind] = &[Directional, Point, Spot];
 const PLACED: &[LightKind] = &[Point, Spot];

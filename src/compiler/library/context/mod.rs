@@ -105,12 +105,6 @@ impl Context {
         word.and_then(Self::from_word).unwrap_or(self)
     }
 
-    /// True for a curvature in one number, whatever it is measured of and however.
-    pub fn is_curvature(self) -> bool {
-        let row = self.row();
-        row.sample.parts() == [SurfacePart::Kappa] && row.ty == "f32"
-    }
-
     /// Light input of the context; `None` where the context is a row of the table.
     pub fn light_input(self) -> Option<LightInput> {
         match self.0 {

@@ -196,7 +196,16 @@ impl ContextRow {
         parts: &'static [SurfacePart],
         value: fn(&SurfacePoint) -> Value,
     ) -> Self {
-        Self { sample: ContextSample::Of { parts, value }, ..self }
+        Self { sample: ContextSample::Of { parts, value, is_unchanged: false }, ..self }
+    }
+
+    /// Row with a value at samples that looks are given unchanged, even infinite or NaN.
+    pub(super) const fn sampled_unchanged(
+        self,
+        parts: &'static [SurfacePart],
+        value: fn(&SurfacePoint) -> Value,
+    ) -> Self {
+        Self { sample: ContextSample::Of { parts, value, is_unchanged: true }, ..self }
     }
 
     /// Row with sample numbers of its own: the defaults, and the range in which they usually lie.

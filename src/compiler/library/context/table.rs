@@ -122,7 +122,7 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("curvature")
     .cheaper(Some("kappa_sparse"), Some("kappa_fast"))
-    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
     Row::of_pass(
         "kappa_sparse",
         "f32",
@@ -130,7 +130,7 @@ pub(super) const TABLE: &[Row] = &[
         "the same from four neighbours of a pixel, two steps away",
     )
     .labeled("curvature")
-    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
     Row::derived(
         "kappa_fast",
         "f32",
@@ -139,7 +139,7 @@ pub(super) const TABLE: &[Row] = &[
          triangles show in it",
     )
     .labeled("curvature")
-    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
     Row::of_pass(
         "kappa_detail",
         "f32",
@@ -148,7 +148,7 @@ pub(super) const TABLE: &[Row] = &[
     )
     .labeled("detail curvature")
     .cheaper(Some("kappa_detail_sparse"), Some("kappa_detail_sparse"))
-    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
     Row::of_pass(
         "kappa_detail_sparse",
         "f32",
@@ -156,7 +156,7 @@ pub(super) const TABLE: &[Row] = &[
         "the same from four neighbours of a pixel, two steps away",
     )
     .labeled("detail curvature")
-    .sampled(&[Kappa], |at| Value::Float(at.kappa)),
+    .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
     // A sample has no neighbors, and counts as curved alike in every direction.
     Row::of_pass(
         "curvature_tensor",

@@ -10,7 +10,7 @@ mod table;
 
 use std::fmt;
 
-pub use row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
+pub use row::{PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat};
 
 use super::context::is_same;
 use table::TABLE;
@@ -77,6 +77,11 @@ impl PassId {
         self.stage().is_none()
     }
 
+    /// True if the pass draws into the picture.
+    pub fn writes_picture(self) -> bool {
+        self.row().writes_picture()
+    }
+
     /// True if the pass reads a result of `other`.
     pub fn reads(self, other: Self) -> bool {
         self.row().reads.iter().any(|input| input.pass == other.row().slug)
@@ -135,9 +140,11 @@ mod tests {
         }
         assert!(TABLE.len() < usize::from(u8::MAX));
         assert_eq!(PassId::all().next_back(), Some(PassId::LOOK));
+        assert!(PassId::all().all(|pass| pass.writes_picture() == (pass == PassId::LOOK)));
         for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals] {
-            assert!(PassId::of_stage(stage).is_some(), "{stage:?}");
+            assert!(stage.draws_meshes() && stage.is_normals() != stage.is_picture(), "{stage:?}");
         }
+        assert!(!Stage::Eval.draws_meshes(), "samples are of no pass");
     }
 
     #[test]

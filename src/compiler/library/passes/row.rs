@@ -14,10 +14,75 @@ pub enum Stage {
     Eval,
 }
 
+/// Row of a stage: what its modules are for, and where their value comes from.
+#[derive(Debug)]
+pub struct StageRow {
+    /// Work of a module, as a sentence.
+    pub help: &'static str,
+    /// Result of a module's function `shade`, as a sentence.
+    pub shade: &'static str,
+    /// Value that the module computes.
+    pub value: StageValue,
+    /// True if the module draws normals, from which later passes are made.
+    pub draws_normals: bool,
+}
+
+/// Value that the modules of a stage compute.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StageValue {
+    /// The look's output, or the output that is shown in its place.
+    Output,
+    /// Context with this word.
+    Context(&'static str),
+    /// Input with this name of the look's output node.
+    Input(&'static str),
+}
+
 impl Stage {
+    /// Row of the stage.
+    pub fn row(self) -> &'static StageRow {
+        const NORMALS: StageRow = StageRow {
+            help: "Draws normals and depth, for the curvature pass.",
+            shade: "The normal that the curvature pass sees.",
+            value: StageValue::Context("normal"),
+            draws_normals: true,
+        };
+        const LOOK: StageRow = StageRow {
+            help: "Draws a mesh with the look; the result is straight RGBA.",
+            shade: "The look at one point of the surface.",
+            value: StageValue::Output,
+            draws_normals: false,
+        };
+        match self {
+            Self::Draw => &LOOK,
+            Self::Normals => &NORMALS,
+            Self::DetailNormals => {
+                &const { StageRow { value: StageValue::Input("normal"), ..NORMALS } }
+            }
+            Self::Eval => {
+                &const {
+                    StageRow {
+                        help: "Evaluates the look at given surface samples, four pixels each.",
+                        ..LOOK
+                    }
+                }
+            }
+        }
+    }
+
     /// True for a stage that draws normals.
     pub fn is_normals(self) -> bool {
-        matches!(self, Self::Normals | Self::DetailNormals)
+        self.row().draws_normals
+    }
+
+    /// True for a stage whose modules draw meshes, in a pass.
+    pub fn draws_meshes(self) -> bool {
+        super::PassId::of_stage(self).is_some()
+    }
+
+    /// True for the stage whose modules draw the picture.
+    pub fn is_picture(self) -> bool {
+        super::PassId::of_stage(self).is_some_and(super::PassId::writes_picture)
     }
 }
 
@@ -128,6 +193,11 @@ impl PassRow {
         self.writes.iter().position(|output| output.name == name)
     }
 
+    /// True if the pass draws into the picture.
+    pub fn writes_picture(&self) -> bool {
+        self.writes.iter().any(|output| output.format == TexelFormat::Picture)
+    }
+
     /// Name of the pass's module: that of its file, where no constants of the file are set.
     pub fn module(&self) -> &'static str {
         match self.work {
@@ -142,10 +212,8 @@ impl PassRow {
         let written: u64 = self.writes.iter().map(|output| output.format.bytes()).sum();
         match self.work {
             PassWork::Meshes(_) => {
-                let is_picture =
-                    self.writes.iter().any(|output| output.format == TexelFormat::Picture);
                 let drawn = written + DEPTH_BYTES;
-                if is_picture && samples > 1 {
+                if self.writes_picture() && samples > 1 {
                     // Samples are written, read and averaged.
                     let samples = u64::from(samples);
                     (written + samples * drawn, written + 2 * samples * drawn)

@@ -15,7 +15,7 @@ use egui_tiles::{
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use crate::commands::PanelId;
-use crate::panels::{self, PANELS, PanelRow, Stack};
+use crate::panels::{self, PANELS, PanelRow, PanelStack};
 
 use crate::widgets::theme;
 pub(crate) use workspace::Workspace;
@@ -88,11 +88,11 @@ fn arrangement() -> Tree<Pane> {
         let panes = rows.map(|row| tiles.insert_pane(Pane(row))).collect();
         tiles.insert_tab_tile(panes)
     };
-    let picture = stacked(Stack::Picture);
-    let below = stacked(Stack::BelowPicture);
-    let graph = stacked(Stack::Graph);
-    let document = stacked(Stack::Document);
-    let inspector = stacked(Stack::Inspector);
+    let picture = stacked(PanelStack::Picture);
+    let below = stacked(PanelStack::BelowPicture);
+    let graph = stacked(PanelStack::Graph);
+    let document = stacked(PanelStack::Document);
+    let inspector = stacked(PanelStack::Inspector);
     let mut shared = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(tile, _)| *tile).collect());
         parts.iter().for_each(|(tile, share)| linear.shares.set_share(*tile, *share));

@@ -51,12 +51,12 @@ struct StepStart {
 impl Tour {
     /// Begins a tour of the open look, which should be [`NOTHING`].
     pub(crate) fn new(session: &Session) -> Self {
-        Self { document: session.document_number(), step: 0, seen: Vec::new(), is_new: true }
+        Self { document: session.revisions().document, step: 0, seen: Vec::new(), is_new: true }
     }
 
     /// True if the tour is about the open document.
     pub(crate) fn is_about(&self, session: &Session) -> bool {
-        self.document == session.document_number()
+        self.document == session.revisions().document
     }
 
     /// Shows the step. Returns the commands of the step, and true while the tour goes on.

@@ -194,7 +194,8 @@ fn set(session: &Session, id: &NodeId, values: &[(&str, Value)]) -> Vec<Command>
         Edit::SetValue { graph: GraphId::Look, id: id.clone(), port, value, index: None }
     };
     let edits = values.iter().map(edit).collect();
-    let leave = (!session.open_groups().is_empty()).then(|| Command::OpenGraph(Vec::new()));
+    let leave =
+        (!session.selection.open_groups().is_empty()).then(|| Command::OpenGraph(Vec::new()));
     let select = Command::Select(vec![id.clone()]);
     leave.into_iter().chain([Command::Edit(Edit::Group { edits }), select]).collect()
 }

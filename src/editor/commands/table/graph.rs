@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use eframe::egui::{Key, Modifiers};
 
-use super::Place::Graph;
+use super::KeyScope::Graph;
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::Heading::{Down, Left, Right, Up};
 use crate::commands::{Command as C, GraphCommand as G};

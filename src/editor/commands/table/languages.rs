@@ -2,12 +2,12 @@
 
 use eframe::egui::Key;
 
-use super::{CTRL_SHIFT, CommandRow, Menu, Place, row};
+use super::{CTRL_SHIFT, CommandRow, KeyScope, Menu, row};
 use crate::commands::Command;
 use crate::export::{self, TextFile};
 
 pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
-    let without_key = |command, label: String| row(command, label, &[], Place::Window);
+    let without_key = |command, label: String| row(command, label, &[], KeyScope::Window);
     let copies = export::LANGUAGES.into_iter().flat_map(move |language| {
         language.texts.iter().map(move |TextFile { ending, content }| {
             let label = format!("Copy the {content} as {}", language.short_label);
@@ -15,7 +15,7 @@ pub(super) fn rows() -> impl Iterator<Item = CommandRow> {
         })
     });
     let all = Command::ExportLook(export::ALL, None);
-    let all = row(all, "Export to all languages...", &[(CTRL_SHIFT, Key::E)], Place::Window);
+    let all = row(all, "Export to all languages...", &[(CTRL_SHIFT, Key::E)], KeyScope::Window);
     let exports = export::LANGUAGES.into_iter().map(move |language| {
         let api =
             if language.api.is_empty() { String::new() } else { format!(", for {}", language.api) };

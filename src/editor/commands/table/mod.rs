@@ -17,7 +17,7 @@ use super::{Command, GraphCommand as G, keyboard};
 
 /// Place where a key works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum KeyScope {
     /// Everywhere.
     Window,
     /// Over the graph, while no text is typed.
@@ -30,7 +30,7 @@ pub(crate) enum Place {
     Painting,
 }
 
-impl Place {
+impl KeyScope {
     pub(crate) fn label(self) -> &'static str {
         match self {
             Self::Window => "Everywhere",
@@ -60,7 +60,7 @@ pub(crate) struct CommandRow {
     help: &'static str,
     /// Keys of the command, any of which will do; the first is shown.
     pub(crate) keys: &'static [(Modifiers, Key)],
-    pub(crate) place: Place,
+    pub(crate) place: KeyScope,
     /// Menu that lists the command.
     pub(crate) menu: Option<Menu>,
     /// True if the command is about the HCBTF that is open to be painted.
@@ -104,7 +104,7 @@ fn row(
     command: Command,
     label: impl Into<Cow<'static, str>>,
     keys: &'static [(Modifiers, Key)],
-    place: Place,
+    place: KeyScope,
 ) -> CommandRow {
     let label = label.into();
     CommandRow { command, label, help: "", keys, place, menu: None, needs_painting: false }
@@ -163,7 +163,7 @@ fn key_text(modifiers: Modifiers, key: Key) -> String {
 
 /// Takes the pressed keys of a place, and returns their commands. Copy, cut and paste come as
 /// events of their own, and Tab must be taken earlier than here, before it moves the focus.
-pub(crate) fn pressed(ui: &egui::Ui, place: Place) -> Vec<Command> {
+pub(crate) fn pressed(ui: &egui::Ui, place: KeyScope) -> Vec<Command> {
     let rows = rows().filter(|row| row.place == place);
     let is_event =
         |command: &Command| matches!(command, Command::Graph(G::Copy | G::Cut | G::Paste));
@@ -218,8 +218,8 @@ mod tests {
     fn no_key_does_two_things_in_one_place() {
         for (index, row) in ROWS.iter().enumerate() {
             for other in &ROWS[index + 1..] {
-                let are_over_picture = |place| matches!(place, Place::Picture | Place::Light);
-                let is_window = row.place == Place::Window || other.place == Place::Window;
+                let are_over_picture = |place| matches!(place, KeyScope::Picture | KeyScope::Light);
+                let is_window = row.place == KeyScope::Window || other.place == KeyScope::Window;
                 let meet = row.place == other.place || is_window;
                 let meet = meet || are_over_picture(row.place) && are_over_picture(other.place);
                 let same = row.keys.iter().any(|key| other.keys.contains(key));

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Key, Modifiers};
 
-use super::Place::Painting;
+use super::KeyScope::Painting;
 use super::{CommandRow, NONE, SHIFT, row};
 use crate::commands::Heading::{Down, Left, Right, Up};
 use crate::commands::{Command as C, PaintCommand as P, PaintTool};

@@ -2,22 +2,22 @@
 
 use eframe::egui::{Key, Modifiers};
 
-use super::{CTRL, CommandRow, NONE, Place, row};
+use super::{CTRL, CommandRow, KeyScope, NONE, row};
 use crate::commands::{
     Command as C, FitCommand as F, FitGoal, LightBrush, Switch, ViewCommand as V,
 };
 
 fn view(command: V, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
-    row(C::View(command), label, keys, Place::Picture)
+    row(C::View(command), label, keys, KeyScope::Picture)
 }
 
 fn fit(command: F, label: &'static str, keys: &'static [(Modifiers, Key)]) -> CommandRow {
-    row(C::Fit(command), label, keys, Place::Light)
+    row(C::Fit(command), label, keys, KeyScope::Light)
 }
 
 pub(super) fn rows() -> Vec<CommandRow> {
     vec![
-        row(C::Probe(Switch::Toggle), "Probe a pixel", &[(NONE, Key::I)], Place::Picture)
+        row(C::Probe(Switch::Toggle), "Probe a pixel", &[(NONE, Key::I)], KeyScope::Picture)
             .help("Reads the value on every wire at a pixel, f32 beside f64"),
         view(V::Reset, "Reset camera and lights", &[(NONE, Key::R)])
             .help("Turns both back; in a scene to where the scene has them"),

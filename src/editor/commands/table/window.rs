@@ -2,7 +2,7 @@
 
 use eframe::egui::Key;
 
-use super::Place::{self, Window};
+use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, Switch};
 use crate::document::Storage;
@@ -59,7 +59,7 @@ pub(super) fn rows() -> Vec<CommandRow> {
             C::Fit(FitCommand::Turn(Switch::Toggle)),
             "Paint light on the picture",
             &[(NONE, Key::L)],
-            Place::Picture,
+            KeyScope::Picture,
         )
         .in_menu(Menu::Paint),
         row(C::ShowPanel(PanelId::PAINT), "Paint a surface (HCBTF)", &[], Window),

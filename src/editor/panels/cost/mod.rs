@@ -23,32 +23,32 @@ pub(super) use panel::PANEL;
 const ROUNDS: usize = 15;
 
 struct MeasureRequest {
-    still: RenderSnapshot,
+    snapshot: RenderSnapshot,
     size: [u32; 2],
     progress: Progress,
 }
 
 struct Measurement {
-    of: Measured,
+    of: CostSubject,
     result: Result<Report, Vec<Diagnostic>>,
 }
 
 /// Inputs of a measurement: tiers and positions of nodes do not change its figures.
 #[derive(Clone, PartialEq)]
-struct Measured {
+struct CostSubject {
     look: Look,
     mesh: String,
-    stage: Option<PictureRevision>,
+    scene: Option<PictureRevision>,
 }
 
-impl Measured {
-    fn of(look: &Look, mesh: &str, stage: Option<PictureRevision>) -> Self {
+impl CostSubject {
+    fn of(look: &Look, mesh: &str, scene: Option<PictureRevision>) -> Self {
         let mut look = Look { tier: Tier::Exact, ..look.clone() };
         for node in look.graph.nodes.values_mut() {
             node.tier = None;
             node.position = [0.0; 2];
         }
-        Self { look, mesh: mesh.to_owned(), stage }
+        Self { look, mesh: mesh.to_owned(), scene }
     }
 }
 
@@ -96,8 +96,8 @@ impl Cost {
         self.progress = Progress::observed(move |_| wake());
         // In a scene only the figures of the open look are asked for, as only its tiers can be
         // chosen.
-        let still = session.snapshot_of(Arc::new(session.look().clone())).alone();
-        let job = MeasureRequest { still, size, progress: self.progress.clone() };
+        let snapshot = session.snapshot_of(Arc::new(session.look().clone())).alone();
+        let job = MeasureRequest { snapshot, size, progress: self.progress.clone() };
         if let Some(worker) = &self.worker {
             worker.request(|_| job);
         }
@@ -118,10 +118,10 @@ impl Cost {
                 self.is_current.0 = None;
             }
         }
-        let revision = Some((session.document_number(), session.revision()));
+        let revision = Some((session.revisions().document, session.revision()));
         if self.is_current.0 != revision {
             let now =
-                Measured::of(session.look(), &session.view.orbit.mesh, session.stage_version());
+                CostSubject::of(session.look(), &session.view.orbit.mesh, session.scene_revision());
             self.is_current = (revision, self.done.as_ref().is_some_and(|done| done.of == now));
         }
     }
@@ -192,15 +192,15 @@ async fn measure(
         }
     };
     let mut run = async || {
-        let setup = job.still.setup(&mut Assets::of(&job.still.assets))?.value;
-        let plan = PlanOptions { size: job.size, samples: 1, time: job.still.time };
+        let setup = job.snapshot.setup(&mut Assets::of(&job.snapshot.assets))?.value;
+        let plan = PlanOptions { size: job.size, samples: 1, time: job.snapshot.time };
         let options =
             BenchOptions { plan, rounds: ROUNDS, nodes: MeasuredNodes::Tiered, truth: true };
-        bench(&setup, &job.still.library, renderer, &options, &job.progress)
+        bench(&setup, &job.snapshot.library, renderer, &options, &job.progress)
             .await
             .map_err(Vec::from)
     };
     let result = run().await;
-    let stage = job.still.stage.as_ref().map(|stage| stage.version());
-    Measurement { of: Measured::of(&job.still.look, &job.still.orbit.mesh, stage), result }
+    let scene = job.snapshot.scene.as_ref().map(|scene| scene.revision());
+    Measurement { of: CostSubject::of(&job.snapshot.look, &job.snapshot.orbit.mesh, scene), result }
 }

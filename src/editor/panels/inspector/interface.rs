@@ -13,7 +13,8 @@ use crate::widgets::theme;
 
 /// Shows the interface of the open group.
 pub(super) fn show(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-    let (GraphId::Definition(id), Some(definition)) = (session.graph_id(), session.definition())
+    let (GraphId::Definition(id), Some(definition)) =
+        (session.selection.graph_id(), session.graph_view().definition())
     else {
         return;
     };

@@ -8,12 +8,12 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 use crate::catalog::Kind;
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Edit, Target, Tier, Value};
-use crate::fields::lighting::Owner;
+use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::{Subject, marks, row};
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::lights;
-use crate::panels::table::{PanelPlace, PanelRow, Stack};
+use crate::panels::table::{PanelPlace, PanelRow, PanelStack};
 use crate::state::session::Session;
 use crate::state::wire::{ShownWire, Style};
 use crate::values;
@@ -24,7 +24,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::INSPECTOR,
     "Inspector",
     "The values of what is selected",
-    PanelPlace { stack: Some(Stack::Inspector), ..PanelPlace::CLOSED },
+    PanelPlace { stack: Some(PanelStack::Inspector), ..PanelPlace::CLOSED },
     |_, ui, context| show(ui, context.session),
 );
 
@@ -36,11 +36,11 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         // The margin is room for the scroll bar.
         ui.set_max_width((ui.available_width() - 8.0).max(0.0));
-        if session.is_read_only() {
+        if session.graph_view().is_read_only() {
             let text = "This group is of the library. Make it the look's own to change it.";
             ui.label(RichText::new(text).color(theme::of(ui).dim));
             if ui.button("Make it the look's own").clicked() {
-                commands.extend(session.own_group().map(Command::Edit));
+                commands.extend(session.graph_view().own_group().map(Command::Edit));
             }
             ui.add_space(4.0);
             ui.disable();
@@ -53,7 +53,9 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
                     ui.label(format!("There is no node of kind \"{}\".", node.kind));
                 }
             },
-            None if session.definition().is_some() => interface::show(ui, session, &mut commands),
+            None if session.graph_view().definition().is_some() => {
+                interface::show(ui, session, &mut commands);
+            }
             None => show_look(ui, session, &mut commands),
         }
     });
@@ -105,7 +107,7 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
     }
     tier_row(ui, subject, out);
     shown_row(ui, subject, out);
-    let path = session.path_of(id);
+    let path = session.selection.path_of(id);
     marks::list(
         ui,
         session,
@@ -160,7 +162,11 @@ fn name_row(
             .char_limit(80);
         let response = ui.add(edit).labelled_by(label);
         if response.changed() {
-            let edit = Edit::SetName { graph: session.graph_id().clone(), id: (*id).clone(), name };
+            let edit = Edit::SetName {
+                graph: session.selection.graph_id().clone(),
+                id: (*id).clone(),
+                name,
+            };
             out.push(Command::EditHeld(response.id, edit));
         }
     });
@@ -176,8 +182,8 @@ fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &m
                 let values = preset
                     .values
                     .iter()
-                    .map(|(port, value)| (session.target(id, port), value.clone()));
-                out.push(Command::Edit(session.set_all_at(values)));
+                    .map(|(port, value)| (session.selection.target(id, port), value.clone()));
+                out.push(Command::Edit(session.keys().set_all_at(values)));
             }
         }
     });
@@ -213,7 +219,7 @@ fn tier_row(
                                     .and_then(|node| session.project.catalog.of(node));
                                 other.is_some_and(|other| other.tiers == kind.tiers)
                             });
-                            let graph = session.graph_id();
+                            let graph = session.selection.graph_id();
                             let edits = alike.map(|id| Edit::SetTier {
                                 graph: graph.clone(),
                                 id: id.clone(),
@@ -246,7 +252,8 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
     if kind.outputs.is_empty() {
         return;
     }
-    let shown = session.wire().filter(|wire| wire.node == session.path_of(id));
+    let shown =
+        session.view.wire.as_ref().filter(|wire| wire.node == session.selection.path_of(id));
     row::labelled(
         ui,
         "View wire",
@@ -268,7 +275,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
                         if ui.selectable_label(is_it, &*port.label).clicked() {
                             let style = shown.map(|wire| wire.style).unwrap_or_default();
                             out.push(Command::ShowWire(Some(ShownWire {
-                                node: session.path_of(id),
+                                node: session.selection.path_of(id),
                                 port: port.name.clone(),
                                 style,
                             })));
@@ -300,13 +307,15 @@ fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
             continue;
         };
         let id = LightId::from(id.as_str());
-        let lamp =
-            subject.session.lamp(&id).filter(|_| subject.session.look().lights.contains_key(&id));
-        if let Some(lamp) = lamp {
+        let owned_light = OwnedLight::lighting(subject.session, &id)
+            .filter(|_| subject.session.look().lights.contains_key(&id));
+        if let Some(owned_light) = owned_light {
             ui.separator();
-            let whose = if lamp.owner == Owner::Scene { " of the scene" } else { "" };
-            ui.label(RichText::new(format!("The light \"{}\"{whose}", lamp.name())).strong());
-            lights::edit(ui, subject.session, &lamp, out);
+            let whose = if owned_light.owner == Owner::Scene { " of the scene" } else { "" };
+            ui.label(
+                RichText::new(format!("The light \"{}\"{whose}", owned_light.name())).strong(),
+            );
+            lights::edit(ui, subject.session, &owned_light, out);
         }
     }
 }

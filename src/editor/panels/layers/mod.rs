@@ -13,7 +13,7 @@ use eframe::egui::{
     EventFilter, Key, Modifiers, Popup, Rect, Response, RichText, ScrollArea, Stroke, Ui, pos2,
 };
 
-use super::thumbs::{Shot, Thumbs, key_on, stage_of};
+use super::thumbs::{Shot, Thumbs, key_on, surroundings_key};
 use crate::commands::{Command, PanelId};
 use crate::document::{Edit, Endpoint, GraphId, Node, Wire};
 use crate::ids::{NodeId, NodePath, make_slug};
@@ -67,7 +67,7 @@ impl Layers {
         self.sync(session);
         let mut out = Vec::new();
         self.bar(ui, session, &mut out);
-        if !session.solo().layers.is_empty() {
+        if !session.view.solo.layers.is_empty() {
             out.extend(solo_bar::show(ui, session));
         }
         if !self.stack.has_output() {
@@ -117,7 +117,7 @@ impl Layers {
 
     /// Finds the stack anew where the document or its revision has changed.
     fn sync(&mut self, session: &Session) {
-        let of = (session.document_number(), session.revision());
+        let of = (session.revisions().document, session.revision());
         if self.of != Some(of) {
             if self.of.is_none_or(|old| old.0 != of.0) {
                 self.pictures.clear();
@@ -278,7 +278,8 @@ impl Layers {
         if pressed(Modifiers::NONE, Key::Delete) || pressed(Modifiers::NONE, Key::Backspace) {
             // Delete removes all selected layers, if this one is among them.
             let selected: Vec<NodeId> = session
-                .selected()
+                .selection
+                .nodes()
                 .filter(|id| self.stack.index_of(id).is_some())
                 .cloned()
                 .collect();
@@ -375,14 +376,14 @@ impl Layers {
         id: &NodeId,
         mode: Option<&str>,
     ) -> Option<egui::TextureId> {
-        let now = (session.document_number(), session.revision(), stage_of(session));
+        let now = (session.revisions().document, session.revision(), surroundings_key(session));
         let seen = self.pictures.get(id);
         let is_known = seen.is_some_and(|seen| seen.of == now && thumbs.is_done(seen.key));
         if !is_known {
             thumbs.look_again(ui);
         }
         // One thumbnail at a time: while one is being drawn, preparing the next gains nothing.
-        if !is_known && thumbs.rests() && !thumbs.is_busy() && session.held().is_none() {
+        if !is_known && thumbs.rests() && !thumbs.is_busy() && session.journals.held().is_none() {
             let look = picture::of(session.look(), id, mode);
             let lifts = mode.is_some_and(|mode| mode == "add" || mode.is_empty());
             let shot = if lifts { Shot::Lifted } else { Shot::Near };
@@ -391,7 +392,7 @@ impl Layers {
             let shown = seen.and_then(|seen| seen.shown);
             self.pictures.insert(id.clone(), LayerPicture { of: now, key, shown });
             if !thumbs.is_done(key) {
-                let what = (Arc::new(look), session.folder());
+                let what = (Arc::new(look), session.look.folder());
                 thumbs.ask(key, || session.shown_origin(), what, session, shot, side);
             }
         }
@@ -466,7 +467,7 @@ const OPACITY: &str = "opacity";
 
 /// Selects nodes of the look's own graph, which is opened first where a group's is open.
 fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
-    if !session.open_groups().is_empty() {
+    if !session.selection.open_groups().is_empty() {
         out.push(Command::OpenGraph(Vec::new()));
     }
     out.push(Command::Select(ids));
@@ -474,5 +475,5 @@ fn select(session: &Session, ids: Vec<NodeId>, out: &mut Vec<Command>) {
 
 /// True if a node of the look's own graph is selected.
 fn is_selected(session: &Session, id: &NodeId) -> bool {
-    session.open_groups().is_empty() && session.selection.nodes.contains(id)
+    session.selection.open_groups().is_empty() && session.selection.nodes.contains(id)
 }

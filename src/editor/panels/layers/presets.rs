@@ -10,7 +10,7 @@ use crate::state::session::Session;
 
 /// Light of the look that a layer is made for.
 #[derive(Clone, Copy, PartialEq)]
-enum From {
+enum LightChoice {
     /// Light of the selected layer, or else the first one in front.
     Front,
     /// First light behind the object, added where there is none.
@@ -23,7 +23,7 @@ const BACK: DVec3 = DVec3::new(0.85, 0.4, -0.5);
 /// gives none, and the part lit from straight behind is not seen.
 const RIM: std::ops::Range<f64> = -0.8..0.0;
 
-enum Set {
+enum PresetValue {
     Number(f64),
     Word(&'static str),
 }
@@ -36,11 +36,11 @@ pub(super) struct LayerPreset {
     /// Preset of the Profile node that supplies values.
     profile: Option<&'static str>,
     /// Values that the Profile preset lacks, or that replace its own. Colors are written as shown.
-    values: &'static [(&'static str, Set)],
-    light: From,
+    values: &'static [(&'static str, PresetValue)],
+    light: LightChoice,
 }
 
-use Set::{Number, Word};
+use PresetValue::{Number, Word};
 
 /// Presets in the order in which a look is built up: from what lies below to what lies on top.
 pub(super) static PRESETS: [LayerPreset; 6] = [
@@ -53,14 +53,14 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
             ("concave", Word("#14111c")),
             ("slope", Number(0.25)),
         ],
-        light: From::Front,
+        light: LightChoice::Front,
     },
     LayerPreset {
         name: "Diffuse",
         help: "Lambert's soft light, falling with the cosine of the angle to it",
         profile: Some("Lambert"),
         values: &[("convex", Word("#b58a6a")), ("concave", Word("#7a4a3c"))],
-        light: From::Front,
+        light: LightChoice::Front,
     },
     LayerPreset {
         name: "Cartoon",
@@ -71,7 +71,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
             ("concave", Word("#c79a72")),
             ("blend", Word("alpha")),
         ],
-        light: From::Front,
+        light: LightChoice::Front,
     },
     LayerPreset {
         name: "Shadow",
@@ -83,7 +83,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
             ("blend", Word("multiply")),
             ("opacity", Number(0.6)),
         ],
-        light: From::Front,
+        light: LightChoice::Front,
     },
     LayerPreset {
         name: "Highlight",
@@ -94,7 +94,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
             ("convex", Word("#e8d9b8")),
             ("concave", Word("#8a5c40")),
         ],
-        light: From::Front,
+        light: LightChoice::Front,
     },
     LayerPreset {
         name: "Back-light",
@@ -110,7 +110,7 @@ pub(super) static PRESETS: [LayerPreset; 6] = [
             ("slope", Number(0.2)),
             ("amount", Number(0.15)),
         ],
-        light: From::Behind,
+        light: LightChoice::Behind,
     },
 ];
 
@@ -128,8 +128,8 @@ impl LayerPreset {
             ..Node::default()
         };
         let (light, edits) = match self.light {
-            From::Front => front_light(look, beside),
-            From::Behind => back_light(session),
+            LightChoice::Front => front_light(look, beside),
+            LightChoice::Behind => back_light(session),
         };
         node.values.insert("light".into(), Value::Text(light.to_string()));
         for (port, value) in
@@ -254,7 +254,7 @@ mod tests {
             let (edits, id, node) = preset.make(&session, None);
             assert_eq!(
                 edits.is_empty(),
-                preset.light == From::Front,
+                preset.light == LightChoice::Front,
                 "{id}: a new look has no light behind"
             );
             assert!(

@@ -6,7 +6,7 @@ use eframe::egui::{
     Slider, TextureId, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
-use super::super::thumbs::Stand;
+use super::super::thumbs::ThumbObject;
 use super::{MODES, OPACITY};
 use crate::catalog::{Kind, Port};
 use crate::commands::Command;
@@ -49,7 +49,7 @@ impl Row<'_> {
     /// Word of the layer's blend mode.
     pub(super) fn mode(&self) -> Option<String> {
         let port = self.mode_port()?;
-        match self.session.value_at(&self.target(port)) {
+        match self.session.keys().value_at(&self.target(port)) {
             Some(Value::Text(word)) => Some(word),
             _ => None,
         }
@@ -178,8 +178,8 @@ impl Row<'_> {
         }
         whole.request_focus();
         let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
-        let mut ids = if adds && self.session.open_groups().is_empty() {
-            self.session.selected().cloned().collect()
+        let mut ids = if adds && self.session.selection.open_groups().is_empty() {
+            self.session.selection.nodes().cloned().collect()
         } else {
             Vec::new()
         };
@@ -191,7 +191,7 @@ impl Row<'_> {
     }
 
     fn is_hidden(&self) -> bool {
-        let alone = &self.session.solo().layers;
+        let alone = &self.session.view.solo.layers;
         if alone.is_empty() { self.node.muted } else { !alone.contains(self.id) }
     }
 
@@ -215,7 +215,7 @@ impl Row<'_> {
     }
 
     fn solo(&self, ui: &mut Ui, title: &str, out: &mut Vec<Command>) {
-        let solo = self.session.solo();
+        let solo = &self.session.view.solo;
         let is_on = solo.layers.contains(self.id);
         let help = "Solo: shows this layer alone over what the stack lies on; Ctrl-click adds to \
                     others.\nOnly in this window: nothing of it is saved.";
@@ -229,7 +229,7 @@ impl Row<'_> {
     fn picture(&self, ui: &mut Ui, texture: Option<TextureId>, is_faint: bool) {
         let (rect, response) = ui.allocate_exact_size(vec2(PICTURE, PICTURE), Sense::hover());
         response.on_hover_ui(|ui| {
-            let stand = Stand::of(self.session).help();
+            let stand = ThumbObject::of(self.session).help();
             ui.label(format!(
                 "What it paints alone. What only adds a little is shown brighter than \
                               it is. {stand}"
@@ -316,7 +316,9 @@ impl Row<'_> {
                 for (known, label) in &port.options {
                     if ui.selectable_label(*known == word, label).clicked() && *known != word {
                         out.push(Command::Edit(
-                            self.session.set_at(&self.target(port), Value::Text(known.clone())),
+                            self.session
+                                .keys()
+                                .set_at(&self.target(port), Value::Text(known.clone())),
                         ));
                     }
                 }
@@ -341,7 +343,7 @@ impl Row<'_> {
         }
         // A keyed value is shown, and set, at the current direction key or at the playhead.
         let target = self.target(port);
-        let mut percent = values::number(self.session.value_at(&target).as_ref()) * 100.0;
+        let mut percent = values::number(self.session.keys().value_at(&target).as_ref()) * 100.0;
         let number_width = 46.0;
         ui.spacing_mut().slider_width = (ui.available_width() - number_width - 6.0).max(20.0);
         let has_slider = ui.available_width() > number_width + 36.0;
@@ -364,7 +366,10 @@ impl Row<'_> {
             if response.changed() && percent.is_finite() {
                 // Values are whole percents: nobody sees smaller steps, and files stay readable.
                 let value = Value::Number(percent.round() / 100.0);
-                out.push(Command::EditHeld(response.id, self.session.set_at(&target, value)));
+                out.push(Command::EditHeld(
+                    response.id,
+                    self.session.keys().set_at(&target, value),
+                ));
             }
         }
     }

@@ -15,7 +15,7 @@ use super::examples::{self, Example, count, example};
 use crate::commands::{Command, PAINTING};
 use crate::document::{Document, Loaded, Look};
 use crate::hcbtf::{Cover, Picture, cover};
-use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step, Suspect};
+use crate::state::crashes::{CrashLog, CrashStep, DocumentOrigin, Suspect};
 use crate::state::session::Session;
 use crate::widgets::rows::{fitted, picture_frame, row_ground, whole};
 use crate::widgets::text::cell;
@@ -25,14 +25,14 @@ use crate::widgets::theme;
 const NAME: f32 = 20.0;
 
 /// Origin of a card's document.
-enum Origin {
+enum CardOrigin {
     /// Example, by its number and its path.
     Example(usize, PathBuf),
     File(PathBuf),
 }
 
 /// Content that a card opens.
-enum Content {
+enum CardContent {
     Look(Arc<Look>),
     Scene,
     Painting(Box<Painting>),
@@ -82,9 +82,9 @@ impl Painting {
 
 /// Card of a look, a scene or a painting that can be opened.
 pub(crate) struct Card {
-    origin: Origin,
+    origin: CardOrigin,
     pub(crate) name: String,
-    content: Content,
+    content: CardContent,
     key: u64,
     /// Side of the picture, in pixels. Cards grow with their panel, and their pictures are not
     /// drawn anew.
@@ -93,7 +93,7 @@ pub(crate) struct Card {
 
 impl Card {
     /// Cards of all examples, with pictures `side` pixels wide.
-    pub(crate) fn examples(side: f32) -> Vec<Self> {
+    pub(crate) fn examples(side: f32, session: &Session) -> Vec<Self> {
         let card = |index: usize| {
             let Example { stem, path, content } = example(index)?;
             // "figure1-layers" is shown under the look's own name, which people search for too.
@@ -106,43 +106,50 @@ impl Card {
                 None => name.to_owned(),
             };
             let (name, content, key) = match content {
-                examples::Content::Look(look) => {
+                examples::ExampleContent::Look(look) => {
                     let key = key_of(&look, Shot::Whole, side);
-                    (called(&look.name), Content::Look(Arc::new(look)), key)
+                    (called(&look.name), CardContent::Look(Arc::new(look)), key)
                 }
-                examples::Content::Scene(scene) => {
-                    let key = key_of_scene(&path, &scene, side);
-                    (called(&scene.name), Content::Scene, key)
+                examples::ExampleContent::Scene(scene) => {
+                    let key = key_of_scene(&path, &scene, session, side);
+                    (called(&scene.name), CardContent::Scene, key)
                 }
             };
-            Some(Self { origin: Origin::Example(index, path), name, content, key, side })
+            Some(Self { origin: CardOrigin::Example(index, path), name, content, key, side })
         };
         (0..count()).filter_map(card).collect()
     }
 
-    /// Card of a file. The read is noted in `crashes`, and a file that the program crashed on last
-    /// time is not read.
-    pub(crate) fn of_file(path: &Path, side: f32, crashes: &CrashLog) -> Self {
-        let origin = Origin::File(path.to_owned());
-        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == Step::Read) {
-            return Self { origin, name: name_of(path), content: Content::HeldBack, key: 0, side };
+    /// Card of a file. The read is noted in the session's log of crashes, and a file that the
+    /// program crashed on last time is not read.
+    pub(crate) fn of_file(path: &Path, side: f32, session: &Session) -> Self {
+        let (crashes, files) = (&session.journals.crashes, &**session.assets.source());
+        let origin = CardOrigin::File(path.to_owned());
+        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == CrashStep::Read) {
+            return Self {
+                origin,
+                name: name_of(path),
+                content: CardContent::HeldBack,
+                key: 0,
+                side,
+            };
         }
-        let _going = crashes.begin(Step::Read, || DocumentOrigin::of_file(path));
+        let _going = crashes.begin(CrashStep::Read, || DocumentOrigin::of_file(path));
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
-            let content = cover(&crate::files::Disk, path).map_or(Content::Unreadable, |cover| {
-                Content::Painting(Box::new(Painting::of(cover)))
+            let content = cover(files, path).map_or(CardContent::Unreadable, |cover| {
+                CardContent::Painting(Box::new(Painting::of(cover)))
             });
             return Self { origin, name: name_of(path), content, key: 0, side };
         }
-        let (content, key) = match Document::load(&crate::files::Disk, path) {
+        let (content, key) = match Document::load(files, path) {
             Document::Look(Loaded { value: Some(look), .. }) => {
                 let key = key_of(&look, Shot::Whole, side);
-                (Content::Look(Arc::new(look)), key)
+                (CardContent::Look(Arc::new(look)), key)
             }
             Document::Scene(Loaded { value: Some(scene), .. }) => {
-                (Content::Scene, key_of_scene(path, &scene, side))
+                (CardContent::Scene, key_of_scene(path, &scene, session, side))
             }
-            _ => (Content::Unreadable, 0),
+            _ => (CardContent::Unreadable, 0),
         };
         Self { origin, name: name_of(path), content, key, side }
     }
@@ -150,14 +157,14 @@ impl Card {
     /// Path of the card's file; `None` for an example.
     fn path(&self) -> Option<&Path> {
         match &self.origin {
-            Origin::File(path) => Some(path),
-            Origin::Example(..) => None,
+            CardOrigin::File(path) => Some(path),
+            CardOrigin::Example(..) => None,
         }
     }
 
     /// True if the file could be read.
     pub(crate) fn is_readable(&self) -> bool {
-        !matches!(self.content, Content::Unreadable)
+        !matches!(self.content, CardContent::Unreadable)
     }
 
     /// Shows the card, with a picture of this side in points.
@@ -171,8 +178,8 @@ impl Card {
     ) -> Response {
         let (rect, response) = ui.allocate_exact_size(vec2(side, side + NAME), Sense::click());
         let what = match self.content {
-            Content::Scene => "scene",
-            Content::Painting(_) => "painting",
+            CardContent::Scene => "scene",
+            CardContent::Painting(_) => "painting",
             _ => "look",
         };
         let suspect = self.suspect(&session.journals.crashes);
@@ -191,11 +198,15 @@ impl Card {
         let picture = picture_of(rect, side);
         ui.painter().rect_filled(picture, 3.0, theme::of(ui).canvas);
         let held = suspect.as_ref().map(|suspect| suspect.step);
-        let held = if matches!(self.content, Content::HeldBack) { Some(Step::Read) } else { held };
+        let held = if matches!(self.content, CardContent::HeldBack) {
+            Some(CrashStep::Read)
+        } else {
+            held
+        };
         match (&self.content, thumbs.known(self.key)) {
-            _ if held.is_some() => held_back(ui, picture, held.unwrap_or(Step::Read)),
-            (Content::Unreadable, _) => say(ui, picture, "cannot be read"),
-            (Content::Painting(painting), _) => {
+            _ if held.is_some() => held_back(ui, picture, held.unwrap_or(CrashStep::Read)),
+            (CardContent::Unreadable, _) => say(ui, picture, "cannot be read"),
+            (CardContent::Painting(painting), _) => {
                 painting.show(ui, picture.shrink(1.0));
                 in_corner(ui, picture, &painting.size);
             }
@@ -203,8 +214,11 @@ impl Card {
                 ui.painter().image(texture, picture.shrink(1.0), whole(), Color32::WHITE);
             }
             (_, None) if thumbs.is_done(self.key) || !thumbs.can_draw() => {
-                let text =
-                    if matches!(self.content, Content::Scene) { "a scene" } else { "no picture" };
+                let text = if matches!(self.content, CardContent::Scene) {
+                    "a scene"
+                } else {
+                    "no picture"
+                };
                 say(ui, picture, text);
             }
             (_, None) => {
@@ -225,20 +239,20 @@ impl Card {
         }
         name_below(ui, rect, picture, &self.name, theme::of(ui).text);
         let (help, command) = match &self.origin {
-            Origin::Example(index, _) => (
+            CardOrigin::Example(index, _) => (
                 format!(
                     "{}\nOpens it as a new {what}; the example itself stays as it is",
                     self.name
                 ),
                 Command::OpenExample(*index),
             ),
-            Origin::File(path) => {
+            CardOrigin::File(path) => {
                 let about = match &self.content {
-                    Content::Painting(painting) => format!("\n{}", painting.about),
+                    CardContent::Painting(painting) => format!("\n{}", painting.about),
                     _ => String::new(),
                 };
                 let help = match suspect {
-                    Some(Suspect { step: Step::Read, .. }) => {
+                    Some(Suspect { step: CrashStep::Read, .. }) => {
                         "Chiaro ended while reading this file the last time"
                     }
                     Some(_) => {
@@ -265,22 +279,24 @@ impl Card {
     /// Document under which crashes are recorded.
     fn document(&self) -> Option<DocumentOrigin> {
         match (&self.content, &self.origin) {
-            (Content::Painting(_) | Content::Unreadable, _) => None,
-            (_, Origin::File(path)) => Some(DocumentOrigin::of_file(path)),
-            (Content::Look(look), Origin::Example(..)) => {
+            (CardContent::Painting(_) | CardContent::Unreadable, _) => None,
+            (_, CardOrigin::File(path)) => Some(DocumentOrigin::of_file(path)),
+            (CardContent::Look(look), CardOrigin::Example(..)) => {
                 Some(DocumentOrigin::new(&self.name, None, look))
             }
-            (_, Origin::Example(_, path)) => Some(DocumentOrigin::of_file(path)),
+            (_, CardOrigin::Example(_, path)) => Some(DocumentOrigin::of_file(path)),
         }
     }
 
     /// Requests the card's picture.
     fn ask(&self, session: &Session, thumbs: &Thumbs) {
         match (&self.content, &self.origin) {
-            (Content::Look(look), origin) => {
+            (CardContent::Look(look), origin) => {
                 let folder = match origin {
-                    Origin::File(path) => path.parent().map(Path::to_path_buf).unwrap_or_default(),
-                    Origin::Example(..) => PathBuf::new(),
+                    CardOrigin::File(path) => {
+                        path.parent().map(Path::to_path_buf).unwrap_or_default()
+                    }
+                    CardOrigin::Example(..) => PathBuf::new(),
                 };
                 let document = || DocumentOrigin::new(&self.name, self.path(), look);
                 thumbs.ask(
@@ -292,10 +308,10 @@ impl Card {
                     self.side,
                 );
             }
-            (Content::Scene, Origin::File(path) | Origin::Example(_, path)) => {
-                thumbs.ask_for_scene(self.key, path, self.side);
+            (CardContent::Scene, CardOrigin::File(path) | CardOrigin::Example(_, path)) => {
+                thumbs.ask_for_scene(self.key, path, session, self.side);
             }
-            (Content::Painting(_) | Content::Unreadable | Content::HeldBack, _) => {}
+            (CardContent::Painting(_) | CardContent::Unreadable | CardContent::HeldBack, _) => {}
         }
     }
 }
@@ -336,7 +352,7 @@ fn say(ui: &Ui, picture: Rect, text: &str) {
 }
 
 /// Shows a warning sign in place of a picture that the program crashed on.
-fn held_back(ui: &Ui, picture: Rect, step: Step) {
+fn held_back(ui: &Ui, picture: Rect, step: CrashStep) {
     let colors = theme::of(ui);
     let (center, side) = (picture.center() - vec2(0.0, 14.0), 18.0);
     let corner =
@@ -350,8 +366,8 @@ fn held_back(ui: &Ui, picture: Rect, step: Step) {
 }
 
 /// Words for the step that is skipped for a document that the program crashed on.
-fn undone(step: Step) -> &'static str {
-    if step == Step::Read { "not read" } else { "not drawn" }
+fn undone(step: CrashStep) -> &'static str {
+    if step == CrashStep::Read { "not read" } else { "not drawn" }
 }
 
 /// Shows words over a picture, in its lower left corner.

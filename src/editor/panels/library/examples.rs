@@ -11,11 +11,11 @@ pub(crate) struct Example {
     pub(crate) stem: &'static str,
     /// Path under which the example is opened.
     pub(crate) path: PathBuf,
-    pub(crate) content: Content,
+    pub(crate) content: ExampleContent,
 }
 
 /// Content of an example.
-pub(crate) enum Content {
+pub(crate) enum ExampleContent {
     Look(Look),
     Scene(Scene),
 }
@@ -28,8 +28,8 @@ pub(crate) fn example(index: usize) -> Option<Example> {
     let path = PathBuf::from(format!("{PREFIX}{name}"));
     let text = text(&path)?;
     let content = match folder {
-        "scenes" => Content::Scene(Scene::read(&text, stem).value?),
-        _ => Content::Look(Look::read(&text, stem).value?),
+        "scenes" => ExampleContent::Scene(Scene::read(&text, stem).value?),
+        _ => ExampleContent::Look(Look::read(&text, stem).value?),
     };
     Some(Example { stem, path, content })
 }
@@ -49,10 +49,10 @@ mod tests {
             let example = example(index).unwrap();
             let text = text(&example.path).unwrap();
             match example.content {
-                Content::Look(_) => {
+                ExampleContent::Look(_) => {
                     assert!(!Look::read(&text, example.stem).has_errors(), "{}", example.stem);
                 }
-                Content::Scene(_) => {
+                ExampleContent::Scene(_) => {
                     assert!(!Scene::read(&text, example.stem).has_errors(), "{}", example.stem);
                 }
             }

@@ -13,11 +13,11 @@ use eframe::egui::{Rect, Role, ScrollArea, TextEdit, Ui, WidgetInfo, vec2};
 use super::thumbs::Thumbs;
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelContext, PanelPlace, PanelRow};
-use crate::state::safety::crashes::CrashLog;
+use crate::state::revision::SuspectsRevision;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 use cards::Card;
-pub(crate) use examples::{Content, example};
+pub(crate) use examples::{ExampleContent, example};
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::LIBRARY,
@@ -26,7 +26,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, PanelContext { session, safety }| {
         let library = bench.memory.of::<Library>();
-        library.know_recent(safety.recent(), &session.journals.crashes);
+        library.know_recent(safety.recent(), session);
         library.show(ui, session, &bench.thumbs)
     },
 )
@@ -52,10 +52,10 @@ pub(crate) struct Library {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
-    /// Cards of recent files; then the files they are of, with the number of changes to the record
-    /// of crashes at that time.
+    /// Cards of recent files; then the files they are of, with the revision of the suspects at that
+    /// time.
     recent: Vec<Card>,
-    recent_of: (Vec<PathBuf>, u64),
+    recent_of: (Vec<PathBuf>, SuspectsRevision),
 }
 
 impl Library {
@@ -85,20 +85,21 @@ impl Library {
     pub(crate) fn know_recent<'p>(
         &mut self,
         files: impl Iterator<Item = (&'p PathBuf, bool)>,
-        crashes: &CrashLog,
+        session: &Session,
     ) {
+        let crashes = &session.journals.crashes;
         if !self.shows_looks {
             return;
         }
         let there: Vec<PathBuf> =
             files.filter(|(_, is_there)| *is_there).map(|(path, _)| path.clone()).collect();
-        let now = (there, crashes.changes());
+        let now = (there, crashes.suspects_revision());
         if self.recent_of != now {
             let (there, _) = &now;
             self.recent = there
                 .iter()
                 .take(MOST_RECENT)
-                .map(|path| Card::of_file(path, SIDE, crashes))
+                .map(|path| Card::of_file(path, SIDE, session))
                 .collect();
             self.recent.retain(Card::is_readable);
             self.recent_of = now;
@@ -107,7 +108,7 @@ impl Library {
 
     fn looks(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         if self.looks.is_empty() {
-            self.looks = Card::examples(SIDE);
+            self.looks = Card::examples(SIDE, session);
         }
         let words = self.query.to_lowercase();
         let is_found = |card: &&Card| {

@@ -38,14 +38,14 @@ pub(super) fn bar(
                         ..Light::default()
                     };
                     let light = Light { kind, direction: [0.5, 0.5, 0.7], ..near };
-                    let id = session.free_light(Owner::Look, "light");
+                    let id = Owner::Look.free_id(session, "light");
                     out.push(Owner::Look.add(id, light, None).once());
                     ui.close();
                 }
             }
         });
         menu.response.on_hover_text("Adds a light that layers can name");
-        if session.stage().is_none() {
+        if session.open_scene().is_none() {
             return;
         }
         let menu = ui.menu_button("Add scene light", |ui| {
@@ -75,27 +75,29 @@ pub(super) fn bar(
 pub(super) fn scene_menu(
     ui: &mut Ui,
     session: &Session,
-    lamp: &OwnedLight<'_>,
+    owned_light: &OwnedLight<'_>,
     shared: &IndexMap<LightId, SharedLight>,
     out: &mut Vec<Command>,
 ) {
-    if session.stage().is_none() {
+    if session.open_scene().is_none() {
         return;
     }
-    if lamp.owner == Owner::Look {
+    if owned_light.owner == Owner::Look {
         let help =
             "Adds the same to the scene, where it stands in place of every look's light of this id";
-        if session.light_of_scene(lamp.id).is_none()
+        if session.keys().light_of_scene(owned_light.id).is_none()
             && ui.button("Light the scene with it").on_hover_text(help).clicked()
         {
-            out.push(Owner::Scene.add(lamp.id.clone(), lamp.as_set(session), None).once());
+            out.push(
+                Owner::Scene.add(owned_light.id.clone(), owned_light.as_set(session), None).once(),
+            );
         }
         return;
     }
     for (id, shared) in free(session, shared) {
         let text = format!("Stand in for {}", light_name(id, &shared.light));
         if ui.button(text).on_hover_text(help_for(id, shared)).clicked() {
-            out.extend(lamp.stand_in_for(session, id).map(Change::once));
+            out.extend(owned_light.stand_in_for(session, id).map(Change::once));
         }
     }
 }
@@ -105,7 +107,7 @@ fn free<'s>(
     session: &'s Session,
     shared: &'s IndexMap<LightId, SharedLight>,
 ) -> impl Iterator<Item = (&'s LightId, &'s SharedLight)> {
-    shared.iter().filter(|(id, _)| session.light_of_scene(id).is_none())
+    shared.iter().filter(|(id, _)| session.keys().light_of_scene(id).is_none())
 }
 
 fn help_for(id: &LightId, shared: &SharedLight) -> String {

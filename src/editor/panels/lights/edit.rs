@@ -25,36 +25,41 @@ const MOST_BY_SLIDER: f64 = 4.0;
 const OFF: &str = "Off";
 
 /// Shows all fields of a light but its name.
-pub(crate) fn edit(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
-    ui.push_id((lamp.owner, lamp.id), |ui| {
+pub(crate) fn edit(
+    ui: &mut Ui,
+    session: &Session,
+    owned_light: &OwnedLight<'_>,
+    out: &mut Vec<Command>,
+) {
+    ui.push_id((owned_light.owner, owned_light.id), |ui| {
         // Keyed fields are shown, and set, at the current direction key or at the playhead.
-        let light = &lamp.as_set(session);
+        let light = &owned_light.as_set(session);
         let mut new = light.clone();
-        let mut hand = None;
+        let mut widget = None;
         let mut asked = Vec::new();
         labelled(ui, "Type", "Directional lights are as far away as the sun", |ui, label| {
-            hand = hand.or(kind(ui, label, &mut new));
+            widget = widget.or(kind(ui, label, &mut new));
         });
         labelled(ui, "Frame", "What its direction turns with", |ui, label| {
-            hand = hand.or(space(ui, label, &mut new));
+            widget = widget.or(space(ui, label, &mut new));
         });
         for field in LightField::of(new.kind) {
             // Keys and parameters belong to the look, and so do their marks.
-            let is_own = lamp.owner == Owner::Look;
+            let is_own = owned_light.owner == Owner::Look;
             let ty = Type::of_light_field(field);
-            let (target, label) = (lamp.target(field.name()), field.label());
+            let (target, label) = (owned_light.target(field.name()), field.label());
             let marked =
                 is_own.then_some(FieldTarget { session, target, ty: &ty, label, reset: None });
             let text = egui::RichText::new(label).color(theme::of(ui).text);
             let help = marked.as_ref().map(FieldTarget::help).unwrap_or_default();
             let help = format!("{}\n{help}", field.help());
             row::marked(ui, text, help.trim_end(), marked.as_ref(), &mut asked, |ui, label, _| {
-                hand = hand.or(value(ui, label, field, &mut new, session.look().color_space));
+                widget = widget.or(value(ui, label, field, &mut new, session.look().color_space));
             });
         }
         out.append(&mut asked);
-        if let Some(hand) = hand.filter(|_| new != *light) {
-            out.push(lamp.changed(session, light, &new).held(hand));
+        if let Some(widget) = widget.filter(|_| new != *light) {
+            out.push(owned_light.changed(session, light, &new).held(widget));
         }
     });
 }
@@ -84,15 +89,15 @@ fn value(
     let most = most.unwrap_or(f64::MAX);
     let normal = field.numbers(&Light::default()).first().copied().unwrap_or_default();
     let number = field.numbers_mut(light).first_mut()?;
-    let hand = match field.quantity() {
+    let widget = match field.quantity() {
         LightQuantity::Angle => angle(ui, label, number, most),
         LightQuantity::Distance => distance(ui, label, field, number),
         _ => factor(ui, label, number, most, normal),
     };
-    if hand.is_some() {
+    if widget.is_some() {
         keep_within(field, light);
     }
-    hand
+    widget
 }
 
 /// Keeps a field that was set above its least value, and the fields bounded by it within the new
@@ -184,19 +189,19 @@ fn space(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
 }
 
 fn xyz(ui: &mut Ui, label: Id, numbers: &mut [f64; 3]) -> Option<Id> {
-    let mut hand = None;
+    let mut widget = None;
     let before = *numbers;
     for (number, axis) in numbers.iter_mut().zip(["x ", "y ", "z "]) {
         let drag = DragValue::new(number).speed(0.01).max_decimals(3).prefix(axis);
         let response = ui.add(drag).labelled_by(label);
         if response.changed() {
-            hand = Some(response.id);
+            widget = Some(response.id);
         }
     }
     if numbers.iter().any(|x| !x.is_finite()) {
         *numbers = before;
     }
-    hand
+    widget
 }
 
 fn angle(ui: &mut Ui, label: Id, radians: &mut f64, max: f64) -> Option<Id> {

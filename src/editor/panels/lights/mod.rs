@@ -16,7 +16,7 @@ use indexmap::IndexMap;
 
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Light, Value};
-use crate::fields::lighting::{OwnedLight, Owner, SharedLight};
+use crate::fields::lighting::{OwnedLight, Owner, SharedLight, lights_of_looks};
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::table::{PanelPlace, PanelRow};
@@ -57,10 +57,10 @@ impl Lights {
         self.sync(session);
         let mut out = Vec::new();
         add::bar(ui, session, &self.shared, &mut out);
-        if !session.solo().lights.is_empty() || !session.solo().muted.is_empty() {
+        if !session.view.solo.lights.is_empty() || !session.view.solo.muted.is_empty() {
             out.extend(solo_bar::show(ui, session));
         }
-        let of_scene = session.lights_of(Owner::Scene).filter(|lights| !lights.is_empty());
+        let of_scene = Owner::Scene.lights(session).filter(|lights| !lights.is_empty());
         ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
@@ -80,24 +80,24 @@ impl Lights {
     }
 
     fn list(&mut self, ui: &mut Ui, session: &Session, owner: Owner, out: &mut Vec<Command>) {
-        let lights = session.lights_of(owner);
+        let lights = owner.lights(session);
         let is_short = lights.is_some_and(|lights| lights.len() == 1)
-            && session.lights_of(Owner::Scene).is_none();
+            && Owner::Scene.lights(session).is_none();
         for (id, light) in lights.into_iter().flatten() {
-            let lamp = OwnedLight { owner, id, light };
+            let owned_light = OwnedLight { owner, id, light };
             let state = Id::unique("light").with((owner, id.as_str()));
             let state = CollapsingState::load_with_default_open(ui.ctx(), state, is_short);
-            let header = state.show_header(ui, |ui| self.head(ui, session, &lamp, out));
+            let header = state.show_header(ui, |ui| self.head(ui, session, &owned_light, out));
             header.body_unindented(|ui| {
                 ui.add_space(2.0);
-                edit(ui, session, &lamp, out);
+                edit(ui, session, &owned_light, out);
                 ui.add_space(6.0);
             });
         }
     }
 
     fn sync(&mut self, session: &Session) {
-        let of = (session.document_number(), session.revision(), session.stage_version());
+        let of = (session.revisions().document, session.revision(), session.scene_revision());
         if self.of == Some(of) {
             return;
         }
@@ -106,7 +106,7 @@ impl Lights {
         }
         self.of = Some(of);
         self.shared =
-            if session.stage().is_some() { session.lights_of_looks() } else { IndexMap::new() };
+            if session.open_scene().is_some() { lights_of_looks(session) } else { IndexMap::new() };
         self.users.clear();
         let look = session.look();
         let groups = look.definitions.values().map(|definition| &definition.graph);
@@ -132,51 +132,51 @@ impl Lights {
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        lamp: &OwnedLight<'_>,
+        owned_light: &OwnedLight<'_>,
         out: &mut Vec<Command>,
     ) {
-        let title = lamp.full_name();
-        let solo = session.solo();
+        let title = owned_light.full_name();
+        let solo = &session.view.solo;
         ui.spacing_mut().item_spacing.x = 4.0;
-        let is_muted = solo.muted.contains(lamp.id);
+        let is_muted = solo.muted.contains(owned_light.id);
         let help =
             "Puts the light out, or lights it again.\nOnly in this window: nothing of it is saved.";
         if icon(ui, Icon::Bulb, !is_muted, &format!("Light {title} shines"), help).clicked() {
-            out.push(Command::Solo(solo.toggle_mute(lamp.id)));
+            out.push(Command::Solo(solo.toggle_mute(owned_light.id)));
         }
         let (rect, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-        ui.painter().rect_filled(rect, 3.0, swatch(lamp.light, session.look().color_space));
+        ui.painter().rect_filled(rect, 3.0, swatch(owned_light.light, session.look().color_space));
         picture_frame(ui, rect);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(
                 ui, Icon::More, true, &format!("More of {title}"), "Rename, duplicate, remove"
             );
-            Popup::menu(&more).show(|ui| self.menu(ui, session, lamp, out));
-            let is_alone = solo.lights.contains(lamp.id);
+            Popup::menu(&more).show(|ui| self.menu(ui, session, owned_light, out));
+            let is_alone = solo.lights.contains(owned_light.id);
             let help =
                 "Lets this light shine alone; Ctrl-click adds to others.\nOnly in this window: \
                  nothing of it is saved.";
             if icon(ui, Icon::Solo, is_alone, &format!("Solo {title}"), help).clicked() {
                 let adds = ui.input(|input| input.modifiers.command || input.modifiers.shift);
-                out.push(Command::Solo(solo.toggle_light(lamp.id, adds)));
+                out.push(Command::Solo(solo.toggle_light(owned_light.id, adds)));
             }
-            let is_replaced =
-                lamp.owner == Owner::Look && session.light_of_scene(lamp.id).is_some();
-            self.users(ui, lamp, is_replaced);
-            intensity(ui, session, lamp, out);
+            let is_replaced = owned_light.owner == Owner::Look
+                && session.keys().light_of_scene(owned_light.id).is_some();
+            self.users(ui, owned_light, is_replaced);
+            intensity(ui, session, owned_light, out);
             ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                 ui.set_min_height(ICON);
-                self.title(ui, lamp, solo.is_dark(lamp.id), is_replaced, out);
+                self.title(ui, owned_light, solo.is_dark(owned_light.id), is_replaced, out);
             });
         });
     }
 
     /// Shows the number of users of a light: nodes for a look's light, looks for a scene's.
-    fn users(&self, ui: &mut Ui, lamp: &OwnedLight<'_>, is_replaced: bool) {
+    fn users(&self, ui: &mut Ui, owned_light: &OwnedLight<'_>, is_replaced: bool) {
         let colors = theme::of(ui);
-        let (count, what, none, help) = match lamp.owner {
+        let (count, what, none, help) = match owned_light.owner {
             Owner::Look => {
-                let count = self.users.get(lamp.id).copied().unwrap_or(0);
+                let count = self.users.get(owned_light.id).copied().unwrap_or(0);
                 (
                     count,
                     "node",
@@ -185,7 +185,7 @@ impl Lights {
                 )
             }
             Owner::Scene => {
-                let count = self.shared.get(lamp.id).map_or(0, |shared| shared.looks);
+                let count = self.shared.get(owned_light.id).map_or(0, |shared| shared.looks);
                 let none = "No look of the scene has a light of this id, so it lights nothing: let \
                             it stand in for one";
                 (
@@ -217,7 +217,7 @@ impl Lights {
     fn title(
         &mut self,
         ui: &mut Ui,
-        lamp: &OwnedLight<'_>,
+        owned_light: &OwnedLight<'_>,
         is_dark: bool,
         is_replaced: bool,
         out: &mut Vec<Command>,
@@ -225,44 +225,49 @@ impl Lights {
         if let Some(field) = self
             .renaming
             .as_mut()
-            .filter(|field| (field.id.0, &field.id.1) == (lamp.owner, lamp.id))
+            .filter(|field| (field.id.0, &field.id.1) == (owned_light.owner, owned_light.id))
         {
-            if let Some(new) =
-                field.show(ui, lamp.id.as_str(), &format!("New name of {}", lamp.full_name()))
-            {
+            if let Some(new) = field.show(
+                ui,
+                owned_light.id.as_str(),
+                &format!("New name of {}", owned_light.full_name()),
+            ) {
                 self.renaming = None;
-                if let Some(name) = new.filter(|name| *name != lamp.light.name) {
-                    out.push(lamp.set(Light { name, ..lamp.light.clone() }).once());
+                if let Some(name) = new.filter(|name| *name != owned_light.light.name) {
+                    out.push(owned_light.set(Light { name, ..owned_light.light.clone() }).once());
                 }
             }
             return;
         }
         let color = if is_dark || is_replaced { theme::of(ui).dim } else { theme::of(ui).text };
-        let text = RichText::new(lamp.name()).strong().color(color);
+        let text = RichText::new(owned_light.name()).strong().color(color);
         let text = if is_dark { text.strikethrough() } else { text };
         let response = ui.add(Label::new(text).truncate().selectable(false).sense(Sense::click()));
         if response.double_clicked() {
-            self.rename(lamp);
+            self.rename(owned_light);
         }
         response.on_hover_text("Double click to rename");
     }
 
-    fn rename(&mut self, lamp: &OwnedLight<'_>) {
-        self.renaming = Some(Renaming::new((lamp.owner, lamp.id.clone()), &lamp.light.name));
+    fn rename(&mut self, owned_light: &OwnedLight<'_>) {
+        self.renaming = Some(Renaming::new(
+            (owned_light.owner, owned_light.id.clone()),
+            &owned_light.light.name,
+        ));
     }
 
     fn menu(
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        lamp: &OwnedLight<'_>,
+        owned_light: &OwnedLight<'_>,
         out: &mut Vec<Command>,
     ) {
         if ui.button("Rename light").on_hover_text("Or double click on the name").clicked() {
-            self.rename(lamp);
+            self.rename(owned_light);
         }
-        let users = self.users.get(lamp.id).copied().unwrap_or(0);
-        let (copy, removal) = match (lamp.owner, users) {
+        let users = self.users.get(owned_light.id).copied().unwrap_or(0);
+        let (copy, removal) = match (owned_light.owner, users) {
             (Owner::Scene, _) => (
                 "Adds a copy, which stands in for nothing yet",
                 "Each look has its own light again".to_owned(),
@@ -276,12 +281,12 @@ impl Lights {
             ),
         };
         if ui.button("Duplicate light").on_hover_text(copy).clicked() {
-            out.push(lamp.duplicate(session).once());
+            out.push(owned_light.duplicate(session).once());
         }
-        add::scene_menu(ui, session, lamp, &self.shared, out);
+        add::scene_menu(ui, session, owned_light, &self.shared, out);
         ui.separator();
         if ui.add(Button::new("Remove light")).on_hover_text(removal).clicked() {
-            out.push(lamp.remove().once());
+            out.push(owned_light.remove().once());
         }
     }
 }
@@ -291,8 +296,8 @@ fn section(ui: &mut Ui, title: &str, help: &str) {
 }
 
 /// Shows the intensity of a light, also while the other fields are folded away.
-fn intensity(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Vec<Command>) {
-    let light = &lamp.as_set(session);
+fn intensity(ui: &mut Ui, session: &Session, owned_light: &OwnedLight<'_>, out: &mut Vec<Command>) {
+    let light = &owned_light.as_set(session);
     let mut value = light.intensity;
     let drag = DragValue::new(&mut value)
         .prefix("×")
@@ -306,14 +311,14 @@ fn intensity(ui: &mut Ui, session: &Session, lamp: &OwnedLight<'_>, out: &mut Ve
         let mut info = WidgetInfo::labeled(
             Role::SpinButton,
             true,
-            format!("Intensity of {}", lamp.full_name()),
+            format!("Intensity of {}", owned_light.full_name()),
         );
         info.value = Some(value);
         info
     });
     if response.changed() && value.is_finite() {
         let new = Light { intensity: value, ..light.clone() };
-        out.push(lamp.changed(session, light, &new).held(response.id));
+        out.push(owned_light.changed(session, light, &new).held(response.id));
     }
 }
 

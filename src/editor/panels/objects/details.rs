@@ -25,8 +25,8 @@ pub(super) struct Details {
 }
 
 /// Name of a look in the list of objects.
-pub(super) fn look_label(stage: &OpenScene, name: &str) -> String {
-    if stage.is_open(name) { stage.open_label() } else { file_label(name) }
+pub(super) fn look_label(open_scene: &OpenScene, name: &str) -> String {
+    if open_scene.is_open(name) { open_scene.open_label() } else { file_label(name) }
 }
 
 impl Details {
@@ -34,27 +34,27 @@ impl Details {
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
-        stage: &OpenScene,
+        open_scene: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
     ) {
         ui.push_id(id, |ui| {
             labelled(ui, "Mesh", "What it is made of", |ui, label| {
-                mesh(ui, label, stage, id, object, out);
+                mesh(ui, label, open_scene, id, object, out);
             });
-            looks(ui, stage, id, object, out);
+            looks(ui, open_scene, id, object, out);
             let mut new = object.transform;
-            let mut hand = None;
+            let mut widget = None;
             let help = "Where it stands, in scene units: to the right, up, toward the viewer";
             labelled(ui, "Place", help, |ui, _| {
-                hand = hand.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
+                widget = widget.or(xyz(ui, "Place", &mut new.translate, 0.01, ""));
             });
             let help = "How it is turned: around the axis to the right, around the vertical one, \
                         around the one toward the viewer";
-            labelled(ui, "Turn", help, |ui, _| hand = hand.or(self.turn(ui, id, &mut new)));
+            labelled(ui, "Turn", help, |ui, _| widget = widget.or(self.turn(ui, id, &mut new)));
             labelled(ui, "Scale", "How large it is", |ui, _| {
-                hand = hand.or(self.scale(ui, &mut new));
+                widget = widget.or(self.scale(ui, &mut new));
             });
             labelled(
                 ui,
@@ -65,19 +65,19 @@ impl Details {
                     let fit = ui.add(Checkbox::without_text(&mut new.fit));
                     ui.ctx().accesskit_node_builder(fit.id, |node| node.set_label("Fit the mesh"));
                     if fit.changed() {
-                        hand = Some(fit.id);
+                        widget = Some(fit.id);
                     }
                     let help =
                         "Turns a mesh whose z axis points up, as in many scans, by a quarter";
                     if ui.small_button("Stand up").on_hover_text(help).clicked() {
                         new.rotate = stood_up(new.rotate);
-                        hand = Some(ui.scope_id().with("stand up"));
+                        widget = Some(ui.scope_id().with("stand up"));
                     }
                 },
             );
-            if let Some(hand) = hand.filter(|_| new != object.transform) {
-                let edit = stage.change(id, |object| object.transform = new);
-                out.extend(edit.map(|edit| SceneCommand::EditHeld(hand, edit)));
+            if let Some(widget) = widget.filter(|_| new != object.transform) {
+                let edit = open_scene.change(id, |object| object.transform = new);
+                out.extend(edit.map(|edit| SceneCommand::EditHeld(widget, edit)));
             }
         });
     }
@@ -86,25 +86,25 @@ impl Details {
         let known =
             self.turned.as_ref().filter(|(of, rotation, _)| of == id && *rotation == new.rotate);
         let mut degrees = known.map_or_else(|| to_degrees(new.rotate), |(_, _, degrees)| *degrees);
-        let hand = xyz(ui, "Turn", &mut degrees, 0.5, "°");
-        if hand.is_some() {
+        let widget = xyz(ui, "Turn", &mut degrees, 0.5, "°");
+        if widget.is_some() {
             new.rotate = from_degrees(degrees);
             self.turned = Some((id.clone(), new.rotate, degrees));
         }
-        hand
+        widget
     }
 
     fn scale(&mut self, ui: &mut Ui, new: &mut Transform) -> Option<Id> {
         let [x, y, z] = new.scale;
         let is_even = x == y && y == z;
-        let mut hand = None;
+        let mut widget = None;
         if self.is_uneven || !is_even {
-            hand = xyz(ui, "Scale", &mut new.scale, 0.01, "");
+            widget = xyz(ui, "Scale", &mut new.scale, 0.01, "");
         } else {
             let response = number(ui, "Scale", &mut new.scale[0], 0.01, "", "×");
             if response.changed() {
                 new.scale = [new.scale[0]; 3];
-                hand = Some(response.id);
+                widget = Some(response.id);
             }
         }
         for scale in &mut new.scale {
@@ -116,14 +116,14 @@ impl Details {
             ui.checkbox(&mut self.is_uneven, "Uneven")
                 .on_hover_text("Sets the scale along each axis");
         });
-        hand
+        widget
     }
 }
 
 fn mesh(
     ui: &mut Ui,
     label: Id,
-    stage: &OpenScene,
+    open_scene: &OpenScene,
     id: &ObjectId,
     object: &Object,
     out: &mut Vec<SceneCommand>,
@@ -137,7 +137,9 @@ fn mesh(
             if ui.selectable_label(is_it, shape.label).on_hover_text(shape.help).clicked() && !is_it
             {
                 let mesh = format!("{SHAPE_PREFIX}{}", shape.name);
-                out.extend(stage.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit));
+                out.extend(
+                    open_scene.change(id, |object| object.mesh = mesh).map(SceneCommand::Edit),
+                );
             }
         }
         ui.separator();
@@ -157,12 +159,12 @@ fn mesh(
 /// or the object names some.
 fn looks(
     ui: &mut Ui,
-    stage: &OpenScene,
+    open_scene: &OpenScene,
     id: &ObjectId,
     object: &Object,
     out: &mut Vec<SceneCommand>,
 ) {
-    let known = stage.materials(id);
+    let known = open_scene.materials(id);
     let mut materials: Vec<&str> =
         known.iter().map(String::as_str).filter(|_| known.len() > 1).collect();
     for material in
@@ -177,11 +179,13 @@ fn looks(
     } else {
         "What all materials wear that have no look of their own"
     };
-    labelled(ui, "Look", help, |ui, label| look(ui, label, stage, id, object, ANY_MATERIAL, out));
+    labelled(ui, "Look", help, |ui, label| {
+        look(ui, label, open_scene, id, object, ANY_MATERIAL, out);
+    });
     for material in materials {
         let shown = if material.is_empty() { "(no name)" } else { material };
         labelled(ui, shown, "What this material wears", |ui, label| {
-            look(ui, label, stage, id, object, material, out);
+            look(ui, label, open_scene, id, object, material, out);
         });
     }
 }
@@ -189,7 +193,7 @@ fn looks(
 fn look(
     ui: &mut Ui,
     label: Id,
-    stage: &OpenScene,
+    open_scene: &OpenScene,
     id: &ObjectId,
     object: &Object,
     material: &str,
@@ -197,22 +201,26 @@ fn look(
 ) {
     let nothing = if material == ANY_MATERIAL { "None" } else { "As the others" };
     let worn = object.looks.get(material);
-    let text = worn.map_or_else(|| nothing.to_owned(), |name| look_label(stage, name));
+    let text = worn.map_or_else(|| nothing.to_owned(), |name| look_label(open_scene, name));
     let combo = ComboBox::from_id_salt(("look", material))
         .selected_text(text)
         .width(ui.available_width() - 12.0);
     let combo = combo.show_ui(ui, |ui| {
         let mut wear = |name: Option<String>| {
-            let edit = stage.change(id, |object| match name {
+            let edit = open_scene.change(id, |object| match name {
                 Some(name) => drop(object.looks.insert(material.to_owned(), name)),
                 None => drop(object.looks.shift_remove(material)),
             });
             out.extend(edit.map(SceneCommand::Edit));
         };
-        for name in stage.looks() {
-            let is_it = worn
-                .is_some_and(|worn| *worn == name || stage.is_open(worn) && stage.is_open(&name));
-            if ui.selectable_label(is_it, look_label(stage, &name)).on_hover_text(&name).clicked()
+        for name in open_scene.looks() {
+            let is_it = worn.is_some_and(|worn| {
+                *worn == name || open_scene.is_open(worn) && open_scene.is_open(&name)
+            });
+            if ui
+                .selectable_label(is_it, look_label(open_scene, &name))
+                .on_hover_text(&name)
+                .clicked()
                 && !is_it
             {
                 wear(Some(name));
@@ -249,14 +257,14 @@ fn number(
 
 /// Shows three numbers, named after their axes. Returns the id of the widget that changed one.
 fn xyz(ui: &mut Ui, name: &str, numbers: &mut [f64; 3], speed: f64, suffix: &str) -> Option<Id> {
-    let mut hand = None;
+    let mut widget = None;
     ui.spacing_mut().item_spacing.x = 4.0;
     for (value, axis) in numbers.iter_mut().zip(["x", "y", "z"]) {
         let response =
             number(ui, &format!("{name} {axis}"), value, speed, suffix, &format!("{axis} "));
         if response.changed() {
-            hand = Some(response.id);
+            widget = Some(response.id);
         }
     }
-    hand
+    widget
 }

@@ -45,7 +45,7 @@ impl Objects {
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
         bar(ui, session, &mut out);
-        let Some(stage) = session.stage() else {
+        let Some(open_scene) = session.open_scene() else {
             hint(
                 ui,
                 "The look is on one object. Add another, and both are a scene that can be saved.",
@@ -53,11 +53,11 @@ impl Objects {
             hint(ui, "Open shows the objects of a scene file, each in its own look.");
             return out.into_iter().map(Command::Scene).collect();
         };
-        words::show(ui, stage.scene(), &mut out);
-        if stage.scene().objects.is_empty() {
+        words::show(ui, open_scene.scene(), &mut out);
+        if open_scene.scene().objects.is_empty() {
             hint(ui, "The scene has no objects yet.");
         }
-        let selected = stage.selected().map(|(id, _)| id.clone());
+        let selected = open_scene.selected().map(|(id, _)| id.clone());
         let goal = selected.clone().filter(|_| self.shown_for != selected);
         self.shown_for = selected;
         let mut commands = Vec::new();
@@ -65,16 +65,16 @@ impl Objects {
             // The margin is room for the scroll bar.
             ui.set_max_width(ui.available_width() - 8.0);
             ui.spacing_mut().item_spacing.y = 2.0;
-            for (id, object) in &stage.scene().objects {
-                let row = self.row(ui, stage, id, object, &mut out, &mut commands);
+            for (id, object) in &open_scene.scene().objects {
+                let row = self.row(ui, open_scene, id, object, &mut out, &mut commands);
                 if goal.as_ref() == Some(id) {
                     // The row is scrolled into view with the beginning of the fields below it.
                     ui.scroll_to_rect(row.with_max_y(row.max.y + 3.0 * ROW), None);
                 }
-                if stage.selected().is_some_and(|(selected, _)| selected == id) {
+                if open_scene.selected().is_some_and(|(selected, _)| selected == id) {
                     ui.add_space(2.0);
-                    self.details.show(ui, stage, id, object, &mut out);
-                    parameters::show(ui, session, stage, id, object, &mut out);
+                    self.details.show(ui, open_scene, id, object, &mut out);
+                    parameters::show(ui, session, open_scene, id, object, &mut out);
                     ui.add_space(8.0);
                 }
             }
@@ -85,13 +85,13 @@ impl Objects {
     fn row(
         &mut self,
         ui: &mut Ui,
-        stage: &OpenScene,
+        open_scene: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
         commands: &mut Vec<Command>,
     ) -> Rect {
-        let is_selected = stage.selected().is_some_and(|(selected, _)| selected == id);
+        let is_selected = open_scene.selected().is_some_and(|(selected, _)| selected == id);
         let (rect, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
         response.widget_info(|| {
@@ -103,7 +103,7 @@ impl Objects {
         let inner = egui::Rect::from_min_max(rect.min + vec2(6.0, 2.0), rect.max - vec2(0.0, 2.0));
         let builder = UiBuilder::new().id_salt(("object", id.as_str())).max_rect(inner);
         let mut inner = ui.new_child(builder.layout(Layout::left_to_right(egui::Align::Center)));
-        self.head(&mut inner, stage, id, object, out);
+        self.head(&mut inner, open_scene, id, object, out);
         if response.clicked() {
             response.request_focus();
             out.push(SceneCommand::Pick(id.clone(), None));
@@ -120,14 +120,15 @@ impl Objects {
             undo_keys(ui, commands);
         }
         let help = "A click selects it and opens its look; a double click renames it";
-        Popup::context_menu(&response.on_hover_text(help)).show(|ui| self.menu(ui, stage, id, out));
+        Popup::context_menu(&response.on_hover_text(help))
+            .show(|ui| self.menu(ui, open_scene, id, out));
         rect
     }
 
     fn head(
         &mut self,
         ui: &mut Ui,
-        stage: &OpenScene,
+        open_scene: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
@@ -136,17 +137,19 @@ impl Objects {
         let help = "Shows the object, or hides it";
         if icon(ui, Icon::Eye, object.visible, &format!("Object {id} is seen"), help).clicked() {
             out.extend(
-                stage.change(id, |object| object.visible = !object.visible).map(SceneCommand::Edit),
+                open_scene
+                    .change(id, |object| object.visible = !object.visible)
+                    .map(SceneCommand::Edit),
             );
         }
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let help = "Frame, duplicate, rename, remove";
             let more = icon(ui, Icon::More, true, &format!("More of {id}"), help);
-            Popup::menu(&more).show(|ui| self.menu(ui, stage, id, out));
+            Popup::menu(&more).show(|ui| self.menu(ui, open_scene, id, out));
             ui.with_layout(Layout::top_down(egui::Align::LEFT), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
-                self.title(ui, stage, id, object, out);
-                self.about(ui, stage, object);
+                self.title(ui, open_scene, id, object, out);
+                self.about(ui, open_scene, object);
             });
         });
     }
@@ -154,7 +157,7 @@ impl Objects {
     fn title(
         &mut self,
         ui: &mut Ui,
-        stage: &OpenScene,
+        open_scene: &OpenScene,
         id: &ObjectId,
         object: &Object,
         out: &mut Vec<SceneCommand>,
@@ -162,8 +165,9 @@ impl Objects {
         if let Some(field) = self.renaming.as_mut().filter(|field| field.id == *id) {
             if let Some(new) = field.show(ui, id.as_str(), &format!("New name of {id}")) {
                 self.renaming = None;
-                let renamed =
-                    new.filter(|name| !name.is_empty()).and_then(|name| stage.rename(id, &name));
+                let renamed = new
+                    .filter(|name| !name.is_empty())
+                    .and_then(|name| open_scene.rename(id, &name));
                 out.extend(renamed.map(|(new, edit)| SceneCommand::Make(new, edit)));
             }
             return;
@@ -179,11 +183,11 @@ impl Objects {
     }
 
     /// Shows the mesh and the looks of an object, in a line.
-    fn about(&self, ui: &mut Ui, stage: &OpenScene, object: &Object) {
+    fn about(&self, ui: &mut Ui, open_scene: &OpenScene, object: &Object) {
         let looks: Vec<String> =
-            object.looks.values().map(|name| details::look_label(stage, name)).collect();
+            object.looks.values().map(|name| details::look_label(open_scene, name)).collect();
         let looks = if looks.is_empty() { "no look".to_owned() } else { looks.join(", ") };
-        let is_open = stage.wears_open(object);
+        let is_open = open_scene.wears_open(object);
         let colors = theme::of(ui);
         let color = if is_open { colors.accent } else { colors.dim };
         ui.horizontal(|ui| {
@@ -196,7 +200,13 @@ impl Objects {
         });
     }
 
-    fn menu(&mut self, ui: &mut Ui, stage: &OpenScene, id: &ObjectId, out: &mut Vec<SceneCommand>) {
+    fn menu(
+        &mut self,
+        ui: &mut Ui,
+        open_scene: &OpenScene,
+        id: &ObjectId,
+        out: &mut Vec<SceneCommand>,
+    ) {
         if ui
             .button("Frame object")
             .on_hover_text("Brings it into view (F over the picture)")
@@ -209,7 +219,7 @@ impl Objects {
             .on_hover_text("Adds the same once more, to the right of all")
             .clicked()
         {
-            out.extend(stage.duplicate(id).map(|(new, edit)| SceneCommand::Make(new, edit)));
+            out.extend(open_scene.duplicate(id).map(|(new, edit)| SceneCommand::Make(new, edit)));
         }
         if ui.button("Rename object").on_hover_text("Or double click on the row").clicked() {
             self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
@@ -249,15 +259,15 @@ fn bar(ui: &mut Ui, session: &Session, out: &mut Vec<SceneCommand>) {
         });
         menu.response
             .on_hover_text("Adds an object beside the others, in the look of the selected one");
-        let Some(stage) = session.stage() else { return };
+        let Some(open_scene) = session.open_scene() else { return };
         ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
             let more = icon(ui, Icon::More, true, "More of the scene", "Save, camera, close");
             Popup::menu(&more).id(Id::unique("scene menu")).show(|ui| scene_menu(ui, out));
-            let text = RichText::new(stage.name()).color(theme::of(ui).dim);
-            let path = stage.path().map(|path| path.display().to_string());
+            let text = RichText::new(open_scene.name()).color(theme::of(ui).dim);
+            let path = open_scene.path().map(|path| path.display().to_string());
             let help =
                 path.unwrap_or_else(|| "No file has it yet: save the scene to keep it".to_owned());
-            if stage.is_dirty() {
+            if open_scene.is_dirty() {
                 let help = "Saves the scene to its file";
                 if ui.button("Save scene").on_hover_text(help).clicked() {
                     out.push(SceneCommand::Save);

@@ -23,21 +23,21 @@ use crate::widgets::theme;
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
-    stage: &OpenScene,
+    open_scene: &OpenScene,
     id: &ObjectId,
     object: &Object,
     out: &mut Vec<SceneCommand>,
 ) {
     let mut known: Vec<PortName> = Vec::new();
-    let mut setter = Setter { stage, id, object, out };
-    for (name, parameters) in of_looks(session, stage, object) {
+    let mut setter = Setter { open_scene, id, object, out };
+    for (name, parameters) in of_looks(session, open_scene, object) {
         // A name that several looks expose is set for all of them at once.
         let new: Vec<&Parameter> =
             parameters.iter().filter(|parameter| !known.contains(&parameter.name)).collect();
         if new.is_empty() {
             continue;
         }
-        heading(ui, &format!("Parameters of {}", look_label(stage, name)));
+        heading(ui, &format!("Parameters of {}", look_label(open_scene, name)));
         for parameter in new {
             known.push(parameter.name.clone());
             ui.push_id(&parameter.name, |ui| setter.row(ui, parameter));
@@ -55,18 +55,18 @@ pub(super) fn show(
 /// Looks that an object wears, each once, with the parameters that they expose.
 fn of_looks<'s>(
     session: &Session,
-    stage: &'s OpenScene,
+    open_scene: &'s OpenScene,
     object: &'s Object,
 ) -> Vec<(&'s str, Cow<'s, [Parameter]>)> {
     let mut found: Vec<(&str, Cow<'_, [Parameter]>)> = Vec::new();
     for name in object.looks.values() {
         let is_known = |(known, _): &(&str, _)| {
-            *known == name.as_str() || stage.is_open(known) && stage.is_open(name)
+            *known == name.as_str() || open_scene.is_open(known) && open_scene.is_open(name)
         };
         if !found.iter().any(is_known) {
-            let parameters = match stage.is_open(name) {
-                true => Cow::Owned(session.reading().parameters()),
-                false => Cow::Borrowed(stage.parameters(name)),
+            let parameters = match open_scene.is_open(name) {
+                true => Cow::Owned(session.look_with_library().parameters()),
+                false => Cow::Borrowed(open_scene.parameters(name)),
             };
             found.push((name, parameters));
         }
@@ -81,7 +81,7 @@ fn heading(ui: &mut Ui, text: &str) {
 
 /// Setter of one object's values.
 struct Setter<'a> {
-    stage: &'a OpenScene,
+    open_scene: &'a OpenScene,
     id: &'a ObjectId,
     object: &'a Object,
     out: &'a mut Vec<SceneCommand>,
@@ -125,8 +125,8 @@ impl Setter<'_> {
                 }
                 _ => {
                     let changed = row::plain(ui, label_id, port, value, parameter.space);
-                    if let Some((hand, value)) = changed {
-                        self.set(hand, name, value);
+                    if let Some((widget, value)) = changed {
+                        self.set(widget, name, value);
                     }
                 }
             }
@@ -155,15 +155,16 @@ impl Setter<'_> {
         });
     }
 
-    fn set(&mut self, hand: Id, name: &PortName, value: Value) {
-        let set =
-            self.stage.change(self.id, |object| drop(object.values.insert(name.clone(), value)));
-        self.out.extend(set.map(|edit| SceneCommand::EditHeld(hand, edit)));
+    fn set(&mut self, widget: Id, name: &PortName, value: Value) {
+        let set = self
+            .open_scene
+            .change(self.id, |object| drop(object.values.insert(name.clone(), value)));
+        self.out.extend(set.map(|edit| SceneCommand::EditHeld(widget, edit)));
     }
 
     /// Removes the object's own value.
     fn clear(&mut self, name: &PortName) {
-        let edit = self.stage.change(self.id, |object| drop(object.values.shift_remove(name)));
+        let edit = self.open_scene.change(self.id, |object| drop(object.values.shift_remove(name)));
         self.out.extend(edit.map(SceneCommand::Edit));
     }
 }

@@ -14,13 +14,16 @@ use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 
 use crate::compile::Live;
 use crate::document::Look;
-use crate::frame::{Cull, DEFAULT_MESH, Picture, PlanOptions, Planner, SHAPE_PREFIX};
-use crate::render::{Gpu, Renderer};
+use crate::frame::{
+    AssetStore, Cull, DEFAULT_MESH, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX,
+};
+use crate::progress::Progress;
+use crate::render::Gpu;
+use crate::state::crashes::{CrashLog, CrashStep, DocumentOrigin};
 use crate::state::orbit::Orbit;
 use crate::state::revision::{DocumentNumber, LookRevision};
-use crate::state::safety::crashes::{CrashLog, DocumentOrigin, Step};
 use crate::state::session::Session;
-use crate::state::snapshot::{RenderSnapshot, Reused};
+use crate::state::snapshot::{CachedPlanner, RenderSnapshot};
 use crate::state::worker::{BackgroundJobs, Worker};
 pub(crate) use scene::key_of_scene;
 
@@ -66,7 +69,7 @@ const LIGHT: u64 = 4 << 20;
 
 /// Object that thumbnails of layers are drawn on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stand {
+pub(crate) enum ThumbObject {
     /// Mesh of the picture.
     Mesh,
     /// Creature, because the mesh of the picture is too large, or cannot be read.
@@ -75,12 +78,13 @@ pub(crate) enum Stand {
     Scene,
 }
 
-impl Stand {
+impl ThumbObject {
     /// Object for the picture that a session shows now.
     pub(crate) fn of(session: &Session) -> Self {
         let mesh = &session.view.orbit.mesh;
-        let is_light = || std::fs::metadata(mesh).is_ok_and(|file| file.len() <= LIGHT);
-        match session.stage() {
+        let files = session.assets.source();
+        let is_light = || files.metadata(Path::new(mesh)).is_some_and(|file| file.length <= LIGHT);
+        match session.open_scene() {
             Some(_) => Self::Scene,
             None if mesh.starts_with(SHAPE_PREFIX) || is_light() => Self::Mesh,
             None => Self::Heavy,
@@ -102,15 +106,15 @@ struct ThumbRequest {
     key: u64,
     /// Document that the thumbnail is of.
     origin: DocumentOrigin,
-    subject: Subject,
+    subject: ThumbSubject,
     side: u32,
 }
 
 /// Subject of a thumbnail.
-enum Subject {
+enum ThumbSubject {
     Look(Box<RenderSnapshot>, Shot),
-    /// Scene in a file.
-    Scene(PathBuf),
+    /// Scene in a file, and the store of the window's pictures.
+    Scene(PathBuf, AssetStore),
 }
 
 struct ThumbResult {
@@ -141,13 +145,13 @@ impl Thumbs {
         wake: impl Fn() + Send + 'static,
     ) -> Self {
         let start = |gpu: Gpu| {
-            let mut artist = Artist {
-                renderer: Renderer::new(gpu),
-                planner: Reused::new(|assets| Planner::new(assets).culling(Cull::Objects)),
+            let mut thumb_renderer = ThumbRenderer {
+                executor: gpu.executor(),
+                planner: CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects)),
             };
             Worker::waiting("thumbs", wake, async move |job: ThumbRequest| {
-                let _going = crashes.begin(Step::Draw, || job.origin.clone());
-                ThumbResult { key: job.key, image: artist.draw(&job).await }
+                let _going = crashes.begin(CrashStep::Draw, || job.origin.clone());
+                ThumbResult { key: job.key, image: thumb_renderer.draw(&job).await }
             })
         };
         Self {
@@ -175,7 +179,7 @@ impl Thumbs {
         }
         let now = ui.input(|input| input.time);
         self.waits = session.awaits_first_picture;
-        let seen = (session.document_number(), session.revision());
+        let seen = (session.revisions().document, session.revision());
         let is_held = ui.input(|input| input.pointer.any_down());
         if self.seen != seen || is_held || session.is_compiling() || self.waits {
             self.seen = seen;
@@ -230,10 +234,12 @@ impl Thumbs {
     ) {
         self.request(key, origin, side, || {
             let (distance, height) = shot.distance_and_height();
-            let orbit = match Stand::of(session) {
+            let orbit = match ThumbObject::of(session) {
                 // The creature has a framing of its own, on its face; other meshes are seen from
                 // farther away.
-                Stand::Mesh if shot != Shot::Whole && session.view.orbit.mesh != DEFAULT_MESH => {
+                ThumbObject::Mesh
+                    if shot != Shot::Whole && session.view.orbit.mesh != DEFAULT_MESH =>
+                {
                     Orbit {
                         mesh: session.view.orbit.mesh.clone(),
                         z_is_up: session.view.orbit.z_is_up,
@@ -244,11 +250,11 @@ impl Thumbs {
                 }
                 _ => Orbit { distance, target: DVec3::new(0.0, height, 0.0), ..Orbit::default() },
             };
-            Subject::Look(
+            ThumbSubject::Look(
                 Box::new(RenderSnapshot {
                     folder,
                     orbit,
-                    stage: None,
+                    scene: None,
                     ..session.snapshot_of(look)
                 }),
                 shot,
@@ -257,12 +263,12 @@ impl Thumbs {
     }
 
     /// Requests a thumbnail of the scene in a file, as the scene's own camera sees it.
-    pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, side: f32) {
+    pub(crate) fn ask_for_scene(&self, key: u64, path: &Path, session: &Session, side: f32) {
         self.request(
             key,
             || DocumentOrigin::of_file(path),
             side,
-            || Subject::Scene(path.to_owned()),
+            || ThumbSubject::Scene(path.to_owned(), session.assets.clone()),
         );
     }
 
@@ -271,7 +277,7 @@ impl Thumbs {
         key: u64,
         origin: impl FnOnce() -> DocumentOrigin,
         side: f32,
-        subject: impl FnOnce() -> Subject,
+        subject: impl FnOnce() -> ThumbSubject,
     ) {
         let Some(worker) = self.worker.as_ref().filter(|worker| self.rests && !worker.is_busy())
         else {
@@ -315,49 +321,49 @@ pub(crate) fn key_of(look: &Look, shot: Shot, side: f32) -> u64 {
 pub(crate) fn key_on(look: &Look, shot: Shot, side: f32, session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
     key_of(look, shot, side).hash(&mut hasher);
-    if Stand::of(session) == Stand::Mesh {
-        stage_of(session).hash(&mut hasher);
+    if ThumbObject::of(session) == ThumbObject::Mesh {
+        surroundings_key(session).hash(&mut hasher);
     }
     hasher.finish()
 }
 
 /// Hash of the mesh in the picture.
-pub(crate) fn stage_of(session: &Session) -> u64 {
+pub(crate) fn surroundings_key(session: &Session) -> u64 {
     let mut hasher = DefaultHasher::new();
     (
         &session.view.orbit.mesh,
         session.view.orbit.z_is_up,
-        session.stage().is_some(),
-        session.files(),
+        session.open_scene().is_some(),
+        session.revisions().files,
     )
         .hash(&mut hasher);
     hasher.finish()
 }
 
-/// Renderer of thumbnails, on their thread.
-struct Artist {
-    renderer: Renderer,
-    planner: Reused,
+/// Drawer of thumbnails, on their thread.
+struct ThumbRenderer {
+    executor: Box<dyn Executor + Send>,
+    planner: CachedPlanner,
 }
 
-impl Artist {
+impl ThumbRenderer {
     async fn draw(
         &mut self,
         ThumbRequest { subject, side, .. }: &ThumbRequest,
     ) -> Option<ColorImage> {
         let options = PlanOptions { size: [side * FINER; 2], samples: 4, time: 0.0 };
         let plan = match subject {
-            Subject::Look(still, _) => {
-                let planner = self.planner.of(&still.look, &still.library);
+            ThumbSubject::Look(snapshot, _) => {
+                let planner = self.planner.of(&snapshot.look, &snapshot.library);
                 planner.assets.draft();
-                let mut setup = still.setup(&mut planner.assets).ok()?.value;
+                let mut setup = snapshot.setup(&mut planner.assets).ok()?.value;
                 setup.scene.backdrop = None;
-                planner.plan(&setup, &still.library, &Live::Keyed, &options).ok()?
+                planner.plan(&setup, &snapshot.library, &Live::Keyed, &options).ok()?.value
             }
-            Subject::Scene(path) => scene::plan(path, &options)?,
+            ThumbSubject::Scene(path, assets) => scene::plan(path, &options, assets)?,
         };
-        let picture = self.renderer.picture(&plan).await.ok()?;
-        Some(smaller(&picture, matches!(subject, Subject::Look(_, Shot::Lifted))))
+        let picture = self.executor.picture(&plan, &Progress::new()).await.ok()?;
+        Some(smaller(&picture, matches!(subject, ThumbSubject::Look(_, Shot::Lifted))))
     }
 }
 

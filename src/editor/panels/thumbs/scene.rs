@@ -8,11 +8,13 @@ use glam::DVec3;
 
 use crate::compile::Live;
 use crate::document::{Camera, Document, Projection, Scene};
+use crate::files::{FileKind, Files};
 use crate::frame::{
-    Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject, View,
-    scene_setup,
+    AssetStore, Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject,
+    View, scene_setup,
 };
 use crate::library::Library;
+use crate::state::session::Session;
 
 /// Largest total size of the meshes that are read for a thumbnail, in bytes.
 const MOST_BYTES: u64 = 128 << 20;
@@ -22,51 +24,48 @@ const FILLED: f64 = 0.94;
 const ZOOM: [f64; 2] = [0.4, 1.8];
 
 /// Key of a scene's thumbnail: a hash of the file's content, and of the files that it names.
-pub(crate) fn key_of_scene(path: &Path, scene: &Scene, side: f32) -> u64 {
+pub(crate) fn key_of_scene(path: &Path, scene: &Scene, session: &Session, side: f32) -> u64 {
     let mut hasher = DefaultHasher::new();
     (path, side.round() as u32, scene.to_text()).hash(&mut hasher);
     let folder = path.parent().unwrap_or(Path::new(""));
     for name in
         scene.objects.values().flat_map(|object| object.looks.values().chain([&object.mesh]))
     {
-        let data = std::fs::metadata(folder.join(name)).ok();
-        (name, data.and_then(|data| Some((data.modified().ok()?, data.len())))).hash(&mut hasher);
+        (name, session.assets.source().metadata(&folder.join(name))).hash(&mut hasher);
     }
     hasher.finish()
 }
 
-/// Frame plan of the scene in a file; `None` where there is nothing to draw, or too much. Data of
-/// the scene's files is dropped with the picture.
-pub(super) fn plan(path: &Path, options: &PlanOptions) -> Option<FramePlan> {
-    let Document::Scene(loaded) = Document::load(&crate::files::Disk, path) else { return None };
+/// Frame plan of the scene in a file, read with the window's other pictures; `None` where there is
+/// nothing to draw, or too much. Data of files that no other picture shows is dropped with this
+/// one.
+pub(super) fn plan(path: &Path, options: &PlanOptions, assets: &AssetStore) -> Option<FramePlan> {
+    let files = &**assets.source();
+    let Document::Scene(loaded) = Document::load(files, path) else { return None };
     let scene = loaded.value?;
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-    if bytes_of_meshes(&scene, &folder) > MOST_BYTES {
+    if bytes_of_meshes(&scene, &folder, files) > MOST_BYTES {
         return None;
     }
-    let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
+    let mut planner = Planner::new(Assets::of(assets)).culling(Cull::Objects);
     planner.assets.draft();
     // Missing files are left out, as in the window.
-    let mut setup =
-        scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets, &mut Vec::new());
+    let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets).value;
     let nodes = folder.join("nodes");
-    let library = if nodes.is_dir() {
-        Library::built_in().with_project(&crate::files::Disk, &nodes)
+    let library = if files.metadata(&nodes).is_some_and(|found| found.kind == FileKind::Folder) {
+        Library::built_in().with_project(files, &nodes)
     } else {
         Library::built_in().clone()
     };
     setup.scene.camera = fitted(&setup);
-    planner.plan(&setup, &library, &Live::Keyed, options).ok()
+    Some(planner.plan(&setup, &library, &Live::Keyed, options).ok()?.value)
 }
 
-fn bytes_of_meshes(scene: &Scene, folder: &Path) -> u64 {
+fn bytes_of_meshes(scene: &Scene, folder: &Path, files: &dyn Files) -> u64 {
     let meshes = scene.objects.values().map(|object| object.mesh.as_str());
-    let files: BTreeSet<&str> = meshes.filter(|mesh| !mesh.starts_with(SHAPE_PREFIX)).collect();
-    files
-        .into_iter()
-        .filter_map(|mesh| std::fs::metadata(folder.join(mesh)).ok())
-        .map(|data| data.len())
-        .sum()
+    let meshes: BTreeSet<&str> = meshes.filter(|mesh| !mesh.starts_with(SHAPE_PREFIX)).collect();
+    let found = meshes.into_iter().filter_map(|mesh| files.metadata(&folder.join(mesh)));
+    found.map(|found| found.length).sum()
 }
 
 /// Scene's camera, zoomed so that all of the scene is in a square picture, and no smaller than need
@@ -117,6 +116,17 @@ mod tests {
     }
 
     #[test]
+    fn a_small_picture_reads_nothing_that_another_picture_has_read() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes/cast.json");
+        let options = PlanOptions { size: [32; 2], samples: 1, time: 0.0 };
+        let store = AssetStore::new();
+        let shown = plan(&path, &options, &store).unwrap();
+        let reads = store.reads();
+        assert!(plan(&path, &options, &store).is_some() && !shown.draws.is_empty());
+        assert!(reads > 0 && store.reads() == reads, "{} after {reads}", store.reads());
+    }
+
+    #[test]
     fn an_orthographic_sphere_fills_the_square() {
         let scene = r#"{"objects": [{"mesh": "shape:sphere", "looks": "none.json"}],
           "camera": {"eye": [0, 0, 5], "projection": "orthographic", "height": 4}}"#;
@@ -124,7 +134,7 @@ mod tests {
         let scene = loaded.value.unwrap();
         let folder = Path::new("");
         let mut assets = Assets::default();
-        let setup = scene_setup(scene, folder, &loaded.source, None, &mut assets, &mut Vec::new());
+        let setup = scene_setup(scene, folder, &loaded.source, None, &mut assets).value;
         let height = fitted(&setup).height;
         assert!((height - 2.0 / FILLED).abs() < 0.02, "{height}");
     }

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use crate::diag::Diagnostic;
 use crate::files::journal::{Journaled, Op};
+use crate::state::document::journal_writer::{JournalStart, JournalWriter};
 use crate::state::orbit::Orbit;
-use crate::state::safety::keeper::{JournalStart, JournalWriter};
 
 /// Member of a journal for the window's view.
 pub(crate) const VIEW: &str = "view";

@@ -3,6 +3,7 @@
 //! documents of this kind.
 
 pub(crate) mod journal;
+mod journal_writer;
 mod text;
 pub(crate) mod times;
 
@@ -11,7 +12,8 @@ use std::path::{Path, PathBuf};
 use crate::diag::Diagnostic;
 use crate::document::History;
 use crate::files::journal::{About, Journaled, Op, Slot};
-use crate::state::safety::keeper::JournalStart;
+use crate::state::document::journal_writer::JournalStart;
+use crate::state::revision::{DocumentRevision, GestureId, StepTime};
 use journal::DocumentJournal;
 pub(crate) use text::TextFile;
 use times::{Gestures, Times};
@@ -86,6 +88,16 @@ where
         self.history.document()
     }
 
+    /// Revision of the document, which grows with every change.
+    pub(crate) fn revision(&self) -> DocumentRevision {
+        DocumentRevision(self.history.revision())
+    }
+
+    /// Folder that names in the document are relative to.
+    pub(crate) fn folder(&self) -> PathBuf {
+        self.path.as_deref().and_then(Path::parent).map(Path::to_path_buf).unwrap_or_default()
+    }
+
     /// True if there are changes that no file holds.
     pub(crate) fn is_dirty(&self) -> bool {
         !self.history.is_saved()
@@ -133,29 +145,29 @@ where
         self.history.mark_saved();
     }
 
-    /// Applies an edit. Consecutive edits by the same `hand` are one step. `now` is the time of the
-    /// step. Returns true if the document changed.
+    /// Applies an edit. Consecutive edits of the same `gesture` are one step. `now` is the time of
+    /// the step. Returns true if the document changed.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub(crate) fn apply(
         &mut self,
         edit: D::Edit,
-        hand: Option<u64>,
-        now: u64,
+        gesture: Option<GestureId>,
+        now: StepTime,
     ) -> Result<bool, Box<Diagnostic>> {
-        let before = self.history.revision();
+        let before = self.revision();
         let kept = self.journal.is_on().then(|| edit.clone());
-        let gesture = hand.map(|hand| self.gestures.of(hand, before));
-        match gesture {
-            Some(gesture) => self.history.apply_in(gesture, edit)?,
+        let number = gesture.map(|gesture| self.gestures.number_of(gesture, before).0);
+        match number {
+            Some(number) => self.history.apply_in(number, edit)?,
             None => self.history.apply(edit)?,
         }
-        self.gestures.did(hand, self.history.revision());
-        let is_changed = self.history.revision() != before;
+        self.gestures.did(gesture, self.revision());
+        let is_changed = self.revision() != before;
         if is_changed {
             self.times.did(self.history.steps(), now);
-            self.journal.note(kept.map(|edit| Op::Edit { gesture, edit }));
+            self.journal.note(kept.map(|edit| Op::Edit { gesture: number, edit }));
         }
         Ok(is_changed)
     }
@@ -171,7 +183,7 @@ where
     }
 
     /// Repeats the step that was last taken back, if there is one. `now` is the time of the step.
-    pub(crate) fn redo(&mut self, now: u64) -> bool {
+    pub(crate) fn redo(&mut self, now: StepTime) -> bool {
         let did = self.history.redo().is_some();
         if did {
             self.times.redid(now);

@@ -1,20 +1,22 @@
 //! Order of steps across the look and the scene around it, so that undo takes back the last step of
 //! either.
 
+use crate::state::revision::{DocumentRevision, GestureId, GestureNumber, StepTime};
+
 /// Time of each step of a history, by a count that grows. Steps that a journal brought back count
 /// as older than all others.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Times {
-    done: Vec<u64>,
-    undone: Vec<u64>,
+    done: Vec<StepTime>,
+    undone: Vec<StepTime>,
 }
 
 impl Times {
     /// Notes an edit: `steps` are the counts of done steps and of undone ones after it. An edit
     /// that went on with the last step keeps that step's time.
-    pub(crate) fn did(&mut self, (done, undone): (usize, usize), now: u64) {
+    pub(crate) fn did(&mut self, (done, undone): (usize, usize), now: StepTime) {
         self.done.resize(done, now);
-        self.undone.resize(undone, 0);
+        self.undone.resize(undone, StepTime::default());
     }
 
     /// Notes that the last step was taken back.
@@ -23,7 +25,7 @@ impl Times {
     }
 
     /// Notes that a step was repeated, at a new time.
-    pub(crate) fn redid(&mut self, now: u64) {
+    pub(crate) fn redid(&mut self, now: StepTime) {
         self.undone.pop();
         self.done.push(now);
     }
@@ -35,50 +37,57 @@ impl Times {
     }
 
     /// Time of the step that undo would take back.
-    pub(crate) fn last(&self) -> Option<u64> {
+    pub(crate) fn last(&self) -> Option<StepTime> {
         self.done.last().copied()
     }
 
     /// Time of the step that redo would repeat.
-    pub(crate) fn next(&self) -> Option<u64> {
+    pub(crate) fn next(&self) -> Option<StepTime> {
         self.undone.last().copied()
     }
 
     /// Times of all steps: the done ones, the oldest first, then the undone ones, the next to redo
     /// first. The flag is true for undone steps.
-    pub(crate) fn all(&self) -> impl Iterator<Item = (bool, u64)> {
+    pub(crate) fn all(&self) -> impl Iterator<Item = (bool, StepTime)> {
         let done = self.done.iter().map(|time| (false, *time));
         done.chain(self.undone.iter().rev().map(|time| (true, *time)))
     }
 }
 
-fn fit(times: &mut Vec<u64>, count: usize) {
+fn fit(times: &mut Vec<StepTime>, count: usize) {
     match count.checked_sub(times.len()) {
-        Some(missing) => drop(times.splice(0..0, std::iter::repeat_n(0, missing))),
+        Some(missing) => {
+            drop(times.splice(0..0, std::iter::repeat_n(StepTime::default(), missing)));
+        }
         None => drop(times.drain(..times.len() - count)),
     }
 }
 
-/// Gestures: consecutive edits by the same hand, as one step.
+/// Gestures of a document: consecutive edits of the same gesture are one step.
 #[derive(Default)]
 pub(crate) struct Gestures {
-    last: Option<(u64, u64)>,
-    number: u64,
+    /// Gesture of the last edit, with the revision that the edit led to.
+    last: Option<(GestureId, DocumentRevision)>,
+    number: GestureNumber,
 }
 
 impl Gestures {
-    /// The gesture that an edit by `hand` belongs to: the last one, if the document did not change
-    /// since.
-    pub(crate) fn of(&mut self, hand: u64, revision: u64) -> u64 {
-        if self.last != Some((hand, revision)) {
-            self.number += 1;
+    /// Number of the gesture that an edit belongs to: that of the last edit, if the document did
+    /// not change since.
+    pub(crate) fn number_of(
+        &mut self,
+        gesture: GestureId,
+        revision: DocumentRevision,
+    ) -> GestureNumber {
+        if self.last != Some((gesture, revision)) {
+            self.number.advance();
         }
         self.number
     }
 
     /// Notes the revision that an edit led to.
-    pub(crate) fn did(&mut self, hand: Option<u64>, revision: u64) {
-        self.last = hand.map(|hand| (hand, revision));
+    pub(crate) fn did(&mut self, gesture: Option<GestureId>, revision: DocumentRevision) {
+        self.last = gesture.map(|gesture| (gesture, revision));
     }
 
     /// Ends the gesture, so that the next edit begins another.
@@ -94,21 +103,21 @@ mod tests {
     #[test]
     fn steps_keep_their_times() {
         let mut times = Times::default();
-        times.did((1, 0), 5);
-        times.did((1, 0), 6);
-        times.did((2, 0), 7);
-        assert_eq!(times.last(), Some(7));
+        times.did((1, 0), StepTime(5));
+        times.did((1, 0), StepTime(6));
+        times.did((2, 0), StepTime(7));
+        assert_eq!(times.last(), Some(StepTime(7)));
         times.undid();
         assert_eq!(
             (times.last(), times.next()),
-            (Some(5), Some(7)),
+            (Some(StepTime(5)), Some(StepTime(7))),
             "a gesture's step has the time of its beginning"
         );
-        times.redid(9);
-        assert_eq!(times.all().collect::<Vec<_>>(), [(false, 5), (false, 9)]);
+        times.redid(StepTime(9));
+        assert_eq!(times.all().collect::<Vec<_>>(), [(false, StepTime(5)), (false, StepTime(9))]);
         times.fit((4, 1));
-        assert_eq!(times.all().map(|(_, time)| time).collect::<Vec<_>>(), [0, 0, 5, 9, 0]);
+        assert_eq!(times.all().map(|(_, time)| time.0).collect::<Vec<_>>(), [0, 0, 5, 9, 0]);
         times.fit((1, 0));
-        assert_eq!(times.all().collect::<Vec<_>>(), [(false, 9)]);
+        assert_eq!(times.all().collect::<Vec<_>>(), [(false, StepTime(9))]);
     }
 }

@@ -1,27 +1,27 @@
 //! Drivers of keys: numbers of the scene and wires of the look, with their present values and their
 //! names.
 
+use super::KeyedLook;
 use crate::compile::{Live, Options, compile};
 use crate::document::{DirectionKeys, Driver, KeyDirection, OutputPort, Target};
 use crate::frame::{Rig, Wires, driver_value};
 use crate::ids::{NodePath, PortName};
-use crate::state::session::Session;
 use crate::values::number_text;
 
-impl Session {
+impl KeyedLook<'_> {
     /// Present value of a driver. A wire that drives nothing yet is compiled for this, once.
-    pub(crate) fn driver_now(&self, driver: &Driver) -> f64 {
+    pub(crate) fn driver_now(self, driver: &Driver) -> f64 {
         if let Driver::Wire(wire) = driver {
             return self.known_wire(wire).or_else(|| self.new_wire(wire)).unwrap_or(0.0);
         }
-        let lights = &self.keyed.now.lights;
-        let lights = if lights.is_empty() { &self.look().lights } else { lights };
+        let lights = &self.evaluation.now.lights;
+        let lights = if lights.is_empty() { &self.base.look.lights } else { lights };
         self.at_this_moment(|moment| driver_value(driver, lights, moment))
     }
 
     /// Present value of a wire that already drives keys.
-    fn known_wire(&self, wire: &OutputPort) -> Option<f64> {
-        let sets = self.look().direction_keys.iter().zip(&self.keyed.now.decided);
+    fn known_wire(self, wire: &OutputPort) -> Option<f64> {
+        let sets = self.base.look.direction_keys.iter().zip(&self.evaluation.now.decided);
         let mut found = sets.filter_map(|(keys, (now, _))| {
             let KeyDirection::Drivers(drivers) = &keys.by else { return None };
             let axis = drivers.iter().position(|driver| driver.output() == Some(wire))?;
@@ -32,15 +32,15 @@ impl Session {
 
     /// Present value of a wire that drives no keys yet: a copy of the look with a set of keys by
     /// this wire is compiled and run.
-    fn new_wire(&self, wire: &OutputPort) -> Option<f64> {
+    fn new_wire(self, wire: &OutputPort) -> Option<f64> {
         let by = KeyDirection::Drivers(vec![Driver::Wire(wire.clone())]);
         let (name, scheme, unknown) = (String::new(), Default::default(), Default::default());
-        let mut trial = self.look().clone();
+        let mut trial = self.base.look.clone();
         trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
         let options = Options { live: Live::Exposed, ..Options::default() };
-        let shader = compile(&trial, &self.project.library, &options).ok()?;
+        let shader = compile(&trial, self.base.library, &options).ok()?.value;
         let base = |node: &NodePath, port: &PortName| {
-            self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
+            self.base.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
         let rig = Rig::new(&trial).value;
         let now = self
@@ -50,21 +50,21 @@ impl Session {
     }
 
     /// Display name of a driver.
-    pub(crate) fn driver_name(&self, driver: &Driver) -> String {
+    pub(crate) fn driver_name(self, driver: &Driver) -> String {
         match driver {
             Driver::Distance => "Distance to the eye".to_owned(),
             Driver::Facing => "Turned from the eye".to_owned(),
-            Driver::Height(light) => format!("Height of \"{}\"", self.light_name(light)),
+            Driver::Height(light) => format!("Height of \"{}\"", self.base.light_name(light)),
             Driver::Near(object) => format!("Distance to \"{object}\""),
             Driver::Wire(wire) => self.wire_name(wire),
         }
     }
 
     /// Display name of an output: by its own name, and its node's.
-    fn wire_name(&self, wire: &OutputPort) -> String {
+    fn wire_name(self, wire: &OutputPort) -> String {
         let path = wire.node.to_string();
-        let Some(node) = self.node_at(&wire.node) else { return wire.to_string() };
-        let kind = self.project.catalog.of(node);
+        let Some(node) = self.base.node_at(&wire.node) else { return wire.to_string() };
+        let kind = self.base.catalog.of(node);
         let label = kind.map_or(path.as_str(), |kind| &*kind.label);
         let called = if node.name.is_empty() { label } else { &node.name };
         let port = kind.and_then(|kind| kind.outputs.iter().find(|port| port.name == wire.port));
@@ -72,17 +72,18 @@ impl Session {
     }
 
     /// Drivers that keys can have, without wires.
-    pub(crate) fn drivers(&self) -> Vec<Driver> {
-        let heights = self.look().lights.keys().map(|id| Driver::Height(id.clone()));
-        let objects = self.stage().into_iter().flat_map(|stage| stage.scene().objects.keys());
+    pub(crate) fn drivers(self) -> Vec<Driver> {
+        let heights = self.base.look.lights.keys().map(|id| Driver::Height(id.clone()));
+        let objects =
+            self.scene.into_iter().flat_map(|open_scene| open_scene.scene().objects.keys());
         let near = objects.map(|id| Driver::Near(id.clone()));
         [Driver::Distance, Driver::Facing].into_iter().chain(heights).chain(near).collect()
     }
 
     /// Wires that can drive keys of the targets `moved`: first those that may change while the look
     /// stays as it is, then those that never do, and so would hold every key where it is.
-    pub(crate) fn wires(&self, moved: &[Target]) -> [Vec<Driver>; 2] {
-        let look = self.look();
+    pub(crate) fn wires(self, moved: &[Target]) -> [Vec<Driver>; 2] {
+        let look = self.base.look;
         let exposed = look.exposed.iter().map(|exposed| &exposed.target);
         let in_time = look.time_keys.iter().map(|track| &track.target);
         let by_direction = look
@@ -91,9 +92,9 @@ impl Session {
             .flat_map(|keys| &keys.keys)
             .flat_map(|key| key.values.keys());
         let set: Vec<Target> = exposed.chain(in_time).chain(by_direction).cloned().collect();
-        let found = self.typed().map(|typed| typed.drivable(moved, &set)).unwrap_or_default();
+        let found = self.typed.map(|typed| typed.drivable(moved, &set)).unwrap_or_default();
         // The compiler may be a step behind the document.
-        let is_there = |wire: &OutputPort| self.node_at(&wire.node).is_some();
+        let is_there = |wire: &OutputPort| self.base.node_at(&wire.node).is_some();
         found.map(|wires| wires.into_iter().filter(is_there).map(Driver::Wire).collect())
     }
 }

@@ -2,6 +2,7 @@
 
 use indexmap::IndexMap;
 
+use super::KeyedLook;
 use super::{KeyedBy, rounded};
 use crate::document::{
     DirectionKey, DirectionKeys, Edit, GraphId, Interpolation, KeyDirection, KeyScheme, Target,
@@ -10,25 +11,24 @@ use crate::document::{
 use crate::frame::set_light_field;
 use crate::ids::NodeId;
 use crate::library::Fallback;
-use crate::state::session::Session;
 
-impl Session {
+impl KeyedLook<'_> {
     /// The edit that sets a target's value in view: at the playhead, at the direction key that is
     /// selected or followed, or the document's own value.
-    pub(crate) fn set_at(&self, target: &Target, value: Value) -> Edit {
+    pub(crate) fn set_at(self, target: &Target, value: Value) -> Edit {
         self.set_all_at([(target.clone(), value)])
     }
 
     /// The edit that sets several targets' values in view.
-    pub(crate) fn set_all_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Edit {
+    pub(crate) fn set_all_at(self, values: impl IntoIterator<Item = (Target, Value)>) -> Edit {
         let mut edits = self.set_each_at(values);
         if edits.len() == 1 { edits.remove(0) } else { Edit::Group { edits } }
     }
 
     /// Edits that set several targets' values in view. An edit replaces a whole set, track or
     /// light: values of the same set or light are gathered in one edit.
-    fn set_each_at(&self, values: impl IntoIterator<Item = (Target, Value)>) -> Vec<Edit> {
-        let look = self.look();
+    fn set_each_at(self, values: impl IntoIterator<Item = (Target, Value)>) -> Vec<Edit> {
+        let look = self.base.look;
         let (mut sets, mut lights, mut edits) = (IndexMap::new(), IndexMap::new(), Vec::new());
         for (target, value) in values {
             match (self.keyed_by(&target), &target) {
@@ -54,16 +54,16 @@ impl Session {
     }
 
     /// The edit that sets a target's value without keys.
-    pub(crate) fn set_own(&self, target: &Target, value: Value) -> Edit {
+    pub(crate) fn set_own(self, target: &Target, value: Value) -> Edit {
         match target {
             Target::Input { node, port } => {
-                let found = self.look().find(node);
+                let found = self.base.look.find(node);
                 let graph = found.map_or(GraphId::Look, |found| found.graph);
                 let id = node.last().cloned().unwrap_or_else(|| NodeId::new(""));
                 Edit::SetValue { graph, id, port: port.clone(), value, index: None }
             }
             Target::Light { light, field } => {
-                let mut changed = self.look().lights.get(light).cloned().unwrap_or_default();
+                let mut changed = self.base.look.lights.get(light).cloned().unwrap_or_default();
                 set_light_field(&mut changed, field, &value);
                 Edit::SetLight { id: light.clone(), light: changed }
             }
@@ -71,7 +71,7 @@ impl Session {
     }
 
     /// The edit that sets a target's value in one direction key.
-    pub(crate) fn set_in_key(&self, set: usize, key: usize, target: &Target, value: Value) -> Edit {
+    pub(crate) fn set_in_key(self, set: usize, key: usize, target: &Target, value: Value) -> Edit {
         self.change_set(set, |keys| {
             if let Some(key) = keys.keys.get_mut(key) {
                 key.values.insert(target.clone(), value);
@@ -80,8 +80,8 @@ impl Session {
     }
 
     /// The edit that changes a set of direction keys.
-    pub(crate) fn change_set(&self, set: usize, change: impl FnOnce(&mut DirectionKeys)) -> Edit {
-        let Some(keys) = self.look().direction_keys.get(set) else {
+    pub(crate) fn change_set(self, set: usize, change: impl FnOnce(&mut DirectionKeys)) -> Edit {
+        let Some(keys) = self.base.look.direction_keys.get(set) else {
             return Edit::Group { edits: Vec::new() };
         };
         let mut keys = keys.clone();
@@ -90,8 +90,8 @@ impl Session {
     }
 
     /// The edit that changes a track.
-    pub(crate) fn change_track(&self, track: usize, change: impl FnOnce(&mut TimeKeys)) -> Edit {
-        let Some(keys) = self.look().time_keys.get(track) else {
+    pub(crate) fn change_track(self, track: usize, change: impl FnOnce(&mut TimeKeys)) -> Edit {
+        let Some(keys) = self.base.look.time_keys.get(track) else {
             return Edit::Group { edits: Vec::new() };
         };
         let mut keys = keys.clone();
@@ -101,14 +101,15 @@ impl Session {
 
     /// The edit that sets a track's value at a time: in the key there, or in a new one with the
     /// interpolation of the key before.
-    pub(crate) fn set_in_time(&self, track: usize, time: f64, value: Value) -> Edit {
+    pub(crate) fn set_in_time(self, track: usize, time: f64, value: Value) -> Edit {
         self.change_track(track, |keys| put(keys, time, value))
     }
 
     /// The edit that keys a target at the playhead, with its present value.
-    pub(crate) fn key_in_time(&self, target: &Target) -> Option<Edit> {
+    pub(crate) fn key_in_time(self, target: &Target) -> Option<Edit> {
         let value = self.value_now(target)?;
-        if let Some(track) = self.look().time_keys.iter().position(|track| track.target == *target)
+        if let Some(track) =
+            self.base.look.time_keys.iter().position(|track| track.target == *target)
         {
             return Some(self.set_in_time(track, self.view.time, value));
         }
@@ -120,7 +121,7 @@ impl Session {
 
     /// The edit that keys a target in a set: at all keys of the set with the target's present
     /// value, so that nothing changes yet.
-    pub(crate) fn key_in_set(&self, set: usize, target: &Target) -> Option<Edit> {
+    pub(crate) fn key_in_set(self, set: usize, target: &Target) -> Option<Edit> {
         let value = self.value_now(target)?;
         let edit = self.change_set(set, |keys| {
             keys.keys
@@ -133,19 +134,21 @@ impl Session {
     /// An edit that names a target in a list, after one that gives the target a value of its own
     /// where it has neither that nor a default: an input that reads its surroundings, or has the
     /// value of another input, cannot be moved or exposed.
-    pub(crate) fn grounded(&self, target: Option<&Target>, edit: Edit) -> Edit {
+    pub(crate) fn grounded(self, target: Option<&Target>, edit: Edit) -> Edit {
         let Some(target @ Target::Input { node, port }) = target else { return edit };
-        let has_own = self.node_at(node).is_some_and(|node| node.values.contains_key(port));
-        let has_default =
-            self.port_at(target).is_some_and(|port| matches!(port.fallback, Fallback::Value(_)));
-        match self.own_value(target).filter(|_| !has_own && !has_default) {
+        let has_own = self.base.node_at(node).is_some_and(|node| node.values.contains_key(port));
+        let has_default = self
+            .base
+            .port_at(target)
+            .is_some_and(|port| matches!(port.fallback, Fallback::Value(_)));
+        match self.base.own_value(target).filter(|_| !has_own && !has_default) {
             Some(value) => Edit::Group { edits: vec![self.set_own(target, value), edit] },
             None => edit,
         }
     }
 
     /// The edit that adds a set with one key at the present direction of the light or the view.
-    pub(crate) fn new_set(&self, by: KeyDirection, target: Option<&Target>) -> Edit {
+    pub(crate) fn new_set(self, by: KeyDirection, target: Option<&Target>) -> Edit {
         let direction = self.direction_of(&by);
         let values = target
             .and_then(|target| Some((target.clone(), self.value_now(target)?)))
@@ -153,7 +156,7 @@ impl Session {
             .collect();
         let name = match &by {
             KeyDirection::View => "By the view".to_owned(),
-            KeyDirection::Light(light) => format!("By \"{}\"", self.light_name(light)),
+            KeyDirection::Light(light) => format!("By \"{}\"", self.base.light_name(light)),
             KeyDirection::Drivers(drivers) => {
                 drivers.iter().map(|driver| self.driver_name(driver)).collect::<Vec<_>>().join(", ")
             }
@@ -166,16 +169,17 @@ impl Session {
 
     /// The edit that takes a target out of all keys that move it; the target keeps its present
     /// value.
-    pub(crate) fn unkey(&self, target: &Target) -> Edit {
+    pub(crate) fn unkey(self, target: &Target) -> Edit {
         let mut edits = Vec::new();
-        for (index, keys) in self.look().direction_keys.iter().enumerate() {
+        for (index, keys) in self.base.look.direction_keys.iter().enumerate() {
             if keys.keys.iter().any(|key| key.values.contains_key(target)) {
                 edits.push(self.change_set(index, |keys| {
                     keys.keys.iter_mut().for_each(|key| drop(key.values.shift_remove(target)));
                 }));
             }
         }
-        if let Some(index) = self.look().time_keys.iter().position(|track| track.target == *target)
+        if let Some(index) =
+            self.base.look.time_keys.iter().position(|track| track.target == *target)
         {
             edits.push(Edit::RemoveTimeKeys { index });
         }

@@ -1,6 +1,6 @@
 //! Values under keys: their present value, their names and ports, and the edits that set them.
 //!
-//! Callers that change a value need not know whether it is keyed: [`Session::set_at`] gives the
+//! Callers that change a value need not know whether it is keyed: [`KeyedLook::set_at`] gives the
 //! edit that shows, which changes the key at the playhead, the selected direction key, or the
 //! document's own value.
 
@@ -15,17 +15,18 @@ use std::collections::HashMap;
 use glam::{DMat3, DQuat, DVec3};
 use indexmap::IndexMap;
 
-use crate::catalog::Port;
+use crate::compile::{CompiledShader, TypedGraph};
 use crate::document::{
-    DirectionKeys, KeyDirection, Light, LightField, LightKind, Node, Object, Scene, Target, Value,
-    Values,
+    DirectionKeys, KeyDirection, Light, LightKind, Object, Scene, Target, Value, Values,
 };
 use crate::frame::{KeyedValues, Rig, RigInputs, Wires};
-use crate::ids::{LightId, NodeId, NodePath, ObjectId, PortName};
+use crate::ids::{LightId, NodePath, ObjectId, PortName};
 use crate::library::Type;
 use crate::state::orbit::Orbit;
-use crate::state::session::Session;
+use crate::state::reading::LookWithLibrary;
+use crate::state::scene::OpenScene;
 use crate::state::snapshot::Stamp;
+use crate::state::view::ViewState;
 
 /// Values that keys give, kept until anything changes.
 #[derive(Default)]
@@ -36,7 +37,29 @@ pub(crate) struct KeyEvaluation {
     rig: Option<Rig>,
     now: KeyedValues,
     /// By set of keys: the key at which values are set while none is selected.
-    followed: Vec<usize>,
+    pub(crate) followed: Vec<usize>,
+}
+
+/// The open look with the values of its keys in view.
+#[derive(Clone, Copy)]
+pub struct KeyedLook<'a> {
+    pub(crate) base: LookWithLibrary<'a>,
+    pub(crate) evaluation: &'a KeyEvaluation,
+    pub(crate) view: &'a ViewState,
+    /// The direction key that is selected: the index of its set, and its index there.
+    pub(crate) selected_key: Option<(usize, usize)>,
+    pub(crate) scene: Option<&'a OpenScene>,
+    /// Typed look of the last compilation.
+    pub(crate) typed: Option<&'a TypedGraph>,
+    /// Shader with the present values.
+    pub(crate) shader: Option<&'a CompiledShader>,
+}
+
+impl KeyEvaluation {
+    /// Marks the values as out of date.
+    pub(crate) fn forget(&mut self) {
+        self.stamp = None;
+    }
 }
 
 /// The keys that move a value.
@@ -50,51 +73,71 @@ pub(crate) enum KeyedBy {
     Time(usize),
 }
 
-impl Session {
-    /// Computes the values of keys, where anything changed since.
-    pub(crate) fn refresh_keys(&mut self) {
-        let stamp = self.stamp();
+impl<'a> KeyedLook<'a> {
+    /// Values of keys at the moment of `stamp`; `None` if nothing changed since they were last
+    /// computed. `shader` gives the shader that computes wires, for an object that sets exposed
+    /// values or for one that sets none.
+    pub(crate) fn evaluated(
+        self,
+        stamp: Stamp,
+        shader: impl FnOnce(bool) -> Option<&'a CompiledShader>,
+    ) -> Option<KeyEvaluation> {
         let own = self.own_object();
         let sets_values = own.is_some_and(|(_, object)| !object.values.is_empty());
         let own = own.map(|(own, _)| own.clone());
-        if self.keyed.stamp.as_ref() == Some(&stamp) && self.keyed.own == own {
-            return;
+        if self.evaluation.stamp.as_ref() == Some(&stamp) && self.evaluation.own == own {
+            return None;
         }
-        let look = self.look();
-        let rig = match &self.keyed.rig {
-            Some(rig) => rig.renewed(look),
-            None => Rig::new(look).value,
+        let rig = match &self.evaluation.rig {
+            Some(rig) => rig.renewed(self.base.look).value,
+            None => Rig::new(self.base.look).value,
         };
         let base = |node: &NodePath, port: &PortName| {
-            self.own_value(&Target::Input { node: node.clone(), port: port.clone() })
+            self.base.own_value(&Target::Input { node: node.clone(), port: port.clone() })
         };
-        let wires = self.shader_of_wires(sets_values).map(Wires::of);
+        let wires = shader(sets_values).map(Wires::of);
         // Code that runs without end is reported by the compiler and the picture.
         let now = self
             .at_this_moment(|moment| rig.keyed_values(&base, wires, moment))
             .unwrap_or_default();
-        let followed = std::mem::take(&mut self.keyed.followed);
-        self.keyed = KeyEvaluation { stamp: Some(stamp), own, rig: Some(rig), now, followed };
-        let sets = &self.look().direction_keys;
-        let is_there =
-            |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
-        self.selection.key = self.selection.key.filter(is_there);
+        let followed = self.evaluation.followed.clone();
+        Some(KeyEvaluation { stamp: Some(stamp), own, rig: Some(rig), now, followed })
+    }
+
+    /// The light of an id in the picture of the look: a scene's light stands in place of the
+    /// look's, and the look's keys move either.
+    pub(crate) fn light(self, id: &LightId) -> Option<&'a Light> {
+        let own = self.base.look.lights.get(id)?;
+        let of_scene = || self.light_of_scene(id);
+        Some(self.evaluation.now.lights.get(id).or_else(of_scene).unwrap_or(own))
+    }
+
+    /// The lights that are neither muted nor left out by a solo, with their present values.
+    pub(crate) fn shining(self) -> impl Iterator<Item = (&'a LightId, &'a Light)> {
+        let solo = &self.view.solo;
+        let lights = self.base.look.lights.iter().filter(move |(id, _)| !solo.is_dark(id));
+        lights.map(move |(id, light)| (id, self.light(id).unwrap_or(light)))
+    }
+
+    /// The scene's light that stands in place of the look's.
+    pub(crate) fn light_of_scene(self, id: &LightId) -> Option<&'a Light> {
+        self.scene?.scene().lights.get(id)
     }
 
     /// The object of the scene that stands for all that wear the open look: the selected one, or
     /// else the first.
-    fn own_object(&self) -> Option<(&ObjectId, &Object)> {
-        let stage = self.stage()?;
-        let seen = || stage.scene().objects.iter().filter(|(_, object)| object.visible);
-        let wears = |(_, object): &(&ObjectId, &Object)| stage.wears_open(object);
-        let selected = stage.selected().filter(|(_, object)| object.visible).filter(wears);
+    fn own_object(self) -> Option<(&'a ObjectId, &'a Object)> {
+        let open_scene = self.scene?;
+        let seen = || open_scene.scene().objects.iter().filter(|(_, object)| object.visible);
+        let wears = |(_, object): &(&ObjectId, &Object)| open_scene.wears_open(object);
+        let selected = open_scene.selected().filter(|(_, object)| object.visible).filter(wears);
         selected.or_else(|| seen().find(wears)).or_else(|| seen().next())
     }
 
     /// Calls `ask` with the inputs of the present moment, for the object that stands for all that
     /// wear the look.
-    fn at_this_moment<R>(&self, ask: impl FnOnce(&RigInputs<'_>) -> R) -> R {
-        let scene = self.stage().map(crate::state::scene::OpenScene::scene);
+    fn at_this_moment<R>(self, ask: impl FnOnce(&RigInputs<'_>) -> R) -> R {
+        let scene = self.scene.map(OpenScene::scene);
         let place = |object: &Object| DVec3::from(object.transform.translate);
         let own = self.own_object();
         let own_place = own.map_or(DVec3::ZERO, |(_, object)| place(object));
@@ -123,64 +166,29 @@ impl Session {
         })
     }
 
-    /// Marks the values of keys as out of date.
-    pub(crate) fn forget_keys(&mut self) {
-        self.keyed.stamp = None;
-    }
-
     /// Present values of keys.
-    pub(crate) fn keyed_now(&self) -> &KeyedValues {
-        &self.keyed.now
+    pub(crate) fn values(self) -> &'a KeyedValues {
+        &self.evaluation.now
     }
 
     /// The direction that decides between the keys of a set now, and the weights.
-    pub(crate) fn decided(&self, set: usize) -> Option<&(DVec3, Vec<f64>)> {
-        self.keyed.now.decided.get(set)
+    pub(crate) fn decided(self, set: usize) -> Option<&'a (DVec3, Vec<f64>)> {
+        self.evaluation.now.decided.get(set)
     }
 
     /// Present weight of each key of a set.
-    pub fn key_weights(&self, set: usize) -> Vec<f64> {
+    pub fn key_weights(self, set: usize) -> Vec<f64> {
         self.decided(set).map(|(_, weights)| weights.clone()).unwrap_or_default()
     }
 
-    /// Target of an input of a node of the open graph.
-    pub(crate) fn target(&self, node: &NodeId, port: &PortName) -> Target {
-        Target::Input { node: self.path_of(node), port: port.clone() }
-    }
-
-    /// The node at a path, through the groups of the look and of the library.
-    pub(crate) fn node_at(&self, path: &NodePath) -> Option<&Node> {
-        self.reading().node_at(path)
-    }
-
-    /// Port of a target: its label, type, unit, range.
-    pub(crate) fn port_at(&self, target: &Target) -> Option<Port> {
-        self.reading().port_at(target)
-    }
-
-    /// Display names of a target: of the node or light, and of the input or field.
-    pub(crate) fn names_of(&self, target: &Target) -> [String; 2] {
-        self.reading().names_of(target)
-    }
-
-    /// Display name of a light.
-    pub(crate) fn light_name(&self, id: &LightId) -> String {
-        self.reading().light_name(id)
-    }
-
-    /// Value of a target without keys.
-    pub(crate) fn own_value(&self, target: &Target) -> Option<Value> {
-        self.reading().own_value(target)
-    }
-
     /// Present value of a target.
-    pub(crate) fn value_now(&self, target: &Target) -> Option<Value> {
-        self.keyed.now.values.get(target).cloned().or_else(|| self.own_value(target))
+    pub(crate) fn value_now(self, target: &Target) -> Option<Value> {
+        self.evaluation.now.values.get(target).cloned().or_else(|| self.base.own_value(target))
     }
 
     /// The keys that move a target. Direction keys lie over those of time.
-    pub(crate) fn keyed_by(&self, target: &Target) -> KeyedBy {
-        let look = self.look();
+    pub(crate) fn keyed_by(self, target: &Target) -> KeyedBy {
+        let look = self.base.look;
         let has_it =
             |keys: &DirectionKeys| keys.keys.iter().any(|key| key.values.contains_key(target));
         if let Some(set) = look.direction_keys.iter().rposition(has_it) {
@@ -192,21 +200,22 @@ impl Session {
         }
     }
 
-    /// The value that a hand on a target sets: in the key that is set there, or the document's own.
-    pub(crate) fn value_at(&self, target: &Target) -> Option<Value> {
+    /// The value of a target that an edit by hand sets: in the key that is set there, or the
+    /// document's own.
+    pub(crate) fn value_at(self, target: &Target) -> Option<Value> {
         match self.keyed_by(target) {
             KeyedBy::Direction(set) => {
-                let key = self.look().direction_keys.get(set)?.keys.get(self.key_at(set))?;
-                key.values.get(target).cloned().or_else(|| self.own_value(target))
+                let key = self.base.look.direction_keys.get(set)?.keys.get(self.key_at(set))?;
+                key.values.get(target).cloned().or_else(|| self.base.own_value(target))
             }
             KeyedBy::Time(_) => self.value_now(target),
-            KeyedBy::Nothing => self.own_value(target),
+            KeyedBy::Nothing => self.base.own_value(target),
         }
     }
 
     /// The present direction, or the drivers' present values, in the form that keys of a set by
     /// `by` have.
-    pub(crate) fn direction_of(&self, by: &KeyDirection) -> DVec3 {
+    pub(crate) fn direction_of(self, by: &KeyDirection) -> DVec3 {
         match by {
             KeyDirection::View => from_center_to_eye(&self.view.orbit),
             KeyDirection::Light(id) => {
@@ -272,21 +281,6 @@ pub(crate) fn has_between(ty: &Type) -> bool {
 /// True if values of a type can change with time.
 pub(crate) fn changes_in_time(ty: &Type) -> bool {
     has_between(ty) || matches!(ty, Type::Bool | Type::Choice | Type::Curve | Type::Ramp)
-}
-
-/// A light's field as a port.
-pub(crate) fn field_port(field: LightField) -> Port {
-    let range = field.range();
-    // Bounds of lengths and factors in files are no end of a slider.
-    let max = range.filter(|_| !field.unit().is_empty()).map(|[_, max]| max);
-    Port {
-        label: field.label().into(),
-        ty: Type::of_light_field(field),
-        unit: field.unit().to_owned(),
-        min: range.map(|[min, _]| min),
-        max,
-        ..Port::named(field.name())
-    }
 }
 
 /// Targets that the keys of a set change, each once, in the order in which they first come.

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use super::look;
+use crate::catalog::Catalog;
 use crate::document::Look;
 use crate::state::orbit::Orbit;
 use crate::state::revision::DocumentNumber;
@@ -19,6 +21,14 @@ pub(crate) struct Home {
 }
 
 impl Home {
+    /// Names the HCBTF `to` wherever the look names it `from`.
+    pub(crate) fn rename_painting(&mut self, catalog: &Catalog, from: &str, to: &str) {
+        for edit in look::rename(&self.look, catalog, from, to) {
+            // An edit that is impossible with this catalog is left out.
+            let _ = self.look.apply(edit);
+        }
+    }
+
     /// Display name of the look.
     pub(crate) fn name(&self) -> String {
         match self.path.as_ref().and_then(|path| path.file_name()) {

@@ -1,20 +1,12 @@
 //! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is
 //! painted.
 
-use std::path::Path;
-use std::sync::Arc;
-
-use glam::{DQuat, DVec3};
 use serde_json::json;
 
-use super::work::OpenPainting;
 use crate::catalog::Catalog;
 use crate::document::{Edit, GraphId, Look, Value};
-use crate::frame::{SetupLook, UNSAVED_HCBTF};
 use crate::library::Type;
 use crate::state::orbit::{Orbit, PLANE};
-use crate::state::scene::{folder_of, real};
-use crate::state::session::Session;
 
 /// Text of the default look on an HCBTF named `name`, whose tiles have `size` texels and keep their
 /// shape in the look.
@@ -49,54 +41,9 @@ pub(crate) fn default_look(sheet: &str, name: &str, size: [u32; 2]) -> String {
     serde_json::to_string_pretty(&look).unwrap_or_default()
 }
 
-/// The picture's view with camera and light turned to the sample at work, over a flat square that
-/// lies; `None` in a scene, which has its own objects.
-pub(crate) fn from_here(session: &Session, work: &OpenPainting) -> Option<Orbit> {
-    let mut view = session.view.orbit.clone();
-    let (_, light) = session.look().lights.first().filter(|_| session.stage().is_none())?;
-    if !lies_flat(&view) {
-        view = Orbit { mesh: PLANE.to_owned(), z_is_up: true, ..Orbit::default() };
-    }
-    // The square lies in the world with u along x, v along -z and the normal along y.
-    let world = |vector: DVec3| DVec3::new(vector.x, vector.z, -vector.y);
-    let (grid, at) = (work.grid(), work.at());
-    let eye = world(grid.view.vector(at.view));
-    view.upright = DQuat::IDENTITY;
-    view.pitch = eye.y.clamp(-1.0, 1.0).asin();
-    view.yaw = if at.view.theta == 0 { 0.0 } else { eye.x.atan2(eye.z) };
-    let shines_from = DVec3::from(light.direction).try_normalize()?;
-    view.illumination = DQuat::from_rotation_arc(shines_from, world(grid.light.vector(at.light)));
-    Some(view)
-}
-
 /// True if the picture shows a flat square that lies.
 pub(crate) fn lies_flat(view: &Orbit) -> bool {
     view.mesh == PLANE && view.z_is_up
-}
-
-/// True if the open look, or any look of the open scene, shows the painting.
-pub(crate) fn shows(session: &Session) -> bool {
-    let Some(work) = session.painting() else { return false };
-    let path = work.path().unwrap_or(Path::new(UNSAVED_HCBTF));
-    let names_it = |look: &Arc<SetupLook>| {
-        let names = sheets(&look.look, &session.project.catalog);
-        names.iter().any(|name| !name.is_empty() && real(&look.folder.join(name)) == real(path))
-    };
-    session.shows_painting(path)
-        || session.stage().is_some_and(|stage| stage.other_looks().any(names_it))
-}
-
-/// True if `look`, of the file `path` or of none, shows the painting.
-pub(crate) fn shows_in(session: &Session, look: &Look, path: Option<&Path>) -> bool {
-    let Some(work) = session.painting() else { return false };
-    let names = sheets(look, &session.project.catalog);
-    match work.path() {
-        None => path.is_none() && names.iter().any(|name| name == UNSAVED_HCBTF),
-        Some(painted) => {
-            let folder = path.map(folder_of).unwrap_or_default();
-            names.iter().any(|name| !name.is_empty() && real(&folder.join(name)) == real(painted))
-        }
-    }
 }
 
 /// Names of the HCBTFs that a look uses, its groups included.
@@ -122,6 +69,16 @@ pub(crate) fn rename(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Ve
         }
     });
     edits
+}
+
+/// The look with the HCBTF named `to` wherever it was named `from`; `None` where that is
+/// impossible.
+pub(crate) fn renamed(look: &Look, catalog: &Catalog, from: &str, to: &str) -> Option<Look> {
+    let mut named = look.clone();
+    for edit in rename(look, catalog, from, to) {
+        named.apply(edit).ok()?;
+    }
+    Some(named)
 }
 
 /// Rewrites an edit of the past so that it names the HCBTF `to` wherever it names `from`.

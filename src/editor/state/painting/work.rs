@@ -12,10 +12,11 @@ use super::home::Home;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, HcbtfEdit, History, Rule, Tile};
 use crate::files::{Files, write_atomic};
-use crate::frame::Overlay;
+use crate::frame::{Overlay, OverlayVersion};
 use crate::hcbtf::{self, FilledSamples, Provenance};
 use crate::state::document::{FileDocument, OnDisk, OpenDocument};
 use crate::state::paths::absolute;
+use crate::state::revision::{GestureId, PaintingNumber, PaintingRevision, StepTime};
 
 /// Sharpness of the blend of a new HCBTF, which is filled from the first stroke on: painted samples
 /// are blended over all lights and views.
@@ -34,16 +35,20 @@ const COPY: &str = " (copy of the example)";
 const MARK: [f64; 3] = [255.0, 0.0, 190.0];
 const MARKED: f64 = 0.6;
 
-/// Counter of versions and document numbers: every number is given once.
-static VERSIONS: AtomicU64 = AtomicU64::new(1);
+/// Counter of revisions and document numbers: every number is given once.
+static NUMBERS: AtomicU64 = AtomicU64::new(1);
 
-fn next_version() -> u64 {
-    VERSIONS.fetch_add(1, Ordering::Relaxed)
+fn next_revision() -> PaintingRevision {
+    PaintingRevision(NUMBERS.fetch_add(1, Ordering::Relaxed))
+}
+
+fn next_number() -> PaintingNumber {
+    PaintingNumber(NUMBERS.fetch_add(1, Ordering::Relaxed))
 }
 
 /// Origin of a sample, as the map shows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum State {
+pub(crate) enum SampleState {
     /// Painted by hand.
     Painted,
     /// Filled by the rule of this index.
@@ -118,10 +123,10 @@ pub struct OpenPainting {
     ahead: Option<(Address, Arc<Tile>)>,
     /// The sample that shaders see marked.
     marked: Option<Address>,
-    /// Version of the picture: changes whenever shaders see something else.
-    version: u64,
+    /// Revision of the picture: changes whenever shaders see something else.
+    revision: PaintingRevision,
     /// Number of the document, different for each one opened.
-    number: u64,
+    number: PaintingNumber,
 }
 
 impl OpenPainting {
@@ -145,8 +150,8 @@ impl OpenPainting {
             filled: None,
             ahead: None,
             marked: None,
-            version: next_version(),
-            number: next_version(),
+            revision: next_revision(),
+            number: next_number(),
         }
     }
 
@@ -195,7 +200,7 @@ impl OpenPainting {
         write_atomic(&path, &bytes)?;
         let file = FileStamp::of(&path);
         self.document.was_written(path, file);
-        self.version = next_version();
+        self.revision = next_revision();
         self.saved();
         Ok(())
     }
@@ -210,7 +215,11 @@ impl OpenPainting {
     ///
     /// # Errors
     /// Problems that keep the file from being read; nothing is changed then.
-    pub(crate) fn reload(&mut self, files: &dyn Files, now: u64) -> Result<bool, Vec<Diagnostic>> {
+    pub(crate) fn reload(
+        &mut self,
+        files: &dyn Files,
+        now: StepTime,
+    ) -> Result<bool, Vec<Diagnostic>> {
         let Some(path) = self.document.path.clone() else { return Ok(false) };
         // The stamp is taken before reading: a change in between is noticed the next time.
         let read = FileStamp::of(&path);
@@ -323,8 +332,12 @@ impl OpenPainting {
 
     /// The tile of a sample as shown: painted, being painted, or filled.
     pub(crate) fn tile(&self, address: Address) -> Option<&Arc<Tile>> {
-        let filled =
-            || self.filled.as_ref().filter(|_| self.state(address) != State::Empty)?.tile(address);
+        let filled = || {
+            self.filled
+                .as_ref()
+                .filter(|_| self.state(address) != SampleState::Empty)?
+                .tile(address)
+        };
         let ahead = || {
             self.ahead.as_ref().filter(|(at, _)| *at == address.canonical()).map(|(_, tile)| tile)
         };
@@ -358,13 +371,13 @@ impl OpenPainting {
     }
 
     /// Origin of a sample.
-    pub(crate) fn state(&self, address: Address) -> State {
+    pub(crate) fn state(&self, address: Address) -> SampleState {
         if self.shown.painted(address).is_some() {
-            return State::Painted;
+            return SampleState::Painted;
         }
         match self.filled.as_ref().and_then(|filled| filled.provenance(address)) {
-            Some(Provenance::Filled { by, .. }) => State::Filled(*by),
-            _ => State::Empty,
+            Some(Provenance::Filled { by, .. }) => SampleState::Filled(*by),
+            _ => SampleState::Empty,
         }
     }
 
@@ -381,22 +394,22 @@ impl OpenPainting {
     /// Takes the samples that the rules filled.
     pub(crate) fn set_filled(&mut self, filled: Arc<FilledSamples>) {
         (self.filled, self.ahead) = (Some(filled), None);
-        self.version = next_version();
+        self.revision = next_revision();
     }
 
     /// Takes the tile that the rules made of one sample, until they have made the rest.
     pub(crate) fn set_ahead(&mut self, address: Address, tile: Arc<Tile>) {
         self.ahead = Some((address, tile));
-        self.version = next_version();
+        self.revision = next_revision();
     }
 
-    /// Version of the picture: changes whenever shaders see something else.
-    pub(crate) fn version(&self) -> u64 {
-        self.version
+    /// Revision of the picture: changes whenever shaders see something else.
+    pub(crate) fn revision(&self) -> PaintingRevision {
+        self.revision
     }
 
     /// Number of the document, different for each one opened.
-    pub(crate) fn number(&self) -> u64 {
+    pub(crate) fn number(&self) -> PaintingNumber {
         self.number
     }
 
@@ -411,7 +424,7 @@ impl OpenPainting {
         }
         Overlay {
             path: self.document.path.clone(),
-            version: self.version,
+            version: OverlayVersion(self.revision.0),
             hcbtf,
             filled: self.filled.clone(),
         }
@@ -422,7 +435,7 @@ impl OpenPainting {
         let is_other = self.marked != marked;
         if is_other {
             self.marked = marked;
-            self.version = next_version();
+            self.revision = next_revision();
         }
         is_other
     }
@@ -456,7 +469,7 @@ impl OpenPainting {
             self.filled = None;
         }
         self.shown = Arc::new(hcbtf);
-        self.version = next_version();
+        self.revision = next_revision();
     }
 
     /// Ends a gesture, so that the next change is a step of its own.
@@ -464,18 +477,18 @@ impl OpenPainting {
         self.document.end_gesture();
     }
 
-    /// Applies a change. Consecutive changes by the same `hand` are one step. `now` is the time of
-    /// the step. Returns true if the HCBTF changed.
+    /// Applies a change. Consecutive changes of the same `gesture` are one step. `now` is the time
+    /// of the step. Returns true if the HCBTF changed.
     ///
     /// # Errors
     /// A diagnostic where the change is impossible; nothing is changed then.
     pub(crate) fn apply(
         &mut self,
         change: HcbtfEdit,
-        hand: Option<u64>,
-        now: u64,
+        gesture: Option<GestureId>,
+        now: StepTime,
     ) -> Result<bool, Box<Diagnostic>> {
-        let is_changed = self.document.apply(change, hand, now)?;
+        let is_changed = self.document.apply(change, gesture, now)?;
         self.live = None;
         self.show();
         Ok(is_changed)
@@ -489,7 +502,7 @@ impl OpenPainting {
         did
     }
 
-    pub(crate) fn redo(&mut self, now: u64) -> bool {
+    pub(crate) fn redo(&mut self, now: StepTime) -> bool {
         let did = self.document.redo(now);
         if did {
             self.show();

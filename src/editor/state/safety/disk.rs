@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::watch::{Watch, Watched};
+use super::watch::{Watch, WatchedPaths};
 use crate::compile::CompiledShader;
 use crate::files::FileMetadata;
 use crate::frame::SHAPE_PREFIX;
@@ -47,29 +47,29 @@ struct Use {
     document: DocumentNumber,
     path: Option<PathBuf>,
     mesh: String,
-    stage: Option<PictureRevision>,
+    scene: Option<PictureRevision>,
     shader: Option<Arc<CompiledShader>>,
     painting: Option<PathBuf>,
 }
 
 impl Use {
     fn is(&self, session: &Session) -> bool {
-        let same_shader = match (&self.shader, session.baked()) {
+        let same_shader = match (&self.shader, session.compilation().baked()) {
             (Some(old), Some(new)) => Arc::ptr_eq(old, new),
             (None, None) => true,
             _ => false,
         };
         same_shader
-            && self.document == session.document_number()
+            && self.document == session.revisions().document
             && self.path.as_deref() == session.path()
             && self.mesh == session.view.orbit.mesh
-            && self.stage == session.stage_version()
+            && self.scene == session.scene_revision()
             && self.painting.as_deref() == session.painting().and_then(OpenPainting::path)
     }
 }
 
 /// Watch over the files of a session.
-pub(crate) struct Disk {
+pub(crate) struct DiskState {
     watch: Watch,
     of: Use,
     is_new: bool,
@@ -90,7 +90,7 @@ pub(crate) struct Disk {
     was_there: bool,
 }
 
-impl Disk {
+impl DiskState {
     /// Creates the watch. `wake` is called from another thread when files may have changed.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         Self {
@@ -134,8 +134,9 @@ impl Disk {
         }
         if !Arc::ptr_eq(&self.project_nodes, &session.project.files) {
             self.project_nodes = session.project.files.clone();
-            // A new folder is watched from now on.
+            // A new folder is watched from now on, and may have changed since the nodes were read.
             self.watch.renew(absolute(&self.project_nodes.folders));
+            self.due = Some(now + CALM);
         }
         if self.watch.take() {
             self.due = Some(now + CALM);
@@ -160,15 +161,15 @@ impl Disk {
     /// Updates the set of watched files. Returns true if they belong to another look.
     fn use_of(&mut self, session: &Session) -> bool {
         let is_other = self.is_new
-            || self.of.document != session.document_number()
+            || self.of.document != session.revisions().document
             || self.of.path.as_deref() != session.path();
         self.is_new = false;
         self.of = Use {
-            document: session.document_number(),
+            document: session.revisions().document,
             path: session.path().map(Path::to_path_buf),
             mesh: session.view.orbit.mesh.clone(),
-            stage: session.stage_version(),
-            shader: session.baked().cloned(),
+            scene: session.scene_revision(),
+            shader: session.compilation().baked().cloned(),
             painting: session.painting().and_then(OpenPainting::path).map(Path::to_path_buf),
         };
         if is_other {
@@ -178,15 +179,16 @@ impl Disk {
         }
         self.nodes = absolute(&session.node_folders());
         self.project_nodes = session.project.files.clone();
-        let folder = session.folder();
+        let folder = session.look.folder();
         let images = session
+            .compilation()
             .baked()
             .into_iter()
             .flat_map(|shader| &shader.named_images)
             .map(|image| image.path.as_str());
         let mesh =
             Some(session.view.orbit.mesh.as_str()).filter(|mesh| !mesh.starts_with(SHAPE_PREFIX));
-        let of_scene = session.stage().map(OpenScene::files).unwrap_or_default();
+        let of_scene = session.open_scene().map(OpenScene::files).unwrap_or_default();
         let paths =
             images.map(|path| folder.join(path)).chain(mesh.map(PathBuf::from)).chain(of_scene);
         let paths = paths.filter_map(|path| std::path::absolute(path).ok());
@@ -196,13 +198,15 @@ impl Disk {
             |path: &PathBuf| known.get(path).copied().unwrap_or_else(|| disk.metadata(path));
         self.assets = paths.map(|path| (path.clone(), state(&path))).collect();
         let links = self.look.iter().filter_map(|path| path.canonicalize().ok());
-        let scene = session.stage().and_then(|stage| std::path::absolute(stage.path()?).ok());
+        let scene = session
+            .open_scene()
+            .and_then(|open_scene| std::path::absolute(open_scene.path()?).ok());
         let painting = self.of.painting.clone();
         let files = self.assets.keys().cloned().chain(self.look.clone());
         let files = files.chain(links).chain(scene).chain(painting).collect();
         let folders = self.nodes.iter().cloned().collect();
         let below = absolute(&self.project_nodes.folders);
-        self.watch.set(Watched { files, folders, below });
+        self.watch.set(WatchedPaths { files, folders, below });
         is_other
     }
 
@@ -236,18 +240,18 @@ impl Disk {
     }
 
     fn check_scene(&mut self, session: &mut Session) -> Option<String> {
-        let text = match session.stage().map(OpenScene::on_disk) {
+        let text = match session.open_scene().map(OpenScene::on_disk) {
             Some(OnDisk::Changed(text)) => text,
             _ => {
                 self.scene_conflict = None;
                 return None;
             }
         };
-        if session.stage().is_some_and(OpenScene::is_dirty) {
+        if session.open_scene().is_some_and(OpenScene::is_dirty) {
             self.scene_conflict = Some(text);
             return None;
         }
-        let name = session.stage().map(OpenScene::name).unwrap_or_default();
+        let name = session.open_scene().map(OpenScene::name).unwrap_or_default();
         // A scene that cannot be read yet is reported among the problems, and checked again when
         // the file changes.
         session
@@ -276,7 +280,7 @@ impl Disk {
     }
 
     fn check_look(&mut self, session: &mut Session) -> Option<String> {
-        match session.on_disk() {
+        match session.look.on_disk() {
             OnDisk::Same => {
                 self.was_there |= self.look.is_some();
                 if let Some(Conflict::Broken(_)) = self.conflict.take() {

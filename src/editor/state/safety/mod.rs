@@ -2,9 +2,7 @@
 //! other programs are noticed, and settings are saved. Messages appear in a bar below the top one,
 //! and nothing asks in the middle of the work.
 
-pub(crate) mod crashes;
 pub(crate) mod disk;
-pub(crate) mod keeper;
 pub(crate) mod offers;
 pub(crate) mod places;
 pub(crate) mod unopened;
@@ -17,11 +15,11 @@ use std::time::Duration;
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::frame::SHAPE_PREFIX;
-use crate::state::painting::look;
 use crate::state::scene::real;
 use crate::state::session::Session;
+use crate::state::session::painting::is_painting_shown_in;
 use crate::state::settings::{Settings, Theme};
-use disk::Disk;
+use disk::DiskState;
 use offers::Offers;
 use places::Places;
 use unopened::UnopenedFile;
@@ -30,10 +28,10 @@ use unopened::UnopenedFile;
 /// was killed may take a while to release its journal.
 const LOOKS: [f64; 3] = [2.0, 6.0, 20.0];
 
-/// Keeper of a window's work: journals, watched files, offers and settings.
+/// Protection of a window's work: journals, watched files, offers and settings.
 pub(crate) struct Safety {
     places: Option<Places>,
-    pub(crate) disk: Disk,
+    pub(crate) disk: DiskState,
     pub(crate) offers: Offers,
     pub(crate) settings: Settings,
     /// Theme and scale of the window in the last frame.
@@ -50,12 +48,13 @@ pub(crate) struct Safety {
 }
 
 impl Safety {
-    /// Creates a keeper that notices changed files, and keeps nothing until it is told where.
+    /// Creates the protection, which notices changed files, and keeps no journals before
+    /// [`keep_in`](Self::keep_in).
     /// `wake` is called from another thread when a file may have changed.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         Self {
             places: None,
-            disk: Disk::new(wake),
+            disk: DiskState::new(wake),
             offers: Offers::default(),
             settings: Settings::default(),
             window: None,
@@ -154,8 +153,8 @@ impl Safety {
 
     /// Remembers that the open scene, and the look in it, are about to be put aside.
     pub(crate) fn put_aside(&mut self, session: &Session) {
-        let Some(stage) = session.stage() else { return };
-        self.aside.extend([stage.path(), session.path()].into_iter().flatten().map(real));
+        let Some(open_scene) = session.open_scene() else { return };
+        self.aside.extend([open_scene.path(), session.path()].into_iter().flatten().map(real));
     }
 
     /// Remembers that a file was put aside, and is wanted back with the work on it.
@@ -176,7 +175,7 @@ impl Safety {
     /// one.
     pub(crate) fn take_back_look_of_painting(&mut self, session: &mut Session) -> bool {
         self.look();
-        let is_it = |look: &Look, path: Option<&Path>| look::shows_in(session, look, path);
+        let is_it = |look: &Look, path: Option<&Path>| is_painting_shown_in(session, look, path);
         let number = self.offers.of_look(is_it);
         if let Some(number) = number {
             self.take_back(number, session);
@@ -200,12 +199,12 @@ impl Safety {
         if let Some(number) = self.offers.of_file(path, false, is_aside) {
             let told = self.take_back(number, session);
             // A user who goes from one look of a scene to another keeps the view.
-            session.look_as_kept(session.stage().is_none());
+            session.look_as_kept(session.open_scene().is_none());
             return Some(told);
         }
         let number = self.offers.of_file(path, true, is_aside)?;
         self.take_back(number, session);
-        session.look_as_kept(session.stage().is_none());
+        session.look_as_kept(session.open_scene().is_none());
         Some(String::new())
     }
 
@@ -244,8 +243,8 @@ impl Safety {
         let Some(offer) = self.offers.get(number).filter(|offer| !offer.is_scene) else { return };
         let is_open = |path: &Path| {
             session
-                .stage()
-                .and_then(|stage| stage.path())
+                .open_scene()
+                .and_then(|open_scene| open_scene.path())
                 .is_some_and(|open| real(open) == real(path))
         };
         if let Some(scene) = offer.beside.clone().filter(|path| path.is_file() && !is_open(path)) {

@@ -44,7 +44,7 @@ pub(crate) struct Offer {
     /// File of the document that was open with this one: of a look the scene, of a scene the look.
     pub(crate) beside: Option<PathBuf>,
     /// True for a look that was in a scene.
-    is_staged: bool,
+    is_of_scene: bool,
 }
 
 /// Summary of a journal, for any kind of document.
@@ -62,7 +62,7 @@ struct Outline {
     is_scene: bool,
     is_painting: bool,
     beside: Option<PathBuf>,
-    is_staged: bool,
+    is_of_scene: bool,
 }
 
 impl Outline {
@@ -103,7 +103,7 @@ impl Outline {
             is_scene: false,
             is_painting: false,
             beside: None,
-            is_staged: found
+            is_of_scene: found
                 .about
                 .window
                 .get("staged")
@@ -141,7 +141,7 @@ impl Offer {
                     is_scene: found.is_scene,
                     is_painting: found.is_painting,
                     beside: found.beside,
-                    is_staged: found.is_staged,
+                    is_of_scene: found.is_of_scene,
                 })
             }
             Err(problem) => Some(Self {
@@ -157,7 +157,7 @@ impl Offer {
                 is_scene: false,
                 is_painting: false,
                 beside: None,
-                is_staged: false,
+                is_of_scene: false,
                 slot,
             }),
         }
@@ -281,7 +281,7 @@ impl Offers {
     pub(crate) fn unsaved_of_scene(&self) -> Option<usize> {
         let is_look = |offer: &Offer| !offer.is_scene && !offer.is_painting;
         let is_it = |offer: &Offer| {
-            is_look(offer) && offer.is_staged && offer.path.is_none() && offer.is_readable
+            is_look(offer) && offer.is_of_scene && offer.path.is_none() && offer.is_readable
         };
         self.all.iter().position(is_it)
     }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::{Diagnostic, LineColumn};
 use crate::state::paths::absolute;
-use crate::state::revision::DocumentNumber;
+use crate::state::revision::{DocumentNumber, PaintingNumber};
 use crate::state::session::Session;
 
 /// A file that could not be opened.
@@ -16,7 +16,7 @@ pub(crate) struct UnopenedFile {
     /// Path of a file whose reading was not even tried, since the last program ended over it.
     pub(crate) interrupted: Option<PathBuf>,
     /// Documents that were open then: the note is dropped when others are.
-    open: (DocumentNumber, Option<u64>),
+    open: (DocumentNumber, Option<PaintingNumber>),
 }
 
 impl UnopenedFile {
@@ -51,9 +51,9 @@ impl UnopenedFile {
         }
     }
 
-    fn open(session: &Session) -> (DocumentNumber, Option<u64>) {
+    fn open(session: &Session) -> (DocumentNumber, Option<PaintingNumber>) {
         (
-            session.document_number(),
+            session.revisions().document,
             session.painting().map(crate::state::painting::work::OpenPainting::number),
         )
     }

@@ -10,7 +10,7 @@ use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher as _};
 
 /// Paths that are watched.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Watched {
+pub(super) struct WatchedPaths {
     /// Files, which may not exist yet.
     pub(super) files: BTreeSet<PathBuf>,
     /// Folders with everything in them, which may not exist yet.
@@ -21,7 +21,7 @@ pub(super) struct Watched {
     pub(super) below: BTreeSet<PathBuf>,
 }
 
-impl Watched {
+impl WatchedPaths {
     fn holds(&self, path: &Path) -> bool {
         self.files.contains(path) || self.folders.iter().any(|folder| path.starts_with(folder))
     }
@@ -37,7 +37,7 @@ impl Watched {
 
 #[derive(Default)]
 struct WatchState {
-    watched: Mutex<Watched>,
+    watched: Mutex<WatchedPaths>,
     happened: AtomicBool,
 }
 
@@ -84,11 +84,11 @@ impl Watch {
                 let _ = watcher.unwatch(&folder);
             }
         }
-        self.set(Watched { below, ..watched });
+        self.set(WatchedPaths { below, ..watched });
     }
 
     /// Watches these paths and nothing else.
-    pub(super) fn set(&mut self, watched: Watched) {
+    pub(super) fn set(&mut self, watched: WatchedPaths) {
         let folders = watched.to_ask_for();
         *self.shared.watched.lock().unwrap_or_else(PoisonError::into_inner) = watched;
         let Some(watcher) = &mut self.watcher else { return };

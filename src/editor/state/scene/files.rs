@@ -12,6 +12,7 @@ use crate::frame::SHAPE_PREFIX;
 use crate::ids::PortName;
 use crate::library::Type;
 use crate::state::document::OnDisk;
+use crate::state::revision::StepTime;
 
 impl OpenScene {
     /// The scene that was read from a file, with the problems in it; only the problems where it
@@ -20,11 +21,11 @@ impl OpenScene {
         let is_partial = loaded.has_errors();
         let Loaded { value, source, diagnostics } = loaded;
         let Some(scene) = value else { return Err(diagnostics) };
-        let mut stage =
+        let mut open_scene =
             Self::with(History::new(scene), source, Some(path.to_owned()), folder_of(path));
-        stage.document.is_partial = is_partial;
-        stage.document.load_problems = diagnostics;
-        Ok(stage)
+        open_scene.document.is_partial = is_partial;
+        open_scene.document.load_problems = diagnostics;
+        Ok(open_scene)
     }
 
     /// Saves to a file, which is the scene's own from then on.
@@ -51,7 +52,7 @@ impl OpenScene {
     /// Takes another program's version of the file, as one step that can be undone. `now` is the
     /// time of the step. Returns true if the file could be read without an error; else the scene is
     /// unchanged, and the problems are reported.
-    pub(crate) fn reload(&mut self, text: &str, now: u64) -> bool {
+    pub(crate) fn reload(&mut self, text: &str, now: StepTime) -> bool {
         let Some(path) = self.document.path.clone() else { return false };
         let loaded = Scene::read(text, &path.display().to_string());
         let has_errors = loaded.has_errors();

@@ -12,7 +12,7 @@ use crate::document::{Loaded, Look, Value};
 use crate::files::{FileKind, FileMetadata, Files};
 use crate::frame::SetupLook;
 use crate::library::{Library, Type};
-use crate::state::reading::{Parameter, Reading};
+use crate::state::reading::{LookWithLibrary, Parameter};
 
 /// Looks by their files.
 #[derive(Default)]
@@ -96,7 +96,7 @@ fn read(
         Ok(Warned { value: typed, .. }) => {
             let catalog = catalog.get_or_insert_with(|| Catalog::new(library));
             catalog.sync(&look, library);
-            let parameters = Reading { look: &look, catalog, library }.parameters();
+            let parameters = LookWithLibrary { look: &look, catalog, library }.parameters();
             Some((look, parameters, images(&typed, &folder)))
         }
         Err(mut found) => {

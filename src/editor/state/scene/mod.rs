@@ -1,4 +1,4 @@
-//! The stage: a scene around the open look. A stage has a past, a file and a journal of its own, as
+//! Scene around the open look. A scene has a past, a file and a journal of its own, as
 //! the look has; the looks of objects that do not wear the open one come from their files.
 
 mod files;
@@ -26,11 +26,12 @@ use crate::state::document::{OpenDocument, TextFile};
 use crate::state::orbit::Orbit;
 use crate::state::paths::absolute;
 use crate::state::reading::Parameter;
-use crate::state::revision::PictureRevision;
+use crate::state::revision::{GestureId, PictureRevision, StepTime};
 use looks::{ClosedLook, Looks};
 pub(crate) use names::{folder_of, real, relative};
 pub(crate) use objects::{
-    ObjectPlace, file_label, from_degrees, mesh_label, scene_of, stood_up, to_degrees,
+    ObjectPlace, file_label, from_degrees, mesh_label, scene_of, sphere_of_lights, stood_up,
+    to_degrees,
 };
 pub(crate) use snapshot::SceneSnapshot;
 
@@ -46,7 +47,7 @@ pub struct OpenScene {
     looks: Looks,
     /// Looks that are not open, by their names; `None` where a file is broken.
     closed: HashMap<String, Option<Arc<ClosedLook>>>,
-    staged: Arc<SceneSnapshot>,
+    snapshot: Arc<SceneSnapshot>,
     selected: Option<ObjectId>,
     /// Positions of the objects, as of the last picture.
     pub(crate) placed: Vec<ObjectPlace>,
@@ -60,7 +61,7 @@ pub struct OpenScene {
     pub(crate) wanted: Option<LookToOpen>,
 }
 
-/// The look to open with a stage that is taken back.
+/// The look to open with a scene that is taken back.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum LookToOpen {
     /// The look in this file.
@@ -81,7 +82,7 @@ impl OpenScene {
             base,
             looks: Looks::default(),
             closed: HashMap::new(),
-            staged: Arc::default(),
+            snapshot: Arc::default(),
             selected: None,
             placed: Vec::new(),
             open_file: None,
@@ -141,36 +142,36 @@ impl OpenScene {
         self.document.end_gesture();
     }
 
-    /// Applies an edit. Consecutive edits by the same `hand` are one step. `now` is the time of the
-    /// step. Returns true if the scene changed.
+    /// Applies an edit. Consecutive edits of the same `gesture` are one step. `now` is the time of
+    /// the step. Returns true if the scene changed.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
     pub(crate) fn apply(
         &mut self,
         edit: SceneEdit,
-        hand: Option<u64>,
-        now: u64,
+        gesture: Option<GestureId>,
+        now: StepTime,
     ) -> Result<bool, Box<Diagnostic>> {
-        self.document.apply(edit, hand, now)
+        self.document.apply(edit, gesture, now)
     }
 
     pub(crate) fn undo(&mut self) -> bool {
         self.document.undo()
     }
 
-    pub(crate) fn redo(&mut self, now: u64) -> bool {
+    pub(crate) fn redo(&mut self, now: StepTime) -> bool {
         self.document.redo(now)
     }
 
-    /// Finds anew the looks that the objects wear; `open` is the file of the open look. `version`
+    /// Finds anew the looks that the objects wear; `open` is the file of the open look. `revision`
     /// grows with each call.
     pub(crate) fn sync(
         &mut self,
         open: Option<&Path>,
         library: &Arc<Library>,
         files: &dyn Files,
-        version: PictureRevision,
+        revision: PictureRevision,
     ) {
         let scene = self.document.history.document();
         self.selected = self.selected.take().filter(|id| scene.objects.contains_key(id));
@@ -199,9 +200,9 @@ impl OpenScene {
             0 => self.document.file.source.clone(),
             _ => Arc::new(Scene::read("{}", self.document.file.source.file()).source),
         };
-        let mut staged = SceneSnapshot {
-            version,
-            shape: version,
+        let mut snapshot = SceneSnapshot {
+            revision,
+            shape: revision,
             scene: scene.clone(),
             base: self.base.clone(),
             source,
@@ -209,20 +210,20 @@ impl OpenScene {
             others: self.closed.iter().map(|(name, look)| (name.clone(), setup(look))).collect(),
             is_alone: false,
         };
-        if staged.has_shape_of(&self.staged) {
-            staged.shape = self.staged.shape;
+        if snapshot.has_shape_of(&self.snapshot) {
+            snapshot.shape = self.snapshot.shape;
         }
-        self.staged = Arc::new(staged);
+        self.snapshot = Arc::new(snapshot);
     }
 
     /// Snapshot of the scene that a thread can take along.
-    pub(crate) fn staged(&self) -> &Arc<SceneSnapshot> {
-        &self.staged
+    pub(crate) fn snapshot(&self) -> &Arc<SceneSnapshot> {
+        &self.snapshot
     }
 
     /// Looks of objects that are not open, as far as they can be read.
     pub(crate) fn other_looks(&self) -> impl Iterator<Item = &Arc<SetupLook>> {
-        self.staged.others.values().flatten()
+        self.snapshot.others.values().flatten()
     }
 
     /// Parameters that objects may set which wear the look `name`, a look that is not open.
@@ -232,7 +233,7 @@ impl OpenScene {
 
     /// True if `name` means the open look.
     pub(crate) fn is_open(&self, name: &str) -> bool {
-        self.staged.open.contains(name)
+        self.snapshot.open.contains(name)
     }
 
     /// True if an object wears the open look, on any material.
@@ -250,7 +251,7 @@ impl OpenScene {
         let visible = objects.values().filter(|object| object.visible);
         let hidden = objects.values().filter(|object| !object.visible);
         let mut names = visible.chain(hidden).flat_map(|object| object.looks.values());
-        let name = names.find(|name| matches!(self.staged.others.get(*name), Some(Some(_))))?;
+        let name = names.find(|name| matches!(self.snapshot.others.get(*name), Some(Some(_))))?;
         Some(self.path_of(name))
     }
 
@@ -323,7 +324,7 @@ impl OpenScene {
         self.document.leave_journal(false, in_peace);
     }
 
-    /// The stage that a journal gave.
+    /// The scene that a journal gave.
     pub(crate) fn taken_back(found: Recovered<Scene>) -> Self {
         let path = found.about.path.as_ref().map(PathBuf::from);
         let name = found.about.path.as_deref().unwrap_or("scene");
@@ -334,10 +335,10 @@ impl OpenScene {
         let base =
             of_window("base").or_else(|| path.as_deref().map(names::folder_of)).unwrap_or_default();
         let wanted = of_window("look").map_or(LookToOpen::Unsaved, LookToOpen::File);
-        let mut stage = Self::with(found.history, source, path, base);
-        stage.document.is_partial = found.about.is_partial;
-        stage.document.load_problems = found.damage;
-        stage.wanted = Some(wanted);
-        stage
+        let mut open_scene = Self::with(found.history, source, path, base);
+        open_scene.document.is_partial = found.about.is_partial;
+        open_scene.document.load_problems = found.damage;
+        open_scene.wanted = Some(wanted);
+        open_scene
     }
 }

@@ -234,9 +234,22 @@ impl OpenScene {
     }
 }
 
+/// The sphere that needles of lights stand on: around the selected object, or else the first, that
+/// wears the open look; around the origin without a scene.
+pub(crate) fn sphere_of_lights(open_scene: Option<&OpenScene>) -> (DVec3, f64) {
+    let unit = (DVec3::ZERO, 1.0);
+    let Some(open_scene) = open_scene else { return unit };
+    let selected = open_scene.selected().filter(|(_, object)| open_scene.wears_open(object));
+    let objects = open_scene.scene().objects.iter().filter(|(_, object)| object.visible);
+    let worn =
+        selected.or_else(|| objects.into_iter().find(|(_, object)| open_scene.wears_open(object)));
+    worn.and_then(|(id, _)| open_scene.sphere(Some(id))).unwrap_or(unit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::state::revision::StepTime;
 
     #[test]
     fn turns_are_read_back() {
@@ -251,22 +264,26 @@ mod tests {
 
     #[test]
     fn objects_stand_side_by_side_under_names_of_their_own() {
-        let mut stage = OpenScene::unsaved(scene_of(&Orbit::default(), OPEN_LOOK.to_owned()));
+        let mut open_scene = OpenScene::unsaved(scene_of(&Orbit::default(), OPEN_LOOK.to_owned()));
         for wanted in ["torus", "torus_2", "torus_3"] {
-            let (id, edit) = stage.add("shape:torus");
+            let (id, edit) = open_scene.add("shape:torus");
             assert_eq!(id.as_str(), wanted);
-            assert!(stage.apply(edit, None, 1).unwrap());
+            assert!(open_scene.apply(edit, None, StepTime(1)).unwrap());
         }
-        let places: Vec<f64> =
-            stage.scene().objects.values().map(|object| object.transform.translate[0]).collect();
+        let places: Vec<f64> = open_scene
+            .scene()
+            .objects
+            .values()
+            .map(|object| object.transform.translate[0])
+            .collect();
         assert!(places.windows(2).all(|pair| pair[1] - pair[0] > 2.0), "{places:?}");
-        let (id, edit) = stage.rename(&"torus_2".into(), "Big ring").unwrap();
+        let (id, edit) = open_scene.rename(&"torus_2".into(), "Big ring").unwrap();
         assert_eq!(id.as_str(), "big_ring");
-        stage.apply(edit, None, 2).unwrap();
-        let ids: Vec<&str> = stage.scene().objects.keys().map(ObjectId::as_str).collect();
+        open_scene.apply(edit, None, StepTime(2)).unwrap();
+        let ids: Vec<&str> = open_scene.scene().objects.keys().map(ObjectId::as_str).collect();
         assert_eq!(ids, ["creature", "torus", "big_ring", "torus_3"]);
-        assert!(stage.rename(&"torus".into(), "torus").is_none());
-        let (center, radius) = stage.sphere(None).unwrap();
+        assert!(open_scene.rename(&"torus".into(), "torus").is_none());
+        let (center, radius) = open_scene.sphere(None).unwrap();
         assert!((center.x - 0.5 * places[3]).abs() < 1e-9 && radius > 0.5 * places[3] + 0.99);
     }
 }

@@ -1,10 +1,10 @@
-//! Snapshot of a stage, with everything that a thread needs to draw it.
+//! Snapshot of a scene, with everything that a thread needs to draw it.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::Warned;
 use crate::document::{Object, Scene, SourceMap};
 use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
 use crate::ids::ObjectId;
@@ -13,9 +13,9 @@ use crate::state::revision::PictureRevision;
 /// A scene with the looks that are not open.
 #[derive(Clone)]
 pub(crate) struct SceneSnapshot {
-    /// Revision of the stage's picture.
-    pub(super) version: PictureRevision,
-    /// Revision of the stage's shape, which changes when objects are moved, get other meshes, or
+    /// Revision of the scene's picture.
+    pub(super) revision: PictureRevision,
+    /// Revision of the scene's shape, which changes when objects are moved, get other meshes, or
     /// wear other looks.
     pub(super) shape: PictureRevision,
     pub(crate) scene: Scene,
@@ -33,7 +33,7 @@ pub(crate) struct SceneSnapshot {
 impl Default for SceneSnapshot {
     fn default() -> Self {
         Self {
-            version: PictureRevision::default(),
+            revision: PictureRevision::default(),
             shape: PictureRevision::default(),
             scene: Scene::default(),
             base: PathBuf::new(),
@@ -46,9 +46,9 @@ impl Default for SceneSnapshot {
 }
 
 impl SceneSnapshot {
-    /// Revision of the stage's picture.
-    pub(crate) fn version(&self) -> PictureRevision {
-        self.version
+    /// Revision of the scene's picture.
+    pub(crate) fn revision(&self) -> PictureRevision {
+        self.revision
     }
 
     /// Looks that are not open, as far as they can be read, each once, in the order of their names.
@@ -60,7 +60,7 @@ impl SceneSnapshot {
         named.into_iter().map(|(_, look)| look).filter(move |look| seen.insert(Arc::as_ptr(look)))
     }
 
-    /// Revision of the stage's shape; lights and values do not count.
+    /// Revision of the scene's shape; lights and values do not count.
     pub(crate) fn shape(&self) -> PictureRevision {
         self.shape
     }
@@ -77,8 +77,8 @@ impl SceneSnapshot {
             |((id, object), (other_id, other)): ((&ObjectId, &Object), (&ObjectId, &Object))| {
                 id == other_id && is_like(object, other)
             };
-        let can_be_worn = |staged: &'_ Self| -> BTreeMap<String, bool> {
-            staged.others.iter().map(|(name, look)| (name.clone(), look.is_some())).collect()
+        let can_be_worn = |snapshot: &'_ Self| -> BTreeMap<String, bool> {
+            snapshot.others.iter().map(|(name, look)| (name.clone(), look.is_some())).collect()
         };
         own.len() == others.len()
             && own.iter().zip(others).all(is_same)
@@ -95,17 +95,10 @@ impl SceneSnapshot {
     /// The scene with everything that it names, as far as that exists, and the problems. `open` is
     /// the first of its looks, even if no object wears it.
     pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> Warned<Setup> {
-        let mut problems = Vec::new();
-        let mut worn = Worn { staged: self, looks: vec![open], known: HashMap::new() };
-        let objects = place_objects(
-            &self.scene,
-            &self.base,
-            &self.source,
-            None,
-            assets,
-            &mut worn,
-            &mut problems,
-        );
+        let mut worn = SceneLooks { snapshot: self, looks: vec![open], known: HashMap::new() };
+        let (objects, problems) =
+            place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn)
+                .into_parts();
         let mut setup =
             Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
         if self.is_alone {
@@ -120,27 +113,30 @@ impl SceneSnapshot {
 }
 
 /// The open look and the others, collected as objects ask for them.
-struct Worn<'s> {
-    staged: &'s SceneSnapshot,
+struct SceneLooks<'s> {
+    snapshot: &'s SceneSnapshot,
     looks: Vec<SetupLook>,
     known: HashMap<*const SetupLook, usize>,
 }
 
-impl Wardrobe for Worn<'_> {
+impl Wardrobe for SceneLooks<'_> {
     fn has(&self, name: &str) -> bool {
-        self.staged.open.contains(name) || self.staged.others.contains_key(name)
+        self.snapshot.open.contains(name) || self.snapshot.others.contains_key(name)
     }
 
-    fn find(&mut self, name: &str, _: &mut Vec<Diagnostic>) -> Option<usize> {
-        if self.staged.open.contains(name) {
-            return Some(0);
+    fn find(&mut self, name: &str) -> Warned<Option<usize>> {
+        if self.snapshot.open.contains(name) {
+            return Some(0).into();
         }
         // Problems of a broken look were reported when it was read.
-        let look = self.staged.others.get(name)?.as_ref()?;
+        let look = self.snapshot.others.get(name).and_then(Option::as_ref);
         let looks = &mut self.looks;
-        Some(*self.known.entry(Arc::as_ptr(look)).or_insert_with(|| {
-            looks.push((**look).clone());
-            looks.len() - 1
-        }))
+        let index = look.map(|look| {
+            *self.known.entry(Arc::as_ptr(look)).or_insert_with(|| {
+                looks.push((**look).clone());
+                looks.len() - 1
+            })
+        });
+        index.into()
     }
 }

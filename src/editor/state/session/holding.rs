@@ -5,28 +5,23 @@ use std::path::PathBuf;
 
 use super::Session;
 use crate::diag::Diagnostic;
-use crate::state::revision::DocumentNumber;
-use crate::state::safety::crashes::{DocumentOrigin, Suspect};
+use crate::state::crashes::{DocumentOrigin, Suspect};
+use crate::state::revision::{DocumentNumber, SuspectsRevision};
 use crate::state::scene::OpenScene;
 
 /// State of the holding back.
 #[derive(Default)]
 pub(crate) struct Holding {
-    /// Document, its scene, and number of changes of the suspects, for which `suspect` was found.
-    looked_for: Option<(DocumentNumber, Option<PathBuf>, u64)>,
-    suspect: Option<Suspect>,
+    /// Document, its scene, and revision of the suspects, for which `suspect` was found.
+    looked_for: Option<(DocumentNumber, Option<PathBuf>, SuspectsRevision)>,
+    pub(super) suspect: Option<Suspect>,
 }
 
 impl Session {
-    /// Identity of the open look.
-    fn look_origin(&self) -> DocumentOrigin {
-        DocumentOrigin::new(&self.name(), self.path(), self.look())
-    }
-
     /// Name and file of the document in the picture: the scene, where there is one, else the look.
     pub(crate) fn shown_file(&self) -> (String, Option<PathBuf>) {
-        let (name, path) = match &self.stage {
-            Some(stage) => (stage.name(), stage.path()),
+        let (name, path) = match &self.open_scene {
+            Some(open_scene) => (open_scene.name(), open_scene.path()),
             None => (self.name(), self.path()),
         };
         (name, path.map(PathBuf::from))
@@ -40,14 +35,18 @@ impl Session {
 
     /// Holds the open document back, if the last program ended over it.
     pub(super) fn hold_suspect(&mut self) {
-        let stage = self.stage.as_ref().and_then(OpenScene::path).map(PathBuf::from);
-        let now = Some((self.revisions.document, stage, self.journals.crashes.changes()));
+        let open_scene = self.open_scene.as_ref().and_then(OpenScene::path).map(PathBuf::from);
+        let now =
+            Some((self.revisions.document, open_scene, self.journals.crashes.suspects_revision()));
         if self.journals.holding.looked_for == now {
             return;
         }
         self.journals.holding.looked_for = now;
         let suspect = self.journals.crashes.is_any().then(|| {
-            let of_look = self.journals.crashes.suspect(&self.look_origin());
+            let of_look = {
+                let origin = DocumentOrigin::new(&self.name(), self.path(), self.look());
+                self.journals.crashes.suspect(&origin)
+            };
             of_look.or_else(|| self.journals.crashes.suspect(&self.shown_origin()))
         });
         let suspect = suspect.flatten();
@@ -57,18 +56,6 @@ impl Session {
         self.compilation.problems = suspect.iter().map(problem).collect();
         self.revisions.problems.advance();
         self.journals.holding.suspect = suspect;
-    }
-
-    /// The suspect that the open document is held back for.
-    pub(crate) fn held(&self) -> Option<&Suspect> {
-        self.journals.holding.suspect.as_ref()
-    }
-
-    /// Compiles and draws the document that was held back.
-    pub(crate) fn try_again(&mut self) {
-        if let Some(suspect) = self.journals.holding.suspect.clone() {
-            self.journals.crashes.trust(&suspect.document);
-        }
     }
 }
 

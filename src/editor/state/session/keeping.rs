@@ -8,11 +8,9 @@ use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
 use crate::files::journal::{About, Recovered, Slot};
 use crate::frame::UNSAVED_HCBTF;
-use crate::state::document::OnDisk;
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
 use crate::state::paths::absolute;
-use crate::state::revision::FilesRevision;
 
 impl Session {
     /// Keeps the journals of unsaved work in a folder from now on. `wake` is called from another
@@ -21,7 +19,7 @@ impl Session {
         let wake: Arc<dyn Fn() + Send + Sync> = Arc::new(wake);
         self.journals.folder = Some((folder.to_owned(), wake.clone()));
         self.look.journal.keep_in(folder, move || wake());
-        self.keep_stage();
+        self.keep_scene();
         if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.journals.folder) {
             work.keep_in(folder, wake.clone(), None);
         }
@@ -37,9 +35,9 @@ impl Session {
             self.begin_journal(None);
         }
         self.look.journal.note_view(&self.view.orbit);
-        if let Some(stage) = &mut self.stage {
-            stage.commit(goes_on);
-            stage.note_view(&self.view.orbit);
+        if let Some(open_scene) = &mut self.open_scene {
+            open_scene.commit(goes_on);
+            open_scene.note_view(&self.view.orbit);
         }
         if let Some(work) = &mut self.painting {
             work.commit(goes_on);
@@ -50,8 +48,8 @@ impl Session {
     /// document is put away.
     pub fn wait_for_journal(&self) {
         self.look.journal.wait();
-        if let Some(stage) = &self.stage {
-            stage.journal().wait();
+        if let Some(open_scene) = &self.open_scene {
+            open_scene.journal().wait();
         }
         if let Some(work) = &self.painting {
             work.wait_for_journal();
@@ -60,7 +58,8 @@ impl Session {
 
     /// The reason why unsaved work is not kept, if it should be and is not.
     pub(crate) fn keeping_problem(&self) -> Option<Diagnostic> {
-        let of_scene = || self.stage.as_ref().and_then(|stage| stage.journal().problem());
+        let of_scene =
+            || self.open_scene.as_ref().and_then(|open_scene| open_scene.journal().problem());
         let of_painting = || self.painting.as_ref().and_then(OpenPainting::keeping_problem);
         self.look.journal.problem().or_else(of_scene).or_else(of_painting)
     }
@@ -69,7 +68,8 @@ impl Session {
     /// operations are handed over.
     pub(crate) fn keeps_work(&mut self) -> bool {
         self.commit(false);
-        self.look.journal.keeps() && self.stage.as_ref().is_none_or(|stage| stage.journal().keeps())
+        self.look.journal.keeps()
+            && self.open_scene.as_ref().is_none_or(|open_scene| open_scene.journal().keeps())
     }
 
     /// Begins the journal with the whole look.
@@ -78,7 +78,10 @@ impl Session {
             return self.look.journal.clear();
         }
         let path = self.path().map(absolute);
-        let scene = self.stage.as_ref().and_then(|stage| std::path::absolute(stage.path()?).ok());
+        let scene = self
+            .open_scene
+            .as_ref()
+            .and_then(|open_scene| std::path::absolute(open_scene.path()?).ok());
         let about = About {
             name: self.name(),
             path: path.as_ref().and_then(|path| path.to_str()).map(str::to_owned),
@@ -86,7 +89,7 @@ impl Session {
             window: serde_json::json!({
                 "mesh": self.view.orbit.mesh,
                 "scene": scene.as_ref().and_then(|path| path.to_str()),
-                "staged": self.stage.is_some(),
+                "staged": self.open_scene.is_some(),
             }),
         };
         let source = self.look.path.is_some().then(|| self.look.file.source.text().clone());
@@ -106,7 +109,7 @@ impl Session {
         self.commit(false);
         self.note_home();
         // A scene that is put aside needs a look without a file, even an unchanged one.
-        let by_scene = self.stage.as_ref().is_some_and(|stage| stage.is_dirty());
+        let by_scene = self.open_scene.as_ref().is_some_and(|open_scene| open_scene.is_dirty());
         // A painting that such a look shows needs the look, too.
         let by_painting = self.is_painting_dirty() && self.shows_painting(Path::new(UNSAVED_HCBTF));
         let is_needed = self.look.path.is_none() && (by_scene || by_painting);
@@ -117,7 +120,7 @@ impl Session {
     pub fn close_journal(&mut self, in_peace: bool) {
         self.leave_journal(in_peace);
         self.look.journal.end();
-        self.leave_stage(in_peace);
+        self.leave_scene(in_peace);
         self.leave_painting(in_peace);
         self.journals.folder = None;
     }
@@ -126,7 +129,7 @@ impl Session {
     /// undone and redone. The journal goes on in its slot.
     pub(crate) fn take_back(&mut self, found: Recovered<Look>, slot: Slot) {
         let path = found.about.path.as_ref().map(PathBuf::from);
-        self.leave_stage_unless_worn(path.as_deref());
+        self.leave_scene_unless_worn(path.as_deref());
         let name = found.about.path.as_deref().unwrap_or("new look");
         let source = Look::read(found.source.as_deref().unwrap_or("{}"), name).source;
         match &path {
@@ -153,11 +156,6 @@ impl Session {
         }
     }
 
-    /// Compares the look's file with its text when it was last read or written.
-    pub(crate) fn on_disk(&self) -> OnDisk {
-        self.look.on_disk()
-    }
-
     /// Takes another program's version of the file, as one step that can be undone. View and
     /// selection stay. Returns true if the file could be read without an error; else the look is
     /// unchanged, and the problems are reported.
@@ -180,21 +178,11 @@ impl Session {
         true
     }
 
-    /// Lets saving write over another program's text.
-    pub(crate) fn keep_mine(&mut self, theirs: String) {
-        self.look.journal.override_with(theirs);
-    }
-
     /// Draws again with files that changed: meshes and images are read anew where their files have
     /// changed.
     pub(crate) fn files_changed(&mut self) {
         self.revisions.files.advance();
-        self.stage_changed();
-    }
-
-    /// Revision of the files that the look uses.
-    pub(crate) fn files(&self) -> FilesRevision {
-        self.revisions.files
+        self.scene_changed();
     }
 }
 

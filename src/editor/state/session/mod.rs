@@ -4,57 +4,59 @@
 mod holding;
 mod keeping;
 mod nodes;
-mod painting;
+pub(crate) mod painting;
 mod parts;
-mod place;
 mod project;
 mod scene;
 mod shading;
 mod sharing;
 mod sketch;
+mod snapshots;
+mod steps;
 
 use std::borrow::Cow;
-use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
-use crate::document::{
-    DirectionKeys, Document, Edit, GraphId, History, Light, Look, SourceMap, Target, Value,
-};
+use crate::document::{Document, Edit, Graph, History, Look, SourceMap};
 use crate::files::{Disk, SharedFiles, write_atomic};
 use crate::frame::AssetStore;
-use crate::ids::{LightId, NodeId};
-use crate::library::{Fallback, Library};
+use crate::ids::NodeId;
+use crate::library::Library;
 use crate::state::compiling::{self};
+use crate::state::crashes::CrashLog;
 use crate::state::document::{OpenDocument, TextFile};
-use crate::state::keying::KeyEvaluation;
+use crate::state::keying::{KeyEvaluation, KeyedLook};
 use crate::state::orbit::Orbit;
+use crate::state::painting::look;
 use crate::state::painting::work::OpenPainting;
-use crate::state::revision::{DocumentNumber, LookRevision, MeaningRevision, ProblemsRevision};
-use crate::state::safety::crashes::CrashLog;
+use crate::state::reading::LookWithLibrary;
+use crate::state::revision::{GestureId, LookRevision};
 use crate::state::scene::OpenScene;
+use crate::state::selection::{OpenGraph, Selection};
 use crate::state::solo::Solo;
+use crate::state::view::ViewState;
 use crate::state::wire::ShownWire;
 pub(crate) use nodes::NodeFiles;
-use parts::{Compilation, Journals, Project, Revisions, Selection, Sketchbook, ViewState};
+use parts::{Compilation, Journals, Project, Revisions, Sketchbook};
 pub(crate) use shading::DrawableLook;
-use shading::ShaderCache;
+use shading::{ShaderCache, is_layout};
 
 /// Session of one open look.
 pub struct Session {
     pub(crate) look: OpenDocument<Look>,
     /// The scene around the look, if there is one.
-    stage: Option<OpenScene>,
+    open_scene: Option<OpenScene>,
     /// The HCBTF that is being painted, if there is one.
     painting: Option<OpenPainting>,
     /// True if the open look does not show the painting: undo takes back nothing that is not seen.
     pub(crate) hides_painting: bool,
-    sketchbook: Sketchbook,
+    pub(crate) sketchbook: Sketchbook,
     pub(crate) project: Project,
     pub(crate) selection: Selection,
     pub(crate) view: ViewState,
-    pub(crate) keyed: KeyEvaluation,
+    key_evaluation: KeyEvaluation,
     compilation: Compilation,
     pub(crate) journals: Journals,
     /// Meshes and images that all pictures of the window share.
@@ -86,14 +88,14 @@ impl Session {
         let crashes = CrashLog::default();
         let mut session = Self {
             look: OpenDocument::new(History::new(Look::default()), None, file),
-            stage: None,
+            open_scene: None,
             painting: None,
             hides_painting: false,
             sketchbook: Sketchbook::default(),
             project: Project::new(library, files.clone(), move || nodes_are_read()),
             selection: Selection::default(),
             view: ViewState::default(),
-            keyed: KeyEvaluation::default(),
+            key_evaluation: KeyEvaluation::default(),
             compilation: Compilation {
                 compiler: compiling::start(move || wake(), crashes.clone()),
                 shaders: ShaderCache::default(),
@@ -119,7 +121,7 @@ impl Session {
     pub fn start_new(&mut self) {
         self.leave_journal(false);
         self.leave_project();
-        self.leave_stage(false);
+        self.leave_scene(false);
         self.replace_with_new();
     }
 
@@ -135,7 +137,7 @@ impl Session {
     pub(crate) fn start_from(&mut self, text: &str, name: &str) {
         self.leave_journal(false);
         self.leave_project();
-        self.leave_stage(false);
+        self.leave_scene(false);
         let loaded = Look::read(text, name);
         self.replace(loaded.value.unwrap_or_default(), loaded.source, None);
         self.look.is_partial = false;
@@ -149,13 +151,13 @@ impl Session {
     pub fn open(&mut self, path: &Path) -> Result<(), Vec<Diagnostic>> {
         let loaded = match Document::load(&**self.assets.source(), path) {
             Document::Look(loaded) => loaded,
-            Document::Scene(loaded) => return self.open_scene(path, loaded),
+            Document::Scene(loaded) => return self.load_scene(path, loaded),
         };
         let is_partial = loaded.has_errors();
         let diagnostics = loaded.diagnostics;
         let Some(look) = loaded.value else { return Err(diagnostics) };
         self.leave_journal(false);
-        self.leave_stage_unless_worn(Some(path));
+        self.leave_scene_unless_worn(Some(path));
         self.use_project(path);
         self.replace(look, loaded.source, Some(path.to_owned()));
         self.look.is_partial = is_partial;
@@ -174,18 +176,23 @@ impl Session {
         let text = if is_own {
             self.look.text_of(self.look())
         } else {
-            self.look_for(names.as_ref()).to_text()
+            let named = names
+                .as_ref()
+                .and_then(|(from, to)| look::renamed(self.look(), &self.project.catalog, from, to));
+            named.as_ref().unwrap_or(self.look()).to_text()
         };
         write_atomic(path, text.as_bytes())?;
         self.look.text_was_written(path, &text);
-        self.take_names(names);
+        if let Some((from, to)) = names {
+            self.rename_painting(&from, &to);
+        }
         self.look.history.mark_saved();
         self.revisions.problems.advance();
         if !is_own {
             // Another folder is another project, with nodes of its own.
             self.reload_library();
         }
-        if !is_own && self.stage.is_some() {
+        if !is_own && self.open_scene.is_some() {
             self.wear_saved(path);
         }
         self.saved();
@@ -195,15 +202,15 @@ impl Session {
     fn replace(&mut self, look: Look, source: SourceMap, path: Option<PathBuf>) {
         self.revisions.document.advance();
         self.set_preview(None);
-        self.leave_sketch();
+        self.sketchbook.put_aside(&self.look);
         self.remember_times();
         self.look.history = History::new(look);
         self.look.file = TextFile::new(source);
         self.look.path = path;
-        self.find_sketch();
+        self.sketchbook.find(&self.look);
         self.selection.nodes.clear();
         // A scene has the camera, which stays.
-        if self.stage.is_none() {
+        if self.open_scene.is_none() {
             self.view.orbit = Orbit {
                 mesh: self.view.orbit.mesh.clone(),
                 z_is_up: self.view.orbit.z_is_up,
@@ -216,12 +223,90 @@ impl Session {
         self.revisions.problems.advance();
         self.compilation.shaders = ShaderCache::default();
         self.view.wire = None;
-        self.view.solo.keep_for_scene(self.stage.as_ref().map(OpenScene::scene));
+        self.view.solo.keep_for_scene(self.open_scene.as_ref().map(OpenScene::scene));
         self.revisions.picture.advance();
         self.project.sync(self.look.document());
         self.place_library_problems();
-        self.reset_place();
-        self.stage_changed();
+        self.selection.leave_groups();
+        self.scene_changed();
+    }
+
+    /// View of the picture.
+    pub fn view(&self) -> &ViewState {
+        &self.view
+    }
+
+    /// The selection, and the way to the open graph.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
+    /// The sketch on the picture, and the look that was fitted to it.
+    pub fn sketchbook(&self) -> &Sketchbook {
+        &self.sketchbook
+    }
+
+    /// Shaders of the look, and its problems.
+    pub fn compilation(&self) -> &Compilation {
+        &self.compilation
+    }
+
+    /// Revisions of parts of the session.
+    pub(crate) fn revisions(&self) -> &Revisions {
+        &self.revisions
+    }
+
+    /// The look with the kinds of its nodes.
+    pub(crate) fn look_with_library(&self) -> LookWithLibrary<'_> {
+        let (catalog, library) = (&self.project.catalog, &self.project.library);
+        LookWithLibrary { look: self.look(), catalog, library }
+    }
+
+    /// The look with the values of its keys in view.
+    pub fn keys(&self) -> KeyedLook<'_> {
+        KeyedLook {
+            base: self.look_with_library(),
+            evaluation: &self.key_evaluation,
+            view: &self.view,
+            selected_key: self.selection.key,
+            scene: self.open_scene.as_ref(),
+            typed: self.compilation.shaders.typed.as_deref(),
+            shader: self.current_shader(),
+        }
+    }
+
+    /// Computes the values of keys, where anything changed since.
+    pub(crate) fn refresh_keys(&mut self) {
+        let shader = |sets_values| self.shader_of_wires(sets_values);
+        let Some(evaluation) = self.keys().evaluated(self.stamp(), shader) else { return };
+        self.key_evaluation = evaluation;
+        let sets = &self.look.document().direction_keys;
+        let is_there =
+            |&(set, key): &(usize, usize)| sets.get(set).is_some_and(|keys| key < keys.keys.len());
+        self.selection.key = self.selection.key.filter(is_there);
+    }
+
+    /// Follows the heaviest key of each set, slowly; no other key while a value is held.
+    pub(crate) fn follow_keys(&mut self, is_held: bool) {
+        self.key_evaluation.followed = self.keys().followed(is_held);
+    }
+
+    /// The open graph.
+    pub fn graph(&self) -> &Graph {
+        self.graph_view().graph()
+    }
+
+    /// The open graph, and its place in the look.
+    pub fn graph_view(&self) -> OpenGraph<'_> {
+        OpenGraph { look: self.look_with_library(), selection: &self.selection }
+    }
+
+    /// Opens the graph that these nodes of groups lead to, as far as they exist.
+    pub fn open_graph(&mut self, path: &[NodeId]) {
+        let place = self.graph_view().along(path);
+        if self.selection.open(place) {
+            self.revisions.problems.advance();
+        }
     }
 
     /// The look document.
@@ -250,7 +335,7 @@ impl Session {
 
     /// True if there are changes that no file holds, of the look or of the scene around it.
     pub fn is_dirty(&self) -> bool {
-        self.is_look_dirty() || self.stage.as_ref().is_some_and(OpenScene::is_dirty)
+        self.is_look_dirty() || self.open_scene.as_ref().is_some_and(OpenScene::is_dirty)
     }
 
     /// True if there are changes of the look that no file holds.
@@ -258,30 +343,15 @@ impl Session {
         self.look.is_dirty()
     }
 
-    /// Number of the open document; revisions of each document begin anew.
-    pub(crate) fn document_number(&self) -> DocumentNumber {
-        self.revisions.document
-    }
-
     /// Revision of the look, which grows with every change.
     pub fn revision(&self) -> LookRevision {
         LookRevision(self.look.history.revision())
     }
 
-    /// Revision of the look's meaning, which grows with every change of the nodes' values, and
-    /// stays while nodes are only moved about.
-    pub(crate) fn meaning(&self) -> MeaningRevision {
-        self.revisions.meaning
-    }
-
-    /// Selected nodes.
-    pub fn selected(&self) -> impl Iterator<Item = &NodeId> {
-        self.selection.nodes.iter()
-    }
-
     /// Selects nodes, and deselects all others.
     pub fn select(&mut self, ids: Vec<NodeId>) {
-        self.selection.nodes = ids.into_iter().filter(|id| self.is_here(id)).collect();
+        let graph = self.graph_view();
+        self.selection.nodes = ids.into_iter().filter(|id| graph.has_node(id)).collect();
     }
 
     /// Gives up unsaved changes of the look or of the scene: they are no longer asked about.
@@ -289,24 +359,9 @@ impl Session {
         if of_look {
             self.look.history.mark_saved();
         }
-        if let Some(stage) = self.stage.as_mut().filter(|_| of_scene) {
-            stage.give_up_changes();
+        if let Some(open_scene) = self.open_scene.as_mut().filter(|_| of_scene) {
+            open_scene.give_up_changes();
         }
-    }
-
-    /// View of the camera, with the turn of the lights.
-    pub fn orbit(&self) -> &Orbit {
-        &self.view.orbit
-    }
-
-    /// The moment in the picture, in seconds.
-    pub fn time(&self) -> f64 {
-        self.view.time
-    }
-
-    /// The wire that is shown in place of the picture.
-    pub(crate) fn wire(&self) -> Option<&ShownWire> {
-        self.view.wire.as_ref()
     }
 
     /// Shows a wire in place of the picture, or the picture again.
@@ -315,17 +370,6 @@ impl Session {
             self.view.wire = wire;
             self.compilation.shaders.requested_structure = None;
         }
-    }
-
-    /// The lights that are neither muted nor left out by a solo, with their present values.
-    pub(crate) fn shining(&self) -> impl Iterator<Item = (&LightId, &Light)> {
-        let lights = self.look().lights.iter().filter(|(id, _)| !self.view.solo.is_dark(id));
-        lights.map(|(id, light)| (id, self.light(id).unwrap_or(light)))
-    }
-
-    /// The present solo and mute.
-    pub(crate) fn solo(&self) -> &Solo {
-        &self.view.solo
     }
 
     /// Sets solo and mute. The document is unchanged.
@@ -341,11 +385,6 @@ impl Session {
         self.revisions.picture.advance();
     }
 
-    /// True if a light is neither muted nor left out by a solo.
-    pub fn shines(&self, light: &str) -> bool {
-        !self.view.solo.is_dark(&light.into())
-    }
-
     /// The look as shown: with soloed layers alone, and without muted lights; or the preview of
     /// another look.
     pub(crate) fn shown_look(&self) -> Cow<'_, Look> {
@@ -355,34 +394,16 @@ impl Session {
         }
     }
 
-    /// Display name of a node of the look's own graph.
-    pub(crate) fn title(&self, id: &NodeId) -> String {
-        let node = self.look().graph.nodes.get(id);
-        match (node, node.and_then(|node| self.project.catalog.of(node))) {
-            (Some(node), _) if !node.name.is_empty() => node.name.clone(),
-            (_, Some(kind)) => kind.label.to_string(),
-            _ => id.to_string(),
-        }
-    }
-
-    /// Problems of the look, as last reported by the compiler.
-    pub fn problems(&self) -> &[Diagnostic] {
-        &self.compilation.problems
-    }
-
-    pub(crate) fn problems_revision(&self) -> ProblemsRevision {
-        self.revisions.problems
-    }
-
-    /// Applies an edit. Consecutive edits by the same `hand` (a widget and its press) are one step.
+    /// Applies an edit. Consecutive edits of the same `gesture` (a widget and its press)
+    /// are one step.
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; nothing is changed then.
-    pub fn apply(&mut self, edit: Edit, hand: Option<u64>) -> Result<(), Box<Diagnostic>> {
-        let is_structural = self.is_structural(&edit);
+    pub fn apply(&mut self, edit: Edit, gesture: Option<GestureId>) -> Result<(), Box<Diagnostic>> {
+        let is_structural = self.compilation.shaders.is_structural(&edit, self.look_with_library());
         let means = !is_layout(&edit);
         self.compilation.shaders.touch(&edit);
-        if self.look.apply(edit, hand, self.revisions.step + 1)? {
+        if self.look.apply(edit, gesture, self.revisions.step.next())? {
             self.step_done();
             if means {
                 self.revisions.meaning.advance();
@@ -402,9 +423,9 @@ impl Session {
     }
 
     fn redo_look(&mut self) -> bool {
-        let did = self.look.redo(self.revisions.step + 1);
+        let did = self.look.redo(self.revisions.step.next());
         if did {
-            self.revisions.step += 1;
+            self.revisions.step.advance();
             self.revisions.meaning.advance();
             self.changed(true);
         }
@@ -414,13 +435,14 @@ impl Session {
     fn changed(&mut self, is_structural: bool) {
         self.set_preview(None);
         if is_structural {
-            self.compilation.shaders.structure = self.look.history.revision();
+            self.compilation.shaders.structure = self.revision();
             self.project.sync(self.look.document());
         }
-        self.check_place();
-        let mut selection = std::mem::take(&mut self.selection.nodes);
-        selection.retain(|id| self.is_here(id));
-        self.selection.nodes = selection;
+        let path = self.selection.open_groups().to_vec();
+        self.open_graph(&path);
+        let mut selected = std::mem::take(&mut self.selection.nodes);
+        selected.retain(|id| self.graph_view().has_node(id));
+        self.selection.nodes = selected;
         self.keep_solo();
         let nodes = &self.look.document().graph.nodes;
         self.view.wire = self
@@ -431,68 +453,17 @@ impl Session {
         self.revisions.picture.advance();
     }
 
-    /// True if an edit cannot be shown by the live shader's uniforms.
-    fn is_structural(&self, edit: &Edit) -> bool {
-        match edit {
-            Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit)),
-            edit if is_layout(edit) => false,
-            // Uniforms of a long look are identified by paths, and a group's node lies at many of
-            // them.
-            Edit::SetValue { graph: GraphId::Definition(_), .. }
-                if self.compilation.shaders.is_long() =>
-            {
-                true
-            }
-            // Keys of the same targets have all their values in uniforms, except words.
-            Edit::SetDirectionKeys { index, keys } => {
-                let targets = |keys: &DirectionKeys| -> HashSet<Target> {
-                    keys.keys.iter().flat_map(|key| key.values.keys()).cloned().collect()
-                };
-                let wires =
-                    |keys: &DirectionKeys| keys.by.outputs().cloned().collect::<HashSet<_>>();
-                let is_other = |old: &DirectionKeys| {
-                    targets(old) != targets(keys) || wires(old) != wires(keys)
-                };
-                self.look().direction_keys.get(*index).is_none_or(is_other)
-            }
-            Edit::SetTimeKeys { index, keys } => {
-                let is_word = keys.keys.iter().any(|key| matches!(&key.value, Value::Text(_)));
-                is_word
-                    || self.look().time_keys.get(*index).is_none_or(|old| old.target != keys.target)
-            }
-            Edit::SetLight { id, light } => self
-                .look()
-                .lights
-                .get(id)
-                .is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name)),
-            Edit::SetValue { graph, id, port, .. } => {
-                let node = self.look().graph_of(graph).and_then(|graph| graph.nodes.get(id));
-                let Some((node, kind)) =
-                    node.and_then(|node| Some((node, self.project.catalog.of(node)?)))
-                else {
-                    return true;
-                };
-                let Some(port) = kind.input(port.as_str()).map(|index| &kind.inputs[index]) else {
-                    return true;
-                };
-                let had_one = node.values.contains_key(&port.name)
-                    || matches!(port.fallback, Fallback::Value(_));
-                port.ty.is_setting() || !had_one
-            }
-            _ => true,
-        }
-    }
-
-    /// The text that the look was read from.
-    pub(crate) fn source(&self) -> &Arc<SourceMap> {
-        &self.look.file.source
-    }
-
     /// Problems of the files, the look and the picture.
     pub(crate) fn all_problems(&self) -> impl Iterator<Item = &Diagnostic> {
-        let scene = self.stage.iter().flat_map(OpenScene::problems);
+        let scene = self.open_scene.iter().flat_map(OpenScene::problems);
         let files = self.look.load_problems.iter().chain(scene).chain(&self.project.problems);
         files.chain(&self.compilation.problems).chain(&self.picture_problems)
+    }
+
+    /// Number of times that a mesh, an image or an HCBTF was read, or a built-in shape made, for
+    /// any picture of the window.
+    pub fn asset_reads(&self) -> u64 {
+        self.assets.reads()
     }
 
     /// Takes the problems that the renderer reports.
@@ -501,22 +472,6 @@ impl Session {
             self.picture_problems = problems.to_vec();
             self.revisions.problems.advance();
         }
-    }
-}
-
-/// True if an edit changes only the layout of the graph on the canvas, notes, or descriptions.
-fn is_layout(edit: &Edit) -> bool {
-    match edit {
-        Edit::Group { edits } => edits.iter().all(is_layout),
-        Edit::MoveNodes { .. }
-        | Edit::SetCollapsed { .. }
-        | Edit::AddNote { .. }
-        | Edit::SetNote { .. }
-        | Edit::RemoveNote { .. }
-        | Edit::SetBookmarks { .. }
-        | Edit::SetLookName { .. }
-        | Edit::SetLookAbout { .. } => true,
-        _ => false,
     }
 }
 

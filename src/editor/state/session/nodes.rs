@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use crate::files::{FileKind, FileMetadata, Files, SharedFiles, remove_abandoned};
 use crate::library::{Library, node_files};
+use crate::state::revision::RequestNumber;
 use crate::state::worker::Worker;
 
 /// Files of a project's nodes as they were read, and the folders that they lie in.
@@ -42,7 +43,7 @@ struct NodesRequest {
     /// Folders of nodes, whether they exist or not.
     folders: Vec<PathBuf>,
     /// Number of the project.
-    number: u64,
+    number: RequestNumber,
     /// True if a node whose file is broken stays as it was.
     keeps_broken: bool,
     /// True if nodes are read only where their files have changed since they were read.
@@ -51,7 +52,7 @@ struct NodesRequest {
 
 /// Library of the nodes in a project's folders, beside those that Chiaro ships.
 pub(super) struct NodesAnswer {
-    number: u64,
+    number: RequestNumber,
     pub(super) library: Library,
     pub(super) files: Arc<NodeFiles>,
     /// True if a node whose file is broken stays as it was.
@@ -64,7 +65,7 @@ pub(super) struct NodesAnswer {
 pub(super) struct ProjectReader {
     worker: Worker<ProjectRequest, Option<NodesAnswer>>,
     /// Number of the project; answers about another project are ignored.
-    number: u64,
+    number: RequestNumber,
     /// True while the project's nodes are being read, or are read and not taken yet.
     is_awaited: bool,
 }
@@ -72,12 +73,16 @@ pub(super) struct ProjectReader {
 impl ProjectReader {
     /// Starts the thread. `wake` is called from another thread when nodes were read.
     pub(super) fn new(files: SharedFiles, wake: impl Fn() + Send + 'static) -> Self {
-        let mut known = (0, Arc::default());
+        let mut known = (RequestNumber::default(), Arc::default());
         let work = move |request: ProjectRequest| {
             request.swept.iter().for_each(|folder| remove_abandoned(folder));
             read(&*files, &mut known, request.nodes?)
         };
-        Self { worker: Worker::new("nodes", wake, work), number: 0, is_awaited: false }
+        Self {
+            worker: Worker::new("nodes", wake, work),
+            number: RequestNumber::default(),
+            is_awaited: false,
+        }
     }
 
     /// Removes temporary files that ended programs left in a folder.
@@ -120,7 +125,7 @@ impl ProjectReader {
 
     /// Ignores answers to requests under way: the project is left.
     pub(super) fn forget(&mut self) {
-        self.number += 1;
+        self.number.advance();
         self.is_awaited = false;
     }
 
@@ -147,7 +152,7 @@ impl ProjectReader {
 /// files. `None` where nothing has changed.
 fn read(
     files: &dyn Files,
-    known: &mut (u64, Arc<NodeFiles>),
+    known: &mut (RequestNumber, Arc<NodeFiles>),
     request: NodesRequest,
 ) -> Option<NodesAnswer> {
     let NodesRequest { mut folders, number, keeps_broken, only_changed } = request;

@@ -1,15 +1,20 @@
 //! The HCBTF that is being painted beside the look.
 
 use std::path::Path;
+use std::sync::Arc;
+
+use glam::{DQuat, DVec3};
 
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, HcbtfEdit, Look};
 use crate::files::journal::{Recovered, Slot};
-use crate::frame::UNSAVED_HCBTF;
+use crate::frame::{SetupLook, UNSAVED_HCBTF};
+use crate::state::orbit::{Orbit, PLANE};
 use crate::state::painting::home::Home;
 use crate::state::painting::work::OpenPainting;
 use crate::state::painting::{PaintingUpdate, look};
+use crate::state::revision::GestureId;
 use crate::state::scene::{folder_of, real, relative};
 
 impl Session {
@@ -75,25 +80,25 @@ impl Session {
         }
     }
 
-    /// Applies a change of the painting. Consecutive changes by the same `hand` are one step.
+    /// Applies a change of the painting. Consecutive changes of the same `gesture` are one step.
     ///
     /// # Errors
     /// A diagnostic where the change is impossible, or no HCBTF is open; nothing is changed then.
     pub(crate) fn apply_to_painting(
         &mut self,
         change: HcbtfEdit,
-        hand: Option<u64>,
+        gesture: Option<GestureId>,
     ) -> Result<(), Box<Diagnostic>> {
         let Some(work) = &mut self.painting else {
             return Err(Box::new(Diagnostic::error("impossible-edit", "no HCBTF is open")));
         };
-        self.revisions.step += 1;
-        let is_changed = work.apply(change, hand, self.revisions.step)?;
+        self.revisions.step.advance();
+        let is_changed = work.apply(change, gesture, self.revisions.step)?;
         self.painting_changed();
         if is_changed {
             self.look.end_gesture();
-            if let Some(stage) = &mut self.stage {
-                stage.end_gesture();
+            if let Some(open_scene) = &mut self.open_scene {
+                open_scene.end_gesture();
             }
         }
         Ok(())
@@ -117,9 +122,15 @@ impl Session {
                 None => file.to_string_lossy().into_owned(),
             };
             let is_named = self.rename_painting(UNSAVED_HCBTF, &name);
-            self.rename_home(&file.to_string_lossy());
+            if let Some(home) = self.painting.as_mut().and_then(OpenPainting::home_mut) {
+                let name = file.to_string_lossy();
+                home.rename_painting(&self.project.catalog, UNSAVED_HCBTF, &name);
+            }
             if self.look.path.is_none() && self.look().name == before {
-                self.call_look(now);
+                // A look that only shows the painting has the painting's name; this is no step,
+                // since naming a file is none.
+                let look = Look { name: now, ..self.look().clone() };
+                self.look.history.amend(look, |_| ());
             }
             if is_named && self.look.path.is_some() {
                 self.look.history.mark_unsaved();
@@ -133,31 +144,18 @@ impl Session {
         Ok(())
     }
 
-    /// Names the painting's new file in the look that is remembered for the way back.
-    fn rename_home(&mut self, name: &str) {
-        let Some(home) = self.painting.as_mut().and_then(OpenPainting::home_mut) else { return };
-        for edit in look::rename(&home.look, &self.project.catalog, UNSAVED_HCBTF, name) {
-            // An edit that is impossible with this catalog is left out.
-            let _ = home.look.apply(edit);
-        }
-    }
-
-    /// Gives a look that only shows the painting the painting's name; this is no step, since naming
-    /// a file is none.
-    fn call_look(&mut self, name: String) {
-        let look = Look { name, ..self.look().clone() };
-        self.look.history.amend(look, |_| ());
-    }
-
     /// Remembers the open look for the way back to the painting, if the look shows it.
     pub(super) fn note_home(&mut self) {
         let document = self.revisions.document;
         let is_known =
             |work: &OpenPainting| work.home().is_some_and(|home| home.document == document);
-        if self.painting.as_ref().is_none_or(is_known) || !look::shows(self) {
+        if self.painting.as_ref().is_none_or(is_known) || !is_painting_shown(self) {
             return;
         }
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.path().map(Path::to_path_buf));
+        let of_scene = self
+            .open_scene
+            .as_ref()
+            .and_then(|open_scene| open_scene.path().map(Path::to_path_buf));
         let path = of_scene.or_else(|| self.look.path.clone());
         let home =
             Home { document, path, look: self.look().clone(), view: self.view.orbit.clone() };
@@ -184,22 +182,15 @@ impl Session {
 
     /// Renames the painting in the look, now and in all its past: this is no step, since undo would
     /// bring back a name that means nothing any more. Returns true if the look had the old name.
-    fn rename_painting(&mut self, from: &str, to: &str) -> bool {
-        let Some(look) = self.look_naming(from, to) else { return false };
+    pub(super) fn rename_painting(&mut self, from: &str, to: &str) -> bool {
+        let Some(look) = look::renamed(self.look(), &self.project.catalog, from, to) else {
+            return false;
+        };
         let is_renamed = look != *self.look();
         self.look.history.amend(look, |edit| look::rename_in(edit, from, to));
         self.revisions.meaning.advance();
         self.changed(true);
         is_renamed
-    }
-
-    /// The look with another name for the painting.
-    fn look_naming(&self, from: &str, to: &str) -> Option<Look> {
-        let mut look = self.look().clone();
-        for edit in look::rename(&look, &self.project.catalog, from, to) {
-            look.apply(edit).ok()?;
-        }
-        Some(look)
     }
 
     /// Name of the painting's file in the look, where that is its whole path, and its name relative
@@ -212,34 +203,21 @@ impl Session {
             .then_some((from, to))
     }
 
-    /// The look to write to a file, with the painting named from there.
-    pub(super) fn look_for(&self, names: Option<&(String, String)>) -> Look {
-        let named = names.and_then(|(from, to)| self.look_naming(from, to));
-        named.unwrap_or_else(|| self.look().clone())
-    }
-
-    /// Takes on the names that the look was written with.
-    pub(super) fn take_names(&mut self, names: Option<(String, String)>) {
-        if let Some((from, to)) = names {
-            self.rename_painting(&from, &to);
-        }
-    }
-
     /// Takes another program's version of the painting's file, as one step that can be undone.
     /// Returns true if the painting changed.
     ///
     /// # Errors
     /// Problems that keep the file from being read; nothing is changed then.
     pub(crate) fn reload_painting(&mut self) -> Result<bool, Vec<Diagnostic>> {
-        self.revisions.step += 1;
+        self.revisions.step.advance();
         let Some(work) = &mut self.painting else { return Ok(false) };
         let is_other = work.reload(&**self.assets.source(), self.revisions.step)?;
         self.revisions.problems.advance();
         if is_other {
             self.painting_changed();
             self.look.end_gesture();
-            if let Some(stage) = &mut self.stage {
-                stage.end_gesture();
+            if let Some(open_scene) = &mut self.open_scene {
+                open_scene.end_gesture();
             }
         }
         Ok(is_other)
@@ -247,12 +225,57 @@ impl Session {
 
     /// True if the look shows the HCBTF of a file, an example, or the one that has no file yet.
     pub(crate) fn shows_painting(&self, path: &Path) -> bool {
-        let folder = self.folder();
+        let folder = self.look.folder();
         let names = look::sheets(self.look(), &self.project.catalog);
         // Names that are no files are the same from every folder.
         if path == Path::new(UNSAVED_HCBTF) || crate::examples::file(path).is_some() {
             return names.iter().any(|name| Path::new(name) == path);
         }
         names.iter().any(|name| !name.is_empty() && real(&folder.join(name)) == real(path))
+    }
+}
+
+/// The picture's view with camera and light turned to the sample at work, over a flat square that
+/// lies; `None` in a scene, which has its own objects.
+pub(crate) fn view_at_sample(session: &Session, work: &OpenPainting) -> Option<Orbit> {
+    let mut view = session.view.orbit.clone();
+    let (_, light) = session.look().lights.first().filter(|_| session.open_scene().is_none())?;
+    if !look::lies_flat(&view) {
+        view = Orbit { mesh: PLANE.to_owned(), z_is_up: true, ..Orbit::default() };
+    }
+    // The square lies in the world with u along x, v along -z and the normal along y.
+    let world = |vector: DVec3| DVec3::new(vector.x, vector.z, -vector.y);
+    let (grid, at) = (work.grid(), work.at());
+    let eye = world(grid.view.vector(at.view));
+    view.upright = DQuat::IDENTITY;
+    view.pitch = eye.y.clamp(-1.0, 1.0).asin();
+    view.yaw = if at.view.theta == 0 { 0.0 } else { eye.x.atan2(eye.z) };
+    let shines_from = DVec3::from(light.direction).try_normalize()?;
+    view.illumination = DQuat::from_rotation_arc(shines_from, world(grid.light.vector(at.light)));
+    Some(view)
+}
+
+/// True if the open look, or any look of the open scene, shows the painting.
+pub(crate) fn is_painting_shown(session: &Session) -> bool {
+    let Some(work) = session.painting() else { return false };
+    let path = work.path().unwrap_or(Path::new(UNSAVED_HCBTF));
+    let names_it = |look: &Arc<SetupLook>| {
+        let names = look::sheets(&look.look, &session.project.catalog);
+        names.iter().any(|name| !name.is_empty() && real(&look.folder.join(name)) == real(path))
+    };
+    session.shows_painting(path)
+        || session.open_scene().is_some_and(|open_scene| open_scene.other_looks().any(names_it))
+}
+
+/// True if `look`, of the file `path` or of none, shows the painting.
+pub(crate) fn is_painting_shown_in(session: &Session, look: &Look, path: Option<&Path>) -> bool {
+    let Some(work) = session.painting() else { return false };
+    let names = look::sheets(look, &session.project.catalog);
+    match work.path() {
+        None => path.is_none() && names.iter().any(|name| name == UNSAVED_HCBTF),
+        Some(painted) => {
+            let folder = path.map(folder_of).unwrap_or_default();
+            names.iter().any(|name| !name.is_empty() && real(&folder.join(name)) == real(painted))
+        }
     }
 }

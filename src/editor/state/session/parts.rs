@@ -3,52 +3,23 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use indexmap::IndexSet;
-
 use super::holding::Holding;
 use super::nodes::{NodeFiles, ProjectReader};
-use super::place::OpenGroups;
 use super::shading::ShaderCache;
 use crate::catalog::Catalog;
+use crate::compile::CompiledShader;
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::files::SharedFiles;
-use crate::ids::NodeId;
 use crate::library::Library;
 use crate::state::compiling::Compiler;
-use crate::state::orbit::Orbit;
+use crate::state::crashes::{CrashLog, Suspect};
+use crate::state::document::OpenDocument;
 use crate::state::revision::{
     DocumentNumber, FilesRevision, LookRevision, MeaningRevision, PictureRevision, PreviewRevision,
-    ProblemsRevision, SoloRevision,
+    ProblemsRevision, StepTime,
 };
-use crate::state::safety::crashes::CrashLog;
 use crate::state::sketch::Sketch;
-use crate::state::solo::Solo;
-use crate::state::wire::ShownWire;
-
-/// View and moment of the picture, and the shown part of the look.
-#[derive(Default)]
-pub(crate) struct ViewState {
-    pub(crate) orbit: Orbit,
-    /// The moment in the picture, in seconds.
-    pub(crate) time: f64,
-    /// Wire that is shown in place of the look's own output.
-    pub(crate) wire: Option<ShownWire>,
-    /// Layers and lights that are shown alone or left out for now.
-    pub(crate) solo: Solo,
-    /// Revision of the solo, which grows whenever another solo needs another shader.
-    pub(crate) solo_revision: SoloRevision,
-}
-
-/// The selection, and the open graph.
-#[derive(Default)]
-pub(crate) struct Selection {
-    /// Selected nodes of the open graph, the first one selected last.
-    pub(crate) nodes: IndexSet<NodeId>,
-    /// The direction key that values are set at: the index of its set, and its index there.
-    pub(crate) key: Option<(usize, usize)>,
-    pub(crate) groups: OpenGroups,
-}
 
 /// The nodes that the look can have: those that Chiaro ships, and those of the look's folder.
 pub(crate) struct Project {
@@ -100,7 +71,7 @@ impl Project {
 }
 
 /// The compiler's thread, the shaders that it made, and the problems of the look.
-pub(crate) struct Compilation {
+pub struct Compilation {
     pub(crate) compiler: Compiler,
     pub(crate) shaders: ShaderCache,
     pub(crate) problems: Vec<Diagnostic>,
@@ -108,9 +79,29 @@ pub(crate) struct Compilation {
     pub(crate) shown_revision: (DocumentNumber, LookRevision),
 }
 
+impl Compilation {
+    /// The shader whose text is shown.
+    pub fn baked(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.baked.as_ref()
+    }
+
+    /// The shader whose values are uniforms.
+    pub fn live(&self) -> Option<&Arc<CompiledShader>> {
+        self.shaders.live.as_ref()
+    }
+
+    /// Problems of the look, as last reported by the compiler.
+    pub fn problems(&self) -> &[Diagnostic] {
+        &self.problems
+    }
+}
+
+/// Largest number of looks that were left whose sketches are kept.
+const MOST_ASIDE: usize = 16;
+
 /// The sketch on the picture, and the look that was fitted to it.
 #[derive(Default)]
-pub(crate) struct Sketchbook {
+pub struct Sketchbook {
     pub(crate) sketch: Sketch,
     /// Sketches on looks that were left, the latest last.
     pub(crate) aside: Vec<((Option<PathBuf>, String), Sketch)>,
@@ -118,6 +109,48 @@ pub(crate) struct Sketchbook {
     pub(crate) preview: Option<Arc<Look>>,
     /// Revision of the preview, which grows whenever another look is shown.
     pub(crate) preview_revision: PreviewRevision,
+}
+
+impl Sketchbook {
+    /// The sketch on the picture.
+    pub fn sketch(&self) -> &Sketch {
+        &self.sketch
+    }
+
+    /// The look that is shown in place of the open one.
+    pub fn preview(&self) -> Option<&Arc<Look>> {
+        self.preview.as_ref()
+    }
+
+    /// Puts the sketch aside, with the look that it is of.
+    pub(super) fn put_aside(&mut self, look: &OpenDocument<Look>) {
+        let left = std::mem::take(&mut self.sketch);
+        self.sketch.is_open = left.is_open;
+        if !left.is_empty() {
+            let of = sketched(look);
+            self.aside.retain(|(other, _)| *other != of);
+            self.aside.push((of, left.without_past()));
+            // The oldest sketch is dropped: each is a picture of about a megabyte.
+            let surplus = self.aside.len().saturating_sub(MOST_ASIDE);
+            self.aside.drain(..surplus);
+        }
+    }
+
+    /// Restores the sketch that was put aside when this look was left.
+    pub(super) fn find(&mut self, look: &OpenDocument<Look>) {
+        let of = sketched(look);
+        if let Some(index) = self.aside.iter().position(|(other, _)| *other == of) {
+            let is_open = self.sketch.is_open;
+            self.sketch = self.aside.remove(index).1;
+            self.sketch.is_open = is_open;
+        }
+    }
+}
+
+/// Key of the look that a sketch is of: its file, or its name without one.
+fn sketched(look: &OpenDocument<Look>) -> (Option<PathBuf>, String) {
+    let name = if look.path.is_none() { look.document().name.clone() } else { String::new() };
+    (look.path.clone(), name)
 }
 
 /// A folder of journals, and a function to call when writing there fails or works again.
@@ -134,12 +167,26 @@ pub(crate) struct Journals {
     pub(crate) holding: Holding,
 }
 
+impl Journals {
+    /// The suspect that the open document is held back for.
+    pub(crate) fn held(&self) -> Option<&Suspect> {
+        self.holding.suspect.as_ref()
+    }
+
+    /// Compiles and draws the document that was held back.
+    pub(crate) fn try_again(&self) {
+        if let Some(suspect) = self.held() {
+            self.crashes.trust(&suspect.document);
+        }
+    }
+}
+
 /// Revisions of parts of the session that others depend on.
 #[derive(Default)]
 pub(crate) struct Revisions {
     /// Counter that grows with every step done, in the look, in the scene, in the painting or in
     /// the sketch.
-    pub(crate) step: u64,
+    pub(crate) step: StepTime,
     pub(crate) document: DocumentNumber,
     pub(crate) meaning: MeaningRevision,
     pub(crate) picture: PictureRevision,

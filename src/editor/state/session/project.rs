@@ -16,7 +16,7 @@ impl Session {
     /// Leaves the project of a document that has no folder any more: only the nodes that Chiaro
     /// ships remain.
     pub(super) fn leave_project(&mut self) {
-        if self.look.path.is_some() || self.stage.is_some() {
+        if self.look.path.is_some() || self.open_scene.is_some() {
             self.leave_all_projects();
         }
     }
@@ -25,14 +25,14 @@ impl Session {
     /// previous document had a folder.
     pub(super) fn leave_all_projects(&mut self) {
         self.project.leave();
-        self.use_library(Library::built_in().clone());
+        self.project.set_library(Library::built_in().clone());
     }
 
     /// Goes to the project of the document at `path`: with the nodes that Chiaro ships at once, and
     /// with the project's own as soon as they are read.
     pub(super) fn use_project(&mut self, path: &Path) {
         self.project.leave();
-        self.use_library(Library::built_in().clone());
+        self.project.set_library(Library::built_in().clone());
         self.read_nodes(path, false);
     }
 
@@ -83,14 +83,17 @@ impl Session {
     fn node_folders_with(&self, look: Option<&Path>) -> Vec<PathBuf> {
         let beside = |path: &Path| path.parent().unwrap_or(Path::new("")).join("nodes");
         let own = look.map(beside);
-        let of_scene = self.stage.as_ref().and_then(|stage| stage.path()).map(beside);
+        let of_scene =
+            self.open_scene.as_ref().and_then(|open_scene| open_scene.path()).map(beside);
         of_scene.filter(|nodes| own.as_ref() != Some(nodes)).into_iter().chain(own).collect()
     }
 
     /// Reads the project's own nodes again. Where a file is broken now, the look goes on with the
     /// node as it was.
     pub(crate) fn reload_library(&mut self) {
-        let of_scene = || self.stage.as_ref().and_then(|stage| stage.path()).map(Path::to_path_buf);
+        let of_scene = || {
+            self.open_scene.as_ref().and_then(|open_scene| open_scene.path()).map(Path::to_path_buf)
+        };
         let Some(path) = self.look.path.clone().or_else(of_scene) else { return };
         if !self.read_nodes(&path, true) {
             self.renew_library(Library::built_in().clone(), true);
@@ -99,7 +102,7 @@ impl Session {
 
     fn renew_library(&mut self, library: Library, keeps_broken: bool) {
         let before = self.project.library.clone();
-        self.use_library(library);
+        self.project.set_library(library);
         if keeps_broken {
             let broken =
                 self.project.library.problems.iter().filter_map(kind_of).map(str::to_owned);
@@ -130,10 +133,6 @@ impl Session {
         });
         self.project.problems = placed.collect();
         self.revisions.problems.advance();
-    }
-
-    pub(super) fn use_library(&mut self, library: Library) {
-        self.project.set_library(library);
     }
 }
 

@@ -7,10 +7,13 @@ use std::time::Duration;
 
 use super::Session;
 use crate::compile::{CompiledShader, Live, TypedGraph};
-use crate::document::{Edit, GraphId, Look};
+use crate::diag::Warned;
+use crate::document::{DirectionKeys, Edit, GraphId, Look, Target, Value};
 use crate::ids::{NodePath, PortName};
+use crate::library::Fallback;
 use crate::state::compiling::{CompileAnswer, CompileRequest};
-use crate::state::revision::PictureRevision;
+use crate::state::reading::LookWithLibrary;
+use crate::state::revision::LookRevision;
 
 /// Time without changes before a look is compiled into a baked shader, in seconds.
 const REST: f64 = 0.8;
@@ -26,16 +29,16 @@ pub(crate) struct ShaderCache {
     pub(super) good: Option<Arc<Look>>,
     pub(super) live: Option<Arc<CompiledShader>>,
     /// Structure of the live shader.
-    pub(super) live_structure: Option<u64>,
+    pub(super) live_structure: Option<LookRevision>,
     pub(super) baked: Option<Arc<CompiledShader>>,
     /// Typed look that both shaders were compiled from.
     pub(super) typed: Option<Arc<TypedGraph>>,
     /// Revision of the document that the baked shader shows.
-    pub(super) baked_revision: Option<u64>,
+    pub(super) baked_revision: Option<LookRevision>,
     /// Revision of the last edit that a live shader cannot show.
-    pub(super) structure: u64,
-    pub(super) requested: Option<u64>,
-    pub(super) requested_structure: Option<u64>,
+    pub(super) structure: LookRevision,
+    pub(super) requested: Option<LookRevision>,
+    pub(super) requested_structure: Option<LookRevision>,
     /// Values that were edited since the look was opened: the ones that a long look's live shader
     /// keeps as uniforms.
     pub(super) touched: Arc<HashSet<(NodePath, PortName)>>,
@@ -43,7 +46,7 @@ pub(crate) struct ShaderCache {
     pub(super) requested_touched: usize,
     /// Time of the document's last change, in seconds of the window's clock.
     pub(super) changed_at: f64,
-    pub(super) seen_revision: u64,
+    pub(super) seen_revision: LookRevision,
 }
 
 /// A look with a shader that shows it.
@@ -76,6 +79,53 @@ impl ShaderCache {
         self.live.as_ref().is_some_and(|shader| matches!(shader.live, Live::Touched(_)))
     }
 
+    /// True if an edit cannot be shown by the live shader's uniforms.
+    pub(super) fn is_structural(&self, edit: &Edit, look: LookWithLibrary<'_>) -> bool {
+        match edit {
+            Edit::Group { edits } => edits.iter().any(|edit| self.is_structural(edit, look)),
+            edit if is_layout(edit) => false,
+            // Uniforms of a long look are identified by paths, and a group's node lies at many of
+            // them.
+            Edit::SetValue { graph: GraphId::Definition(_), .. } if self.is_long() => true,
+            // Keys of the same targets have all their values in uniforms, except words.
+            Edit::SetDirectionKeys { index, keys } => {
+                let targets = |keys: &DirectionKeys| -> HashSet<Target> {
+                    keys.keys.iter().flat_map(|key| key.values.keys()).cloned().collect()
+                };
+                let wires =
+                    |keys: &DirectionKeys| keys.by.outputs().cloned().collect::<HashSet<_>>();
+                let is_other = |old: &DirectionKeys| {
+                    targets(old) != targets(keys) || wires(old) != wires(keys)
+                };
+                look.look.direction_keys.get(*index).is_none_or(is_other)
+            }
+            Edit::SetTimeKeys { index, keys } => {
+                let is_word = keys.keys.iter().any(|key| matches!(&key.value, Value::Text(_)));
+                is_word
+                    || look.look.time_keys.get(*index).is_none_or(|old| old.target != keys.target)
+            }
+            Edit::SetLight { id, light } => look
+                .look
+                .lights
+                .get(id)
+                .is_none_or(|old| (old.kind, &old.name) != (light.kind, &light.name)),
+            Edit::SetValue { graph, id, port, .. } => {
+                let node = look.look.graph_of(graph).and_then(|graph| graph.nodes.get(id));
+                let Some((node, kind)) = node.and_then(|node| Some((node, look.catalog.of(node)?)))
+                else {
+                    return true;
+                };
+                let Some(port) = kind.input(port.as_str()).map(|index| &kind.inputs[index]) else {
+                    return true;
+                };
+                let had_one = node.values.contains_key(&port.name)
+                    || matches!(port.fallback, Fallback::Value(_));
+                port.ty.is_setting() || !had_one
+            }
+            _ => true,
+        }
+    }
+
     /// Remembers the inputs that an edit sets.
     pub(super) fn touch(&mut self, edit: &Edit) {
         match edit {
@@ -95,6 +145,22 @@ impl ShaderCache {
     }
 }
 
+/// True if an edit changes only the layout of the graph on the canvas, notes, or descriptions.
+pub(super) fn is_layout(edit: &Edit) -> bool {
+    match edit {
+        Edit::Group { edits } => edits.iter().all(is_layout),
+        Edit::MoveNodes { .. }
+        | Edit::SetCollapsed { .. }
+        | Edit::AddNote { .. }
+        | Edit::SetNote { .. }
+        | Edit::RemoveNote { .. }
+        | Edit::SetBookmarks { .. }
+        | Edit::SetLookName { .. }
+        | Edit::SetLookAbout { .. } => true,
+        _ => false,
+    }
+}
+
 impl Session {
     /// Requests shaders that must be compiled, and takes those that are. `now` is in seconds of the
     /// window's clock. Returns the time until the next call.
@@ -107,10 +173,10 @@ impl Session {
             return None;
         }
         self.hold_suspect();
-        if self.held().is_some() {
+        if self.journals.held().is_some() {
             return None;
         }
-        let revision = self.look.history.revision();
+        let revision = self.revision();
         if self.compilation.shaders.seen_revision != revision {
             self.compilation.shaders.seen_revision = revision;
             self.compilation.shaders.changed_at = now;
@@ -133,7 +199,7 @@ impl Session {
     }
 
     fn request(&mut self, only_baked: bool) {
-        self.compilation.shaders.requested = Some(self.look.history.revision());
+        self.compilation.shaders.requested = Some(self.revision());
         self.compilation.shaders.requested_structure = Some(self.compilation.shaders.structure);
         if !only_baked {
             self.compilation.shaders.requested_touched = self.compilation.shaders.touched.len();
@@ -146,7 +212,7 @@ impl Session {
                 }
             },
             document: self.revisions.document,
-            revision: self.look.history.revision(),
+            revision: self.revision(),
             structure: self.compilation.shaders.structure,
             touched: self.compilation.shaders.touched.clone(),
             wire: self.view.wire.clone().map(|wire| {
@@ -181,15 +247,15 @@ impl Session {
         }
         self.revisions.problems.advance();
         match result {
-            Ok(shaders) => {
-                self.compilation.problems.clone_from(&shaders.baked.warnings);
+            Ok(Warned { value: shaders, warnings }) => {
+                self.compilation.problems = warnings;
                 if let Some(live) = shaders.live {
                     self.compilation.shaders.live = Some(live);
                     self.compilation.shaders.live_structure = Some(request.structure);
                 }
                 self.compilation.shaders.baked = Some(shaders.baked);
                 self.compilation.shaders.typed = Some(shaders.typed);
-                self.forget_keys();
+                self.key_evaluation.forget();
                 self.compilation.shaders.baked_revision = Some(request.revision);
                 self.compilation.shaders.good = Some(request.look);
                 self.revisions.picture.advance();
@@ -197,7 +263,7 @@ impl Session {
             // The last good picture stays.
             Err(problems) => self.compilation.problems = problems,
         }
-        if self.look.history.revision() == 0 {
+        if self.revision() == LookRevision::default() {
             self.look.file.source.locate_all(&mut self.compilation.problems);
         }
     }
@@ -213,14 +279,9 @@ impl Session {
         self.compilation.compiler.wait();
     }
 
-    /// Revision of the picture, which grows whenever the picture may have changed.
-    pub(crate) fn picture(&self) -> PictureRevision {
-        self.revisions.picture
-    }
-
     /// True if the baked shader shows the present look.
     fn is_baked(&self) -> bool {
-        self.compilation.shaders.baked_revision == Some(self.look.history.revision())
+        self.compilation.shaders.baked_revision == Some(self.revision())
     }
 
     /// Takes the present look for the picture, where the live shader can show it.
@@ -250,23 +311,14 @@ impl Session {
         Some(DrawableLook { look: good, shader: shader.clone()?, live })
     }
 
-    /// The shader whose text is shown.
-    pub fn baked(&self) -> Option<&Arc<CompiledShader>> {
-        self.compilation.shaders.baked.as_ref()
-    }
-
-    /// The typed look of the last compilation.
-    pub(crate) fn typed(&self) -> Option<&TypedGraph> {
-        self.compilation.shaders.typed.as_deref()
-    }
-
     /// The shader with the present values: the baked one where nothing changed since, else the live
     /// one.
     pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
-        let is_baked =
-            self.compilation.shaders.baked_revision == Some(self.look.history.revision());
-        let shader =
-            if is_baked { &self.compilation.shaders.baked } else { &self.compilation.shaders.live };
+        let shader = if self.is_baked() {
+            &self.compilation.shaders.baked
+        } else {
+            &self.compilation.shaders.live
+        };
         shader.as_deref()
     }
 
@@ -277,10 +329,5 @@ impl Session {
             && self.compilation.shaders.live_structure == Some(self.compilation.shaders.structure);
         let live = self.compilation.shaders.live.as_deref().filter(|_| is_there);
         live.or_else(|| self.current_shader())
-    }
-
-    /// The shader whose values are uniforms.
-    pub fn live(&self) -> Option<&Arc<CompiledShader>> {
-        self.compilation.shaders.live.as_ref()
     }
 }

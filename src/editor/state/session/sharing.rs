@@ -50,7 +50,7 @@ impl Session {
         };
         let shared =
             if is_known { id.clone() } else { DefinitionId::new(make_slug(&name, is_taken)) };
-        let edit = self.handed_over(id, &shared)?;
+        let edit = handed_over(self.look(), id, &shared)?;
 
         let mut file = Look { name: name.clone(), ..Look::default() };
         file.definitions.insert(shared.clone(), definition);
@@ -63,58 +63,55 @@ impl Session {
         let mut written = MemoryFiles::default();
         written.add(path.clone(), text);
         let library = self.project.library.with_project(&written, &folder);
-        self.use_library(library);
+        self.project.set_library(library);
         self.project.sync(self.look.document());
         self.reload_library();
         self.apply(edit, None).map_err(|problem| problem.message)?;
         Ok(format!("\"{name}\" is in {}: every look beside this one has it now", path.display()))
     }
+}
 
-    /// The edit by which all nodes of a group of the look's own become nodes of the project's
-    /// group.
-    fn handed_over(&self, own: &DefinitionId, shared: &DefinitionId) -> Result<Edit, String> {
-        let look = self.look();
-        let graphs = || {
-            let groups = look
-                .definitions
-                .iter()
-                .map(|(id, of)| (GraphId::Definition(id.clone()), &of.graph));
-            std::iter::once((GraphId::Look, &look.graph)).chain(groups)
+/// The edit by which all nodes of a group of the look's own become nodes of the project's
+/// group.
+fn handed_over(look: &Look, own: &DefinitionId, shared: &DefinitionId) -> Result<Edit, String> {
+    let graphs = || {
+        let groups =
+            look.definitions.iter().map(|(id, of)| (GraphId::Definition(id.clone()), &of.graph));
+        std::iter::once((GraphId::Look, &look.graph)).chain(groups)
+    };
+    let of_kind = |kind: &str| {
+        let set = |graph: &GraphId, of: &Graph| -> Vec<Edit> {
+            let nodes = of.nodes.iter().filter(|(_, node)| node.kind == own.as_str());
+            nodes
+                .map(|(id, _)| Edit::SetKind {
+                    graph: graph.clone(),
+                    id: id.clone(),
+                    kind: kind.to_owned(),
+                })
+                .collect()
         };
-        let of_kind = |kind: &str| {
-            let set = |graph: &GraphId, of: &Graph| -> Vec<Edit> {
-                let nodes = of.nodes.iter().filter(|(_, node)| node.kind == own.as_str());
-                nodes
-                    .map(|(id, _)| Edit::SetKind {
-                        graph: graph.clone(),
-                        id: id.clone(),
-                        kind: kind.to_owned(),
-                    })
-                    .collect()
-            };
-            graphs().flat_map(|(graph, of)| set(&graph, of)).collect::<Vec<_>>()
-        };
-        // A group that is in use cannot be removed, so nodes of a group that keeps its id get
-        // another kind for a moment.
-        let between = if own == shared { format!("{own}_shared") } else { shared.to_string() };
-        let mut edits = of_kind(&between);
-        edits.push(Edit::RemoveDefinition { id: own.clone() });
-        if own == shared {
-            edits.extend(of_kind(shared.as_str()));
-        }
-        let edit = Edit::Group { edits };
-        let mut trial = look.clone();
-        trial.apply(edit.clone()).map_err(|problem| problem.message)?;
-        let loses = trial.exposed != look.exposed
-            || trial.direction_keys != look.direction_keys
-            || trial.time_keys != look.time_keys;
-        if loses {
-            return Err(
-                "Values inside of it are keyed or exposed in this look: make them inputs of the \
-                 group, and key those"
-                    .to_owned(),
-            );
-        }
-        Ok(edit)
+        graphs().flat_map(|(graph, of)| set(&graph, of)).collect::<Vec<_>>()
+    };
+    // A group that is in use cannot be removed, so nodes of a group that keeps its id get
+    // another kind for a moment.
+    let between = if own == shared { format!("{own}_shared") } else { shared.to_string() };
+    let mut edits = of_kind(&between);
+    edits.push(Edit::RemoveDefinition { id: own.clone() });
+    if own == shared {
+        edits.extend(of_kind(shared.as_str()));
     }
+    let edit = Edit::Group { edits };
+    let mut trial = look.clone();
+    trial.apply(edit.clone()).map_err(|problem| problem.message)?;
+    let loses = trial.exposed != look.exposed
+        || trial.direction_keys != look.direction_keys
+        || trial.time_keys != look.time_keys;
+    if loses {
+        return Err(
+            "Values inside of it are keyed or exposed in this look: make them inputs of the \
+             group, and key those"
+                .to_owned(),
+        );
+    }
+    Ok(edit)
 }

@@ -23,12 +23,12 @@ pub(super) struct Strokes(Option<Arc<Tile>>);
 
 impl Strokes {
     pub(super) fn of(session: &Session) -> Self {
-        Self(session.sketch().tile().cloned())
+        Self(session.sketchbook.sketch().tile().cloned())
     }
 
     /// True if the strokes are the present ones.
     pub(super) fn are(&self, session: &Session) -> bool {
-        match (&self.0, session.sketch().tile()) {
+        match (&self.0, session.sketchbook.sketch().tile()) {
             (Some(one), Some(other)) => Arc::ptr_eq(one, other),
             (None, None) => true,
             _ => false,
@@ -42,14 +42,14 @@ const LEAST_GAIN: f64 = 0.05 / 255.0;
 /// Message on a fit that was stopped before it gained anything.
 const STOPPED: &str = "The fit was stopped before it came nearer: the look is as it was";
 
-pub(super) struct Running {
+pub(super) struct FitRun {
     pub(super) of: FittedState,
     pub(super) strokes: Strokes,
     pub(super) progress: Progress,
 }
 
 /// Result of a fit.
-pub(super) struct Outcome {
+pub(super) struct FitOutcome {
     pub(super) what: FitGoal,
     pub(super) strokes: Strokes,
     pub(super) edit: Edit,
@@ -66,7 +66,7 @@ impl Fitting {
     }
 
     fn try_fit(&mut self, what: FitGoal, session: &Session) -> Result<(), &'static str> {
-        if session.sketch().is_empty() {
+        if session.sketchbook.sketch().is_empty() {
             return Err("Nothing is painted yet: take Light or Dark and drag on the object");
         }
         if let Some(obstacle) = self.obstacle(session) {
@@ -75,14 +75,14 @@ impl Fitting {
         let Some(ground) = self.ground() else {
             return Err("The picture is still being read: fit in a moment");
         };
-        let painted = match self.wishes() {
+        let painted = match self.goals() {
             [] => return Err("No stroke lies well inside of an object that wears this look"),
             few if few.len() < LEAST_PAINTED => {
                 return Err(
                     "Too little is painted to tell anything of lights: paint a larger spot",
                 );
             }
-            wishes => wishes.to_vec(),
+            goals => goals.to_vec(),
         };
         let target = Target { size: ground.size, wishes: painted };
         let wake = self.wake.clone();
@@ -95,11 +95,11 @@ impl Fitting {
             starts: self.how.starts,
             enough: ENOUGH,
         };
-        let still = session.snapshot_of(Arc::new(session.look().clone()));
+        let snapshot = session.snapshot_of(Arc::new(session.look().clone()));
         self.outcome = None;
         let strokes = Strokes::of(session);
-        self.running = Some(Running { of: of(session), strokes, progress: progress.clone() });
-        self.fitter.request(|_| FitRequest { what, still, target, options, progress });
+        self.running = Some(FitRun { of: of(session), strokes, progress: progress.clone() });
+        self.fitter.request(|_| FitRequest { what, snapshot, target, options, progress });
         Ok(())
     }
 
@@ -148,7 +148,7 @@ impl Fitting {
                     report.is_stopped.then(|| "Stopped: this is the best so far".to_owned());
                 let strokes = Strokes::of(session);
                 self.outcome =
-                    Some(Outcome { what: done.what, strokes, edit, report, applied: None });
+                    Some(FitOutcome { what: done.what, strokes, edit, report, applied: None });
                 return Some(Arc::new(look));
             }
         }
@@ -180,7 +180,7 @@ impl Fitting {
 
 /// State of the open look.
 pub(super) fn of(session: &Session) -> FittedState {
-    (session.document_number(), session.revision(), session.stage_version())
+    (session.revisions().document, session.revision(), session.scene_revision())
 }
 
 /// True if a complete search gained less than anybody sees.

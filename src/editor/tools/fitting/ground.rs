@@ -14,7 +14,7 @@ use crate::interp::Precision;
 use crate::progress::{Progress, Stopped};
 use crate::reference::{Modules, Options, execute};
 use crate::state::session::Session;
-use crate::state::snapshot::{RenderSnapshot, Reused, Stamp};
+use crate::state::snapshot::{CachedPlanner, RenderSnapshot, Stamp};
 use crate::state::worker::Worker;
 
 /// Inputs of a ground: for the same inputs the known ground is used.
@@ -84,7 +84,7 @@ impl Ground {
 
 struct GroundRequest {
     moment: GroundInputs,
-    still: RenderSnapshot,
+    snapshot: RenderSnapshot,
     progress: Progress,
 }
 
@@ -104,7 +104,7 @@ pub(super) struct Grounds {
 impl Grounds {
     /// `wake` is called from another thread when a new ground is drawn.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let mut planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        let mut planner = CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects));
         let draw = move |job: GroundRequest| GroundResult {
             result: draw(&mut planner, &job),
             moment: job.moment,
@@ -133,7 +133,7 @@ impl Grounds {
             self.asked = Some(moment.clone());
             let job = GroundRequest {
                 moment: moment.clone(),
-                still: session.snapshot(),
+                snapshot: session.snapshot(),
                 progress: self.progress.clone(),
             };
             self.worker.request(|_| job);
@@ -187,13 +187,13 @@ impl Drop for Grounds {
     }
 }
 
-fn draw(planner: &mut Reused, job: &GroundRequest) -> Result<Ground, Vec<Diagnostic>> {
+fn draw(planner: &mut CachedPlanner, job: &GroundRequest) -> Result<Ground, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
-    let GroundRequest { moment: GroundInputs { size, .. }, still, progress } = job;
-    let planner = planner.of(&still.look, &still.library);
-    let setup = still.setup(&mut planner.assets)?.value;
-    let options = PlanOptions { size: *size, samples: 1, time: still.time };
-    let plan = planner.plan(&setup, &still.library, &Live::Keyed, &options)?;
+    let GroundRequest { moment: GroundInputs { size, .. }, snapshot, progress } = job;
+    let planner = planner.of(&snapshot.look, &snapshot.library);
+    let setup = snapshot.setup(&mut planner.assets)?.value;
+    let options = PlanOptions { size: *size, samples: 1, time: snapshot.time };
+    let plan = planner.plan(&setup, &snapshot.library, &Live::Keyed, &options)?.value;
     let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
     let picture = execute(&plan, &modules, &Options::default(), progress).map_err(one)?;
     let is_worn: Vec<bool> = plan.draws.iter().map(|draw| is_of_open_look(&setup, draw)).collect();

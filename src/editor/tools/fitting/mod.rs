@@ -3,17 +3,17 @@
 //! to the strokes.
 //!
 //! `sketch` is the painted layer, which `session` holds, so that undo covers it. `ground` is the
-//! look's picture under the strokes; `hand` paints, `target` turns strokes into goals, `work` fits
-//! on a thread. The result is shown as a preview of the session, which is no edit until it is
+//! look's picture under the strokes; `pointer` paints, `target` turns strokes into goals, `work`
+//! fits on a thread. The result is shown as a preview of the session, which is no edit until it is
 //! applied, as one step.
 
 mod bar;
 mod cover;
 mod fit;
 mod ground;
-mod hand;
 mod overlay;
 mod panel;
+mod pointer;
 mod target;
 mod tools;
 mod veil;
@@ -32,10 +32,10 @@ use crate::state::session::Session;
 pub(crate) use crate::state::sketch::Standpoint;
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
-use fit::{Outcome, Running, of};
+use fit::{FitOutcome, FitRun, of};
 use ground::{Ground, GroundInputs, Grounds};
-use hand::{LightStroke, WaitingStroke};
 use overlay::Textures;
+use pointer::{LightStroke, WaitingStroke};
 use target::FINENESS;
 use tools::Tools;
 use work::{FitRequest, FitResult};
@@ -107,10 +107,10 @@ pub struct Fitting {
     waiting: Option<WaitingStroke>,
     /// Document that is painted on; painting ends when another is open.
     document: DocumentNumber,
-    wishes: Option<(Arc<Tile>, GroundInputs, Vec<Painted>)>,
+    goals: Option<(Arc<Tile>, GroundInputs, Vec<Painted>)>,
     fitter: Worker<FitRequest, FitResult>,
-    running: Option<Running>,
-    outcome: Option<Outcome>,
+    running: Option<FitRun>,
+    outcome: Option<FitOutcome>,
     /// Message on the last fit, or on why there was none.
     told: Option<String>,
     textures: Textures,
@@ -134,7 +134,7 @@ impl Fitting {
             going: None,
             waiting: None,
             document: DocumentNumber::default(),
-            wishes: None,
+            goals: None,
             fitter: work::start(wake.clone()),
             running: None,
             outcome: None,
@@ -157,7 +157,7 @@ impl Fitting {
 
     /// Number of painted pixels of the object, at the size of the fit.
     pub fn painted(&self) -> usize {
-        self.wishes.as_ref().map_or(0, |(.., wishes)| wishes.len())
+        self.goals.as_ref().map_or(0, |(.., goals)| goals.len())
     }
 
     /// Errors of the picture against the strokes before and after the last fit: RMS of a channel, 0
@@ -196,7 +196,7 @@ impl Fitting {
     /// Begins or ends painting. The strokes stay.
     pub(crate) fn turn(&mut self, on: bool, session: &Session) -> Vec<Command> {
         self.is_on = on;
-        self.document = session.document_number();
+        self.document = session.revisions().document;
         (self.going, self.waiting) = (None, None);
         let mut out = vec![Command::Sketch(SketchCommand::Open(on))];
         if !on {
@@ -228,11 +228,11 @@ impl Fitting {
     /// Takes the results of threads, and requests what is missing.
     pub(crate) fn tick(&mut self, ui: &Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
-        if self.is_on && self.document != session.document_number() {
+        if self.is_on && self.document != session.revisions().document {
             // Strokes are kept with their look, and painting on another look was not asked for.
             out.extend(self.turn(false, session));
         }
-        let mut previews = session.preview().is_some() && out.is_empty();
+        let mut previews = session.sketchbook.preview().is_some() && out.is_empty();
         for done in self.fitter.answers() {
             if let Some(look) = self.take(done, session) {
                 previews = true;
@@ -287,7 +287,7 @@ impl Fitting {
     /// Size of the picture that is fitted at: that of the sketch, or one with the viewport's aspect
     /// ratio.
     fn size(&self, session: &Session) -> [u32; 2] {
-        match session.sketch().tile() {
+        match session.sketchbook.sketch().tile() {
             Some(tile) => tile.size().map(|side| side / FINENESS),
             None => {
                 let aspect = self.aspect.clamp(0.25, WIDEST);
@@ -306,20 +306,20 @@ impl Fitting {
     fn weigh(&mut self, session: &Session) {
         let moment = self.grounds.moment();
         let (Some(tile), Some(ground), Some(moment)) =
-            (session.sketch().tile(), self.grounds.latest(), moment)
+            (session.sketchbook.sketch().tile(), self.grounds.latest(), moment)
         else {
-            self.wishes = None;
+            self.goals = None;
             return;
         };
         let is_known =
-            self.wishes.as_ref().is_some_and(|(of, at, _)| Arc::ptr_eq(of, tile) && at == moment);
+            self.goals.as_ref().is_some_and(|(of, at, _)| Arc::ptr_eq(of, tile) && at == moment);
         if !is_known {
-            self.wishes = Some((tile.clone(), moment.clone(), target::wishes(tile, ground)));
+            self.goals = Some((tile.clone(), moment.clone(), target::goals(tile, ground)));
         }
     }
 
-    fn wishes(&self) -> &[Painted] {
-        self.wishes.as_ref().map(|(.., wishes)| wishes.as_slice()).unwrap_or_default()
+    fn goals(&self) -> &[Painted] {
+        self.goals.as_ref().map(|(.., goals)| goals.as_slice()).unwrap_or_default()
     }
 
     /// True if a result is neither applied nor discarded.
@@ -329,7 +329,7 @@ impl Fitting {
 
     /// True if the view is the one that the strokes belong to.
     fn is_at_view(session: &Session) -> bool {
-        let sketch = session.sketch();
+        let sketch = session.sketchbook.sketch();
         sketch
             .standpoint()
             .is_none_or(|standpoint| standpoint.sees_as(&session.view.orbit, session.view.time))
@@ -337,13 +337,13 @@ impl Fitting {
 
     /// Reason why painting or fitting is not possible now.
     fn obstacle(&self, session: &Session) -> Option<&'static str> {
-        if session.wire().is_some() {
+        if session.view.wire.is_some() {
             Some("A wire is shown in place of the look: show the look first")
-        } else if !session.solo().is_empty() {
+        } else if !session.view.solo.is_empty() {
             Some("Layers or lights are shown alone or muted: show the whole look first")
         } else if !Self::is_at_view(session) {
             Some("The strokes belong to another view: go back to it, or clear them")
-        } else if has_errors(session.problems()) || self.grounds.problem().is_some() {
+        } else if has_errors(session.compilation().problems()) || self.grounds.problem().is_some() {
             Some("The look cannot be drawn: Problems tells why")
         } else if self.running.is_some() {
             Some("A fit is going on: stop it first")
@@ -357,7 +357,7 @@ impl Fitting {
     /// Removes all strokes.
     pub(crate) fn clear(&mut self, session: &Session) -> Vec<Command> {
         (self.going, self.waiting) = (None, None);
-        if session.sketch().is_empty() {
+        if session.sketchbook.sketch().is_empty() {
             return Vec::new();
         }
         let from = Box::new(Standpoint::new(&session.view.orbit, session.view.time));

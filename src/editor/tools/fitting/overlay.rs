@@ -88,7 +88,7 @@ impl Fitting {
                 painter.image(texture, canvas, whole(), Color32::WHITE);
             }
         }
-        let shows_misses = self.shows.misses && is_here && !self.wishes().is_empty();
+        let shows_misses = self.shows.misses && is_here && !self.goals().is_empty();
         let tags = [
             (shows_misses, "Black: as painted. Red to white: off by up to 25/255 and more"),
             (self.awaits(), "Preview of the fit: apply or discard it"),
@@ -143,7 +143,12 @@ impl Fitting {
     /// Texture of the present strokes: of their outlines alone under a preview, and where strokes
     /// are not to be shown.
     fn strokes(&mut self, ctx: &Context, session: &Session) -> Option<TextureId> {
-        let tile = self.going.as_ref().map(|going| &going.now).or(session.sketch().tile())?.clone();
+        let tile = self
+            .going
+            .as_ref()
+            .map(|going| &going.now)
+            .or(session.sketchbook.sketch().tile())?
+            .clone();
         let outlines_only = !self.shows.strokes || self.shows.misses || self.awaits();
         let moment = self.grounds.moment().cloned();
         let of = StrokesTextureKey { tile: Arc::as_ptr(&tile) as usize, moment, outlines_only };
@@ -168,7 +173,7 @@ impl Fitting {
     }
 
     fn misses(&mut self, ctx: &Context) -> Option<TextureId> {
-        let (tile, moment, wishes) = self.wishes.as_ref()?;
+        let (tile, moment, goals) = self.goals.as_ref()?;
         let ground = self.grounds.latest()?;
         let of = StrokesTextureKey {
             tile: Arc::as_ptr(tile) as usize,
@@ -180,7 +185,7 @@ impl Fitting {
         {
             return Some(handle.id());
         }
-        let picture = picture_of(ground.size, &target::misses(wishes, ground));
+        let picture = picture_of(ground.size, &target::misses(goals, ground));
         let size = ground.size.map(|side| side as usize);
         let image = ColorImage::from_rgba_unmultiplied(size, &picture.to_rgba8());
         let handle = ctx.load_texture("misses of strokes", image, TextureOptions::LINEAR);

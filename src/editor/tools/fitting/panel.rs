@@ -6,7 +6,7 @@ use eframe::egui::{
     vec2,
 };
 
-use super::fit::Outcome;
+use super::fit::FitOutcome;
 use super::{Fitting, target};
 use crate::commands::{Command, FitCommand, FitGoal, Switch};
 use crate::document::parse_hex;
@@ -58,7 +58,7 @@ impl Fitting {
     }
 
     fn painted_row(&mut self, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
-        let is_empty = session.sketch().is_empty();
+        let is_empty = session.sketchbook.sketch().is_empty();
         ui.horizontal_wrapped(|ui| {
             let ground = self.grounds.latest();
             if let Some(problem) = self.grounds.problem() {
@@ -68,9 +68,8 @@ impl Fitting {
             let text = match (is_empty, ground) {
                 (true, _) => "Nothing is painted yet: drag on the object".to_owned(),
                 (false, Some(ground)) => {
-                    let off =
-                        target::off(self.wishes(), |pixel| Some(target::shown(ground, pixel)));
-                    format!("{} pixels painted, off by {}", self.wishes().len(), steps(off))
+                    let off = target::off(self.goals(), |pixel| Some(target::shown(ground, pixel)));
+                    format!("{} pixels painted, off by {}", self.goals().len(), steps(off))
                 }
                 (false, None) => "Reading the picture".to_owned(),
             };
@@ -125,7 +124,7 @@ impl Fitting {
     }
 
     /// Shows the result of a fit.
-    fn result(&self, ui: &mut Ui, outcome: &Outcome, session: &Session, out: &mut Vec<Command>) {
+    fn result(&self, ui: &mut Ui, outcome: &FitOutcome, session: &Session, out: &mut Vec<Command>) {
         let report = &outcome.report;
         errors(ui, report);
         if outcome.applied.is_none() && report.is_far_off() {
@@ -208,7 +207,7 @@ fn errors(ui: &mut Ui, report: &Report) {
 }
 
 /// Shows the buttons that apply or discard a result.
-fn choice(ui: &mut Ui, outcome: &Outcome, out: &mut Vec<Command>) {
+fn choice(ui: &mut Ui, outcome: &FitOutcome, out: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         if outcome.applied.is_some() {
             ui.label(RichText::new("Applied; undo takes it back").color(theme::of(ui).dim));
@@ -275,9 +274,14 @@ fn named(change: &Changed, session: &Session) -> (String, String) {
     };
     let id = node.split('/').next().unwrap_or(node);
     // New layers are not in the open look yet, only in the preview.
-    let fitted =
-        session.preview().and_then(|look| look.graph.nodes.get(id)).map(|node| node.name.clone());
-    let title = fitted.filter(|name| !name.is_empty()).unwrap_or_else(|| session.title(&id.into()));
+    let fitted = session
+        .sketchbook
+        .preview()
+        .and_then(|look| look.graph.nodes.get(id))
+        .map(|node| node.name.clone());
+    let title = fitted
+        .filter(|name| !name.is_empty())
+        .unwrap_or_else(|| session.look_with_library().title(&id.into()));
     (title, port.replace('_', " "))
 }
 

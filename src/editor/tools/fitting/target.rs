@@ -11,14 +11,14 @@ const LEAST: f64 = 1.0 / 32.0;
 
 /// Goals of a sketch at the pixels that can be compared. A goal's color is the mean of the strokes
 /// that cover its pixel, and its weight is the covered part of the pixel.
-pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
+pub(super) fn goals(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
     let [width, height] = ground.size;
     if tile.size() != ground.size.map(|side| side * FINENESS) {
         return Vec::new();
     }
     let (texels, _) = tile.bytes().as_chunks::<4>();
     let stride = (width * FINENESS) as usize;
-    let mut wishes = Vec::new();
+    let mut goals = Vec::new();
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         if !ground.counts[(y * width + x) as usize] {
             continue;
@@ -35,7 +35,7 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
         }
         let weight = alpha / f64::from(FINENESS * FINENESS);
         if weight >= LEAST {
-            wishes.push(PixelGoal {
+            goals.push(PixelGoal {
                 pixel: [x, y],
                 color: sum.map(|channel| channel / alpha),
                 weight,
@@ -43,30 +43,30 @@ pub(super) fn wishes(tile: &Tile, ground: &Ground) -> Vec<PixelGoal> {
             });
         }
     }
-    wishes
+    goals
 }
 
 /// RMS of a channel, weighted by the goals, 0 to 1.
-pub(super) fn off(wishes: &[PixelGoal], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>) -> f64 {
+pub(super) fn off(goals: &[PixelGoal], shown: impl Fn([u32; 2]) -> Option<[f64; 3]>) -> f64 {
     let (mut sum, mut total) = (0.0, 0.0);
-    for wish in wishes {
-        let Some(shown) = shown(wish.pixel) else { continue };
+    for goal in goals {
+        let Some(shown) = shown(goal.pixel) else { continue };
         let squares: f64 =
-            shown.iter().zip(wish.color).map(|(shown, wished)| (shown - wished).powi(2)).sum();
-        sum += wish.weight * squares / 3.0;
-        total += wish.weight;
+            shown.iter().zip(goal.color).map(|(shown, wished)| (shown - wished).powi(2)).sum();
+        sum += goal.weight * squares / 3.0;
+        total += goal.weight;
     }
     if total > 0.0 { (sum / total).sqrt() } else { 0.0 }
 }
 
 /// Distance of each goal from the color of the ground.
-pub(super) fn misses(wishes: &[PixelGoal], ground: &Ground) -> Vec<MissedPixel> {
-    let missed = |wish: &PixelGoal| {
-        let shown = shown(ground, wish.pixel);
-        let error = off(&[PixelGoal { weight: 1.0, ..*wish }], |_| Some(shown));
-        MissedPixel { pixel: wish.pixel, wished: wish.color, shown, error }
+pub(super) fn misses(goals: &[PixelGoal], ground: &Ground) -> Vec<MissedPixel> {
+    let missed = |goal: &PixelGoal| {
+        let shown = shown(ground, goal.pixel);
+        let error = off(&[PixelGoal { weight: 1.0, ..*goal }], |_| Some(shown));
+        MissedPixel { pixel: goal.pixel, wished: goal.color, shown, error }
     };
-    wishes.iter().map(missed).collect()
+    goals.iter().map(missed).collect()
 }
 
 /// Color of the ground at a pixel.
@@ -88,11 +88,11 @@ mod tests {
         for (x, y) in (0..3).flat_map(|y| (0..10).map(move |x| (x, y))) {
             tile.bytes_mut()[4 * (y * 120 + x)..][..4].copy_from_slice(&[255, 0, 51, 255]);
         }
-        let painted = wishes(&tile, &ground);
-        let at: Vec<[u32; 2]> = painted.iter().map(|wish| wish.pixel).collect();
+        let painted = goals(&tile, &ground);
+        let at: Vec<[u32; 2]> = painted.iter().map(|goal| goal.pixel).collect();
         assert_eq!(at, [[0, 0], [2, 0], [3, 0]]);
-        let near = |wish: &PixelGoal| {
-            wish.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12)
+        let near = |goal: &PixelGoal| {
+            goal.color.iter().zip([1.0, 0.0, 0.2]).all(|(a, b)| (a - b).abs() < 1e-12)
         };
         assert!(painted.iter().all(near));
         assert!((painted[2].weight - 1.0 / 3.0).abs() < 1e-12 && painted[0].weight == 1.0);
@@ -104,8 +104,6 @@ mod tests {
 
     #[test]
     fn a_sketch_of_another_size_wishes_nothing() {
-        assert!(
-            wishes(&Tile::filled([6, 6], [255; 4]), &Ground::flat([3, 3], [0.5; 3])).is_empty()
-        );
+        assert!(goals(&Tile::filled([6, 6], [255; 4]), &Ground::flat([3, 3], [0.5; 3])).is_empty());
     }
 }

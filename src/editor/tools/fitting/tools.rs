@@ -47,7 +47,7 @@ impl Tools {
 
     /// Goal for a pixel that the look shows as `shown` and that is seen, with the strokes so far,
     /// as `seen`; `None` to erase.
-    pub(super) fn wish(&self, shown: [f64; 3], seen: [f64; 3]) -> Option<[f64; 3]> {
+    pub(super) fn goal(&self, shown: [f64; 3], seen: [f64; 3]) -> Option<[f64; 3]> {
         match self.kind {
             LightBrush::Light => Some(lighter(seen, self.amount)),
             LightBrush::Dark => Some(lighter(seen, -self.amount)),

@@ -69,30 +69,29 @@ impl Layer {
     }
 
     /// Every place with a goal: the place, its index, the goal's color and its weight.
-    fn wishes<'a>(
+    fn goals<'a>(
         &self,
         tile: &'a Tile,
     ) -> impl Iterator<Item = ([usize; 2], usize, [f64; 3], f64)> + use<'a> {
         let (texels, _) = tile.bytes().as_chunks::<4>();
-        let wished = self
+        let goal = self
             .places()
             .map(|(at, index)| (at, index, texels[index].map(|byte| f64::from(byte) / 255.0)));
-        wished
-            .filter(|(.., [_, _, _, alpha])| *alpha > 0.0)
+        goal.filter(|(.., [_, _, _, alpha])| *alpha > 0.0)
             .map(|(at, index, [r, g, b, a])| (at, index, [r, g, b], a))
     }
 
     fn lay_veils(&mut self, tile: &Tile, ground: &Ground) {
-        for (at, index, wish, alpha) in self.wishes(tile) {
-            if !stays(wish, shown(ground, at)) {
-                self.colors[index] = veil(shown(ground, at), wish, alpha);
+        for (at, index, goal, alpha) in self.goals(tile) {
+            if !stays(goal, shown(ground, at)) {
+                self.colors[index] = veil(shown(ground, at), goal, alpha);
             }
         }
     }
 
     fn lay_hatching(&mut self, tile: &Tile, ground: &Ground) {
-        for (at, index, wish, alpha) in self.wishes(tile) {
-            if stays(wish, shown(ground, at)) {
+        for (at, index, goal, alpha) in self.goals(tile) {
+            if stays(goal, shown(ground, at)) {
                 let along = ((at[0] + at[1]) as u32 % HATCH) as f32;
                 let line = (1.5 - (along - 2.0).abs()).clamp(0.0, 1.0);
                 self.over(index, 1.0, 0.45 * line * alpha as f32);
@@ -165,19 +164,19 @@ fn shown(ground: &Ground, [x, y]: [usize; 2]) -> [f64; 3] {
 }
 
 /// True if a goal keeps the shown color.
-fn stays(wish: [f64; 3], shown: [f64; 3]) -> bool {
-    wish.iter().zip(shown).all(|(wish, shown)| (wish - shown).abs() < SAME)
+fn stays(goal: [f64; 3], shown: [f64; 3]) -> bool {
+    goal.iter().zip(shown).all(|(goal, shown)| (goal - shown).abs() < SAME)
 }
 
 /// Thinnest veil over the shown color that gives the goal's color, so that the picture's own detail
 /// shows through, times the goal's share. Premultiplied.
-fn veil(shown: [f64; 3], wish: [f64; 3], share: f64) -> [f32; 4] {
-    let cover = shown.iter().zip(wish).map(|(shown, wish)| {
-        let room = if wish > *shown { 1.0 - shown } else { *shown };
-        ((wish - shown).abs() / room.max(1e-6)).min(1.0)
+fn veil(shown: [f64; 3], goal: [f64; 3], share: f64) -> [f32; 4] {
+    let cover = shown.iter().zip(goal).map(|(shown, goal)| {
+        let room = if goal > *shown { 1.0 - shown } else { *shown };
+        ((goal - shown).abs() / room.max(1e-6)).min(1.0)
     });
     let cover = cover.fold(0.0, f64::max).max(1e-6);
-    let channel = |c: usize| (wish[c] - shown[c] * (1.0 - cover)).clamp(0.0, cover) * share;
+    let channel = |c: usize| (goal[c] - shown[c] * (1.0 - cover)).clamp(0.0, cover) * share;
     [channel(0) as f32, channel(1) as f32, channel(2) as f32, (cover * share) as f32]
 }
 

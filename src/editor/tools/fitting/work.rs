@@ -14,7 +14,7 @@ use crate::state::worker::Worker;
 /// Request for a fit.
 pub(super) struct FitRequest {
     pub(super) what: FitGoal,
-    pub(super) still: RenderSnapshot,
+    pub(super) snapshot: RenderSnapshot,
     pub(super) target: Target,
     pub(super) options: FitOptions,
     pub(super) progress: Progress,
@@ -33,18 +33,18 @@ pub(super) fn start(wake: impl Fn() + Send + 'static) -> Worker<FitRequest, FitR
     let mut assets = Assets::default();
     Worker::new("fit", wake, move |job: FitRequest| {
         let result = fit(&mut assets, &job);
-        FitResult { what: job.what, look: job.still.look, progress: job.progress, result }
+        FitResult { what: job.what, look: job.snapshot.look, progress: job.progress, result }
     })
 }
 
 fn fit(assets: &mut Assets, job: &FitRequest) -> Result<FittedLook, Vec<Diagnostic>> {
-    let FitRequest { what, still, target, options, progress, .. } = job;
-    let setup = still.setup(assets)?.value;
+    let FitRequest { what, snapshot, target, options, progress, .. } = job;
+    let setup = snapshot.setup(assets)?.value;
     // The open look is the first of the setup.
     match what {
-        FitGoal::ThisLook => fit_look(&setup, 0, &still.library, target, options, progress),
+        FitGoal::ThisLook => fit_look(&setup, 0, &snapshot.library, target, options, progress),
         FitGoal::Layers(count) => {
-            fit_layers(&setup, 0, &still.library, target, *count, options, progress)
+            fit_layers(&setup, 0, &snapshot.library, target, *count, options, progress)
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
 use crate::reference::{Options, WireValue, probe_wires};
 use crate::state::session::Session;
-use crate::state::snapshot::{RenderSnapshot, Reused, Stamp};
+use crate::state::snapshot::{CachedPlanner, RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use crate::widgets::theme;
@@ -45,34 +45,34 @@ const REST: f64 = 0.15;
 
 /// Place and state of a probe: for the same ones the known result is used.
 #[derive(Clone, Debug, PartialEq)]
-struct Spot {
+struct ProbeSpot {
     stamp: Stamp,
     pixel: [u32; 2],
     size: [u32; 2],
 }
 
-struct Query {
-    spot: Spot,
-    still: RenderSnapshot,
+struct ProbeRequest {
+    spot: ProbeSpot,
+    snapshot: RenderSnapshot,
     progress: Progress,
 }
 
 struct ProbeResult {
-    spot: Spot,
+    spot: ProbeSpot,
     /// Values of the wires; `None` where nothing is drawn.
     result: Result<Option<Vec<WireValue>>, Vec<Diagnostic>>,
 }
 
 /// The probe and its last result.
 pub struct Probe {
-    worker: Worker<Query, ProbeResult>,
+    worker: Worker<ProbeRequest, ProbeResult>,
     is_on: bool,
     /// True if the pixel stays where it is while the pointer moves on.
     is_pinned: bool,
     pixel: Option<[u32; 2]>,
-    seen: Option<Spot>,
+    seen: Option<ProbeSpot>,
     seen_at: f64,
-    asked: Option<Spot>,
+    asked: Option<ProbeSpot>,
     progress: Progress,
     found: Option<ProbeResult>,
     jump: bool,
@@ -81,7 +81,7 @@ pub struct Probe {
 impl Probe {
     /// Creates a probe that is off. `wake` is called from another thread when there is a result.
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let mut planner = Reused::new(Planner::for_truth);
+        let mut planner = CachedPlanner::new(Planner::for_truth);
         Self {
             worker: Worker::new("probe", wake, move |query| probe(&mut planner, query)),
             is_on: false,
@@ -168,7 +168,7 @@ impl Probe {
         else {
             return;
         };
-        let spot = Spot { stamp: session.stamp(), pixel, size };
+        let spot = ProbeSpot { stamp: session.stamp(), pixel, size };
         let now = ui.input(|input| input.time);
         if self.seen.as_ref() != Some(&spot) {
             self.seen = Some(spot.clone());
@@ -185,11 +185,12 @@ impl Probe {
         }
     }
 
-    fn ask(&mut self, session: &Session, spot: Spot) {
+    fn ask(&mut self, session: &Session, spot: ProbeSpot) {
         self.progress.stop();
         self.progress = Progress::new();
         self.asked = Some(spot.clone());
-        let query = Query { spot, still: session.snapshot(), progress: self.progress.clone() };
+        let query =
+            ProbeRequest { spot, snapshot: session.snapshot(), progress: self.progress.clone() };
         self.worker.request(|_| query);
     }
 
@@ -265,12 +266,15 @@ fn other_look(setup: &Setup, draw: &Draw) -> Option<Diagnostic> {
     })
 }
 
-fn probe(planner: &mut Reused, Query { spot, still, progress }: Query) -> ProbeResult {
-    let planner = planner.of(&still.look, &still.library);
+fn probe(
+    planner: &mut CachedPlanner,
+    ProbeRequest { spot, snapshot, progress }: ProbeRequest,
+) -> ProbeResult {
+    let planner = planner.of(&snapshot.look, &snapshot.library);
     let mut find = || {
-        let setup = still.setup(&mut planner.assets)?.value;
-        let options = PlanOptions { size: spot.size, samples: 1, time: still.time };
-        let plan = planner.plan(&setup, &still.library, &Live::All, &options)?;
+        let setup = snapshot.setup(&mut planner.assets)?.value;
+        let options = PlanOptions { size: spot.size, samples: 1, time: snapshot.time };
+        let plan = planner.plan(&setup, &snapshot.library, &Live::All, &options)?.value;
         let wires = probe_wires(&plan, spot.pixel, &Options::default(), &progress)
             .map_err(|problem| vec![problem])?;
         let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));

@@ -2,28 +2,29 @@
 
 use eframe::egui::ColorImage;
 
-use super::{Compared, ComparisonRequest, ComparisonResult, ComparisonTarget};
+use super::{ComparisonRequest, ComparisonResult, ComparisonTarget, PictureComparison};
 use crate::accuracy::{Colors, Truth, Variant, compare};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::frame::{Assets, Cull, Picture, PlanOptions, Planner, Setup};
-use crate::render::{Gpu, Renderer};
-use crate::state::snapshot::Reused;
+use crate::frame::{Assets, Cull, Executor, Picture, PlanOptions, Planner, Setup};
+use crate::progress::Progress;
+use crate::render::Gpu;
+use crate::state::snapshot::CachedPlanner;
 
 /// State of the thread between comparisons.
 pub(super) struct Comparer {
-    /// Renderer, made when first needed, on a device of its own: the window's may not blend 32-bit
+    /// Executor, made when first needed, on a device of its own: the window's may not blend 32-bit
     /// floats, and the rounding of a 16-bit picture would show in the difference.
-    renderer: Option<Renderer>,
+    executor: Option<Box<dyn Executor + Send>>,
     window: Gpu,
-    planner: Reused,
+    planner: CachedPlanner,
 }
 
 impl Comparer {
     pub(super) fn new(window: Gpu) -> Self {
-        let planner = Reused::new(|assets| Planner::new(assets).culling(Cull::Objects));
-        Self { renderer: None, window, planner }
+        let planner = CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        Self { executor: None, window, planner }
     }
 
     pub(super) async fn run(&mut self, job: ComparisonRequest) -> ComparisonResult {
@@ -31,21 +32,24 @@ impl Comparer {
         ComparisonResult { moment: job.moment, result }
     }
 
-    async fn try_run(&mut self, job: &ComparisonRequest) -> Result<Compared, Vec<Diagnostic>> {
-        let library = &job.still.library;
-        let options = PlanOptions { size: job.moment.size, samples: 1, time: job.still.time };
-        let planner = self.planner.of(&job.still.look, &job.still.library);
-        let setup = job.still.setup(&mut planner.assets)?.value;
-        let renderer = match &mut self.renderer {
-            Some(renderer) => renderer,
+    async fn try_run(
+        &mut self,
+        job: &ComparisonRequest,
+    ) -> Result<PictureComparison, Vec<Diagnostic>> {
+        let library = &job.snapshot.library;
+        let options = PlanOptions { size: job.moment.size, samples: 1, time: job.snapshot.time };
+        let planner = self.planner.of(&job.snapshot.look, &job.snapshot.library);
+        let setup = job.snapshot.setup(&mut planner.assets)?.value;
+        let executor = match &mut self.executor {
+            Some(executor) => executor,
             none => {
                 let gpu = Gpu::headless().await.unwrap_or_else(|_| self.window.clone());
-                none.insert(Renderer::new(gpu.precise()))
+                none.insert(gpu.precise().executor())
             }
         };
         let mut draw = async |setup: &Setup| -> Result<Picture, Vec<Diagnostic>> {
-            let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-            renderer.picture(&plan).await.map_err(|error| vec![error.into()])
+            let plan = planner.plan(setup, library, &Live::Keyed, &options)?.value;
+            executor.picture(&plan, &Progress::new()).await.map_err(|problem| vec![problem])
         };
         let present = draw(&setup).await?;
         match job.moment.against {
@@ -67,8 +71,8 @@ fn truth(
     setup: &Setup,
     options: &PlanOptions,
 ) -> Result<Truth, Vec<Diagnostic>> {
-    let mut planner = Planner::for_truth(Assets::of(&job.still.assets));
-    let truth = Truth::of(setup, &job.still.library, &mut planner, options, &job.progress);
+    let mut planner = Planner::for_truth(Assets::of(&job.snapshot.assets));
+    let truth = Truth::of(setup, &job.snapshot.library, &mut planner, options, &job.progress);
     Ok(truth?)
 }
 
@@ -77,7 +81,7 @@ fn together(
     other: &Picture,
     wanted: &Colors<'_>,
     is_edge: impl Fn(usize) -> bool,
-) -> Compared {
+) -> PictureComparison {
     let got = Colors::from(present);
     let figures = compare(&got, wanted, &is_edge);
     let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
@@ -101,5 +105,5 @@ fn together(
         )
     };
     let pictures = [image(present), image(other)];
-    Compared { pictures, difference, figures }
+    PictureComparison { pictures, difference, figures }
 }

@@ -78,17 +78,17 @@ struct ComparisonInputs {
 
 struct ComparisonRequest {
     moment: ComparisonInputs,
-    still: RenderSnapshot,
+    snapshot: RenderSnapshot,
     progress: Progress,
 }
 
 struct ComparisonResult {
     moment: ComparisonInputs,
-    result: Result<Compared, Vec<Diagnostic>>,
+    result: Result<PictureComparison, Vec<Diagnostic>>,
 }
 
 /// Two pictures and their difference.
-struct Compared {
+struct PictureComparison {
     /// The look's picture, and the one that it is compared with.
     pictures: [egui::ColorImage; 2],
     /// Difference of each channel, red, green and blue; 0 on edges, where coverage may differ.
@@ -99,7 +99,7 @@ struct Compared {
 /// Comparison on the screen.
 struct ComparisonView {
     moment: ComparisonInputs,
-    compared: Compared,
+    compared: PictureComparison,
     textures: [TextureHandle; 2],
     /// Texture of the difference, with the factor that it is magnified by.
     magnified: Option<(u32, TextureHandle)>,
@@ -215,7 +215,7 @@ impl Wipe {
         self.asked = Some(moment.clone());
         let job = ComparisonRequest {
             moment,
-            still: session.snapshot(),
+            snapshot: session.snapshot(),
             progress: self.progress.clone(),
         };
         if let Some(worker) = &self.worker {

@@ -25,7 +25,7 @@ pub struct Rig {
     lights: IndexMap<LightId, Light>,
     exposed: Vec<(PortName, Target)>,
     time: Vec<TimeKeys>,
-    directions: Vec<(DirectionKeys, KeyWeights)>,
+    directions: Vec<(DirectionKeys, Warned<KeyWeights>)>,
     space: ColorSpace,
 }
 
@@ -33,23 +33,22 @@ impl Rig {
     /// Solves the direction keys of `look`. Diagnostics warn of keys that are merged or lie too
     /// close.
     pub fn new(look: &Look) -> Warned<Self> {
-        let mut problems = Vec::new();
-        let mut index = 0;
-        let rig = Self::with(look, &mut |keys| {
-            let (weights, found) = solve(keys).into_parts();
-            problems.extend(found.into_iter().map(|mut problem| {
-                let inner = problem.place.json_path.take().unwrap_or_else(|| "keys".to_owned());
-                problem.json_path(format!("direction_keys[{index}].{inner}"))
-            }));
-            index += 1;
-            weights
-        });
-        Warned::new(rig, problems)
+        Self::with(look, &solve)
     }
 
-    fn with(look: &Look, weights_of: &mut dyn FnMut(&DirectionKeys) -> KeyWeights) -> Self {
+    fn with(
+        look: &Look,
+        weights_of: &dyn Fn(&DirectionKeys) -> Warned<KeyWeights>,
+    ) -> Warned<Self> {
         let mut directions: Vec<_> =
             look.direction_keys.iter().map(|keys| (keys.clone(), weights_of(keys))).collect();
+        let warnings = directions.iter().enumerate().flat_map(|(index, (_, weights))| {
+            weights.warnings.iter().cloned().map(move |mut problem| {
+                let inner = problem.place.json_path.take().unwrap_or_else(|| "keys".to_owned());
+                problem.json_path(format!("direction_keys[{index}].{inner}"))
+            })
+        });
+        let warnings = warnings.collect();
         let exposed = look
             .exposed
             .iter()
@@ -63,12 +62,11 @@ impl Rig {
         time.iter_mut().flat_map(|track| &mut track.keys).for_each(|key| in_space(&mut key.value));
         let keys = directions.iter_mut().flat_map(|(keys, _)| &mut keys.keys);
         keys.flat_map(|key| key.values.values_mut()).for_each(in_space);
-        Self { lights, exposed, time, directions, space }
+        Warned::new(Self { lights, exposed, time, directions, space }, warnings)
     }
 
     /// The rig of another state of the look. Weights are solved anew only where keys moved.
-    #[must_use]
-    pub fn renewed(&self, look: &Look) -> Self {
+    pub fn renewed(&self, look: &Look) -> Warned<Self> {
         let places = |keys: &DirectionKeys| -> Vec<[f64; 3]> {
             keys.keys.iter().map(|key| key.direction).collect()
         };
@@ -79,9 +77,9 @@ impl Rig {
                     && own.by.axes() == keys.by.axes()
                     && places(own) == places(keys)
             };
-            known.find(|(own, _)| is_same(own)).map(|(_, w)| w.clone())
+            known.find(|(own, _)| is_same(own)).map(|(_, weights)| weights.clone())
         };
-        Self::with(look, &mut |keys| known(keys).unwrap_or_else(|| solve(keys).value))
+        Self::with(look, &|keys| known(keys).unwrap_or_else(|| solve(keys)))
     }
 
     /// The values at a time, for a module with the parameters `params`.
@@ -147,7 +145,7 @@ impl Rig {
         set_lights(&mut lights, &values);
         let mut decided = vec![(DVec3::ZERO, Vec::new()); self.directions.len()];
         for set in self.order(wires) {
-            let (keys, weights) = &self.directions[set];
+            let (keys, Warned { value: weights, .. }) = &self.directions[set];
             let mut direction = self.direction(&keys.by, &lights, inputs);
             if let (Some(wires), Some(_)) = (wires, keys.by.outputs().next()) {
                 self.drive(&keys.by, wires, (&values, &lights, base), inputs, &mut direction)?;
@@ -306,8 +304,8 @@ mod tests {
             look_with(&[x, y, z], 1.0),
             look_with(&[x], 1.0),
         ] {
-            assert_eq!(of(&first.renewed(&look)), of(&Rig::new(&look).value));
+            assert_eq!(of(&first.renewed(&look).value), of(&Rig::new(&look).value));
         }
-        assert_ne!(of(&first), of(&first.renewed(&look_with(&[x, z], 3.0))));
+        assert_ne!(of(&first), of(&first.renewed(&look_with(&[x, z], 3.0)).value));
     }
 }

@@ -166,7 +166,7 @@ impl PartDraw<'_> {
         let shaders = self.shaders;
         let inputs = self.rig_inputs();
         let mut made = DrawValues::default();
-        let modules = std::iter::once((Stage::Draw, &shaders.draw))
+        let modules = std::iter::once((shaders.draw.stage, &shaders.draw))
             .chain(before.iter().map(|(stage, shader)| (*stage, shader)));
         for (stage, shader) in modules {
             let Some(table) = shaders.tables.get(&stage) else { continue };

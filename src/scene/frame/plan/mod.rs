@@ -12,6 +12,7 @@ mod omissions;
 mod passes;
 mod placement;
 mod planner;
+mod style;
 mod variants;
 mod warnings;
 
@@ -32,6 +33,7 @@ use crate::library::{PassId, Stage};
 
 pub(super) use images::images;
 pub use planner::Planner;
+pub use style::PlanStyle;
 
 /// Options of a picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,7 +114,7 @@ pub struct Draw {
 impl Draw {
     /// The module of a stage that draws meshes; `None` where the plan does without that stage.
     pub fn module(&self, stage: Stage) -> Option<&Arc<CompiledShader>> {
-        if stage == Stage::Draw { Some(&self.look) } else { self.before.get(&stage) }
+        if stage == self.look.stage { Some(&self.look) } else { self.before.get(&stage) }
     }
 
     /// All modules, the look's own first.
@@ -150,6 +152,34 @@ pub struct FramePlan {
 }
 
 impl FramePlan {
+    /// The plan of `pass` alone, with the passes over the picture that it reads: whoever runs it
+    /// has the [images of meshes](Self::missing) already.
+    pub fn of_screens(pass: PassId, view: View, size: [u32; 2]) -> Self {
+        let mut passes = vec![pass];
+        for before in PassId::all().rev().filter(|before| before.is_screen()) {
+            if passes.iter().any(|pass| pass.reads(before)) {
+                passes.push(before);
+            }
+        }
+        let planned = |id: PassId| Pass { id, reason: id.row().purpose.to_owned(), input_hash: 0 };
+        Self {
+            size,
+            samples: 1,
+            backdrop: None,
+            view,
+            draws: Vec::new(),
+            passes: passes.into_iter().rev().map(planned).collect(),
+            dropped: Vec::new(),
+        }
+    }
+
+    /// The passes whose results the plan's passes read, and that the plan does not have.
+    pub fn missing(&self) -> impl Iterator<Item = PassId> {
+        let is_read = |pass: PassId| self.passes.iter().any(|reader| reader.id.reads(pass));
+        let is_planned = |pass: PassId| self.passes.iter().any(|planned| planned.id == pass);
+        PassId::all().filter(move |pass| is_read(*pass) && !is_planned(*pass))
+    }
+
     /// The distance to which the plan's passes look around in images that meshes are drawn into, in
     /// pixels.
     pub fn reach(&self) -> usize {

@@ -72,7 +72,7 @@ impl WantedPasses {
     pub(super) fn stages_before(&self) -> Vec<Stage> {
         self.0
             .keys()
-            .filter(|pass| **pass != PassId::LOOK)
+            .filter(|pass| !pass.writes_picture())
             .filter_map(|pass| pass.stage())
             .collect()
     }
@@ -99,8 +99,8 @@ impl WantedPasses {
             if let Some(stage) = id.stage() {
                 hash_of(draws, view, options, stage).hash(&mut hasher);
             }
-            // The look reads the results of all passes before it, whichever they are.
-            let is_read = |before: &&Pass| id == PassId::LOOK || id.reads(before.id);
+            // The picture reads the results of all passes before it, whichever they are.
+            let is_read = |before: &&Pass| id.writes_picture() || id.reads(before.id);
             let read = passes.iter().filter(is_read);
             read.for_each(|before| (before.id, before.input_hash).hash(&mut hasher));
             passes.push(Pass { id, reason, input_hash: hasher.finish() });

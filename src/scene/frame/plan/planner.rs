@@ -6,10 +6,11 @@ use std::sync::Arc;
 use super::key::look_key;
 use super::omissions::push_equal_looks;
 use super::passes::{ContextReaders, WantedPasses};
+use super::style::PlanStyle;
 use super::variants::LookShaders;
 use super::{FramePlan, PlanOptions};
 use crate::compile::{CompiledShader, Live};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Warned};
 use crate::document::Look;
 use crate::frame::assets::Assets;
 use crate::frame::keys::Rig;
@@ -25,8 +26,6 @@ pub struct Planner {
     pub assets: Assets,
     /// Parts that are left out because they are not seen.
     pub cull: Cull,
-    /// Warnings: oddities that stopped nothing.
-    pub warnings: Vec<Diagnostic>,
     pub(super) bounds: KnownBounds,
     /// Compiled looks, by the hash of what they were compiled from.
     pub(super) shaders: HashMap<u64, LookShaders>,
@@ -47,7 +46,7 @@ impl Planner {
     /// A planner for the reference: looks are compiled as they are written, with nothing folded or
     /// removed. Its plans are to be asked for with [`Live::All`], so that every value comes in f64.
     pub fn for_truth(assets: Assets) -> Self {
-        Self { assets, unspecialized: true, cull: Cull::Objects, ..Self::default() }
+        PlanStyle::AsWritten.planner(assets)
     }
 
     /// The planner, changed to leave out `cull`.
@@ -61,25 +60,24 @@ impl Planner {
     pub fn provide(&mut self, look: &Look, live: &Live, draw: Arc<CompiledShader>) {
         let key = look_key(look, live, false, &BTreeSet::new());
         // Keys change without the module: the modules made beside it are still valid.
-        let known =
-            self.shaders.values_mut().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw)).map(
-                |shaders| {
-                    let rig = shaders.rig.renewed(look);
-                    LookShaders { rig, ..shaders.clone() }
-                },
-            );
-        let shaders = known.unwrap_or_else(|| {
-            let (rig, problems) = Rig::new(look).into_parts();
-            self.warnings = problems;
-            LookShaders::new(draw, rig)
-        });
+        let known = self.shaders.values().find(|shaders| Arc::ptr_eq(&shaders.draw, &draw));
+        let shaders = match known {
+            Some(shaders) => {
+                let (rig, warnings) = shaders.rig.renewed(look).into_parts();
+                LookShaders { rig, warnings, ..shaders.clone() }
+            }
+            None => {
+                let (rig, warnings) = Rig::new(look).into_parts();
+                LookShaders::new(draw, rig, warnings)
+            }
+        };
         // Only one look is edited at a time: modules compiled for its earlier states are dropped,
         // those of other looks stay.
         self.shaders.retain(|key, _| self.used.contains(key));
         self.shaders.insert(key, shaders);
     }
 
-    /// Plans one picture of `setup`.
+    /// Plans one picture of `setup`; warns of oddities of the looks and objects in it.
     ///
     /// # Errors
     /// All errors that keep a look from being compiled or an image from being read.
@@ -89,7 +87,7 @@ impl Planner {
         library: &Library,
         live: &Live,
         options: &PlanOptions,
-    ) -> Result<FramePlan, Vec<Diagnostic>> {
+    ) -> Result<Warned<FramePlan>, Vec<Diagnostic>> {
         let mut dropped = Vec::new();
         let scene = self.place(setup, library, live, options);
         let visible = self.visible(&scene, &mut dropped);
@@ -104,11 +102,11 @@ impl Planner {
         });
         let stages = wanted.stages_before();
         self.compile_before(&scene, &visible, &variants, &stages)?;
-        self.warn(&scene, &visible, &variants);
+        let warnings = self.warnings(&scene, &visible, &variants);
         let draws = self.draws(&scene, &visible, &variants, &stages)?;
         wanted.push_unwanted(&mut dropped, options);
         let passes = wanted.planned(&draws, &scene.view, options);
-        Ok(FramePlan {
+        let plan = FramePlan {
             size: options.size,
             samples: options.samples,
             backdrop: setup.scene.backdrop,
@@ -116,6 +114,7 @@ impl Planner {
             draws,
             passes,
             dropped,
-        })
+        };
+        Ok(Warned::new(plan, warnings))
     }
 }

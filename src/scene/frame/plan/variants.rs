@@ -43,15 +43,17 @@ pub(super) struct LookShaders {
     /// The modules of passes before the look.
     pub(super) before: HashMap<Stage, Arc<CompiledShader>>,
     pub(super) rig: Rig,
+    /// Warnings about the look's nodes and keys.
+    pub(super) warnings: Vec<Diagnostic>,
     /// Tables of the parameters that each module reads.
     pub(super) tables: HashMap<Stage, ParamTable>,
 }
 
 impl LookShaders {
     /// The look's own module with its keys.
-    pub(super) fn new(draw: Arc<CompiledShader>, rig: Rig) -> Self {
-        let tables = HashMap::from([(Stage::Draw, ParamTable::new(&draw.params))]);
-        Self { draw, before: HashMap::new(), rig, tables }
+    pub(super) fn new(draw: Arc<CompiledShader>, rig: Rig, warnings: Vec<Diagnostic>) -> Self {
+        let tables = HashMap::from([(draw.stage, ParamTable::new(&draw.params))]);
+        Self { draw, before: HashMap::new(), rig, warnings, tables }
     }
 }
 
@@ -117,7 +119,8 @@ impl Planner {
                         continue;
                     }
                     match compile(&now, scene.library, &options) {
-                        Ok(shader) => {
+                        Ok(compiled) => {
+                            let shader = compiled.value;
                             shaders.tables.insert(stage, ParamTable::new(&shader.params));
                             shaders.before.insert(stage, Arc::new(shader));
                         }
@@ -138,18 +141,17 @@ impl Planner {
     }
 
     fn compile_look(
-        &mut self,
+        &self,
         setup: &SetupLook,
         look: &Look,
         library: &Library,
         (live, variant): (&Live, &LookVariant),
     ) -> Result<LookShaders, Vec<Diagnostic>> {
         let options = Options { display: true, ..self.options(live, variant) };
-        let draw = compile(look, library, &options).map_err(|found| located(setup, found))?;
-        let (rig, mut problems) = Rig::new(look).into_parts();
-        problems.extend(draw.warnings.iter().cloned());
-        self.warnings.extend(located(setup, problems));
-        Ok(LookShaders::new(Arc::new(draw), rig))
+        let compiled = compile(look, library, &options).map_err(|found| located(setup, found))?;
+        let (rig, mut warnings) = Rig::new(look).into_parts();
+        let draw = compiled.tell(&mut warnings);
+        Ok(LookShaders::new(Arc::new(draw), rig, located(setup, warnings)))
     }
 
     fn options(&self, live: &Live, variant: &LookVariant) -> Options {

@@ -12,29 +12,44 @@ use crate::frame::uvs::{self, Lack};
 use crate::ids::ObjectId;
 
 impl Planner {
-    /// Collects the warnings about the visible objects and their looks.
-    pub(super) fn warn(
+    /// The warnings about the visible objects and their looks, each once.
+    pub(super) fn warnings(
         &mut self,
         scene: &PlacedScene<'_>,
         visible: &[VisibleObject<'_>],
         variants: &Variants,
-    ) {
-        self.warn_of_uvs(scene, visible, variants);
+    ) -> Vec<Diagnostic> {
+        let mut found = Vec::new();
+        for VisibleObject { number, object } in visible {
+            let worn =
+                object.looks.iter().flatten().filter_map(|look| variants.get(&(*number, *look)));
+            let shaders = worn.filter_map(|variant| self.shaders.get(&variant.key));
+            found.extend(shaders.flat_map(|shaders| shaders.warnings.iter().cloned()));
+        }
+        found.extend(self.lacking_uvs(scene, visible, variants));
         for VisibleObject { object, .. } in visible {
             for look in object.worn_looks() {
-                self.warn_of_missing(scene.setup, &scene.setup.looks[look], &object.id);
+                found.extend(missing_objects(scene.setup, &scene.setup.looks[look], &object.id));
             }
         }
+        let mut each_once: Vec<Diagnostic> = Vec::new();
+        for problem in found {
+            if !each_once.contains(&problem) {
+                each_once.push(problem);
+            }
+        }
+        each_once
     }
 
-    /// Warns of objects whose looks read UVs, or the tangents along them, where the meshes have no
-    /// UVs.
-    fn warn_of_uvs(
+    /// Warnings of objects whose looks read UVs, or the tangents along them, where the meshes have
+    /// no UVs.
+    fn lacking_uvs(
         &mut self,
         scene: &PlacedScene<'_>,
         visible: &[VisibleObject<'_>],
         variants: &Variants,
-    ) {
+    ) -> Vec<Diagnostic> {
+        let mut found = Vec::new();
         self.uv_readers.retain(|key, _| self.used.contains(key));
         for VisibleObject { number, object } in visible.iter().filter(|of| !of.object.mesh.has_uvs)
         {
@@ -49,48 +64,42 @@ impl Planner {
                     .uv_readers
                     .entry(variant.key)
                     .or_insert_with(|| uvs::readers(look, draw, lack, scene.library));
-                let problem = uvs::without_uvs(object, look, lack, readers);
-                if !self.warnings.contains(&problem) {
-                    self.warnings.push(problem);
-                }
+                found.push(uvs::without_uvs(object, look, lack, readers));
             }
         }
+        found
     }
+}
 
-    /// Warns of keys that go by the distance to an object that is not in the scene.
-    fn warn_of_missing(&mut self, setup: &Setup, look: &SetupLook, own: &ObjectId) {
-        for (index, set) in look.look.direction_keys.iter().enumerate() {
-            let KeyDirection::Drivers(drivers) = &set.by else { continue };
-            for driver in drivers {
-                let Driver::Near(id) = driver else { continue };
-                if *id != *own && setup.objects.iter().any(|object| object.id == *id) {
-                    continue;
-                }
-                let is_own = *id == *own;
-                let message = if is_own {
-                    format!("object `{id}` wears a look whose keys go by how near it is to itself")
-                } else {
-                    format!("there is no object `{id}` in the scene")
-                };
-                let ids =
-                    setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
-                let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
-                let hint = if known.is_empty() {
-                    "add another object to the scene, or let something else decide".to_owned()
-                } else {
-                    format!(
-                        "other objects are {}; until then it counts as far away",
-                        known.join(", ")
-                    )
-                };
-                let mut problem = Diagnostic::warning("unknown-object", message)
-                    .json_path(format!("direction_keys[{index}].by"))
-                    .hint(hint);
-                look.source.locate(&mut problem);
-                if !self.warnings.contains(&problem) {
-                    self.warnings.push(problem);
-                }
+/// Warnings of keys that go by the distance to an object that is not in the scene.
+fn missing_objects(setup: &Setup, look: &SetupLook, own: &ObjectId) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for (index, set) in look.look.direction_keys.iter().enumerate() {
+        let KeyDirection::Drivers(drivers) = &set.by else { continue };
+        for driver in drivers {
+            let Driver::Near(id) = driver else { continue };
+            if *id != *own && setup.objects.iter().any(|object| object.id == *id) {
+                continue;
             }
+            let is_own = *id == *own;
+            let message = if is_own {
+                format!("object `{id}` wears a look whose keys go by how near it is to itself")
+            } else {
+                format!("there is no object `{id}` in the scene")
+            };
+            let ids = setup.objects.iter().map(|object| &object.id).filter(|other| *other != own);
+            let known: Vec<String> = ids.take(8).map(|id| format!("`{id}`")).collect();
+            let hint = if known.is_empty() {
+                "add another object to the scene, or let something else decide".to_owned()
+            } else {
+                format!("other objects are {}; until then it counts as far away", known.join(", "))
+            };
+            let mut problem = Diagnostic::warning("unknown-object", message)
+                .json_path(format!("direction_keys[{index}].by"))
+                .hint(hint);
+            look.source.locate(&mut problem);
+            found.push(problem);
         }
     }
+    found
 }

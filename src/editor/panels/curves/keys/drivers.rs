@@ -48,7 +48,7 @@ pub(super) fn show(
                 let now = ui.label(said(&axes[axis], shown.now[axis]));
                 let text = format!(
                     "{} now: {}",
-                    shown.session.driver_name(&axes[axis]),
+                    shown.session.keys().driver_name(&axes[axis]),
                     said(&axes[axis], shown.now[axis])
                 );
                 now.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.clone()));
@@ -59,12 +59,17 @@ pub(super) fn show(
                     let remove = ui
                         .add(Button::new("×").small().frame(false))
                         .on_hover_text("Decides no more");
-                    let called =
-                        format!("Remove the driver {}", shown.session.driver_name(&axes[axis]));
+                    let called = format!(
+                        "Remove the driver {}",
+                        shown.session.keys().driver_name(&axes[axis])
+                    );
                     remove.widget_info(|| WidgetInfo::labeled(Role::Button, true, called.clone()));
                     if remove.clicked() {
                         out.push(Command::Edit(
-                            shown.session.change_set(shown.set, |keys| remove_axis(keys, axis)),
+                            shown
+                                .session
+                                .keys()
+                                .change_set(shown.set, |keys| remove_axis(keys, axis)),
                         ));
                     }
                 }
@@ -78,8 +83,8 @@ pub(super) fn show(
 
 /// Possible drivers of a set's keys: numbers of the scene, then wires of the look that may change.
 fn all(shown: &KeySetView<'_>) -> impl Iterator<Item = Driver> {
-    let [wires, _] = shown.session.wires(&targets_of(shown.keys));
-    shown.session.drivers().into_iter().chain(wires)
+    let [wires, _] = shown.session.keys().wires(&targets_of(shown.keys));
+    shown.session.keys().drivers().into_iter().chain(wires)
 }
 
 /// Shows the choice of an axis's driver.
@@ -92,14 +97,16 @@ fn chosen(
 ) {
     let session = shown.session;
     let combo = ComboBox::from_id_salt("driver").width(150.0).wrap_mode(TextWrapMode::Extend);
-    let combo = combo.selected_text(session.driver_name(&axes[axis]));
+    let combo = combo.selected_text(session.keys().driver_name(&axes[axis]));
     let combo = combo.show_ui(ui, |ui| {
         for driver in all(shown) {
             let is_free = !axes.contains(&driver);
-            if ui.selectable_label(axes[axis] == driver, session.driver_name(&driver)).clicked()
+            if ui
+                .selectable_label(axes[axis] == driver, session.keys().driver_name(&driver))
+                .clicked()
                 && is_free
             {
-                out.push(Command::Edit(session.change_set(shown.set, |keys| {
+                out.push(Command::Edit(session.keys().change_set(shown.set, |keys| {
                     if let KeyDirection::Drivers(axes) = &mut keys.by {
                         axes[axis] = driver;
                     }
@@ -126,12 +133,14 @@ fn place(
     let mut value = own / per_unit;
     let (speed, suffix) = if driver.is_angle() { (0.5, "°") } else { (0.01, "") };
     let drag = ui.add(DragValue::new(&mut value).speed(speed).suffix(suffix).max_decimals(3));
-    let called = format!("{} of key {}", shown.session.driver_name(driver), key + 1);
+    let called = format!("{} of key {}", shown.session.keys().driver_name(driver), key + 1);
     drag.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, called.clone()));
     if drag.changed() && value.is_finite() {
         let moved = (value * per_unit).clamp(-1e6, 1e6);
-        let edit =
-            shown.session.change_set(shown.set, |keys| keys.keys[key].direction[axis] = moved);
+        let edit = shown
+            .session
+            .keys()
+            .change_set(shown.set, |keys| keys.keys[key].direction[axis] = moved);
         out.push(Command::EditHeld(drag.id, edit));
     }
 }
@@ -143,9 +152,9 @@ fn add(ui: &mut Ui, shown: &KeySetView<'_>, axes: &[Driver], out: &mut Vec<Comma
     ui.menu_button("Add driver", |ui| {
         ScrollArea::vertical().max_height(MENU).show(ui, |ui| {
             for driver in all(shown).filter(|driver| !axes.contains(driver)) {
-                if ui.button(session.driver_name(&driver)).clicked() {
-                    let now = super::rounded(DVec3::splat(session.driver_now(&driver)))[0];
-                    out.push(Command::Edit(session.change_set(shown.set, |keys| {
+                if ui.button(session.keys().driver_name(&driver)).clicked() {
+                    let now = super::rounded(DVec3::splat(session.keys().driver_now(&driver)))[0];
+                    out.push(Command::Edit(session.keys().change_set(shown.set, |keys| {
                         let KeyDirection::Drivers(axes) = &mut keys.by else { return };
                         let axis = axes.len();
                         axes.push(driver);

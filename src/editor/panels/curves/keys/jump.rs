@@ -27,7 +27,7 @@ pub(super) fn to(session: &Session, by: &KeyDirection, direction: DVec3) -> Opti
                 .get(id)
                 .filter(|light| light.space == LightSpace::Illumination)?;
             let world_from_camera = camera_from_world(&view).transpose();
-            let now = (world_from_camera * session.direction_of(by)).try_normalize()?;
+            let now = (world_from_camera * session.keys().direction_of(by)).try_normalize()?;
             let turn = DQuat::from_rotation_arc(now, (world_from_camera * direction).normalize());
             view.illumination = (turn * view.illumination).normalize();
         }

@@ -45,8 +45,10 @@ pub(super) fn key_handle(
         None => None,
     };
     if let Some(moved) = moved {
-        let edit =
-            shown.session.change_set(shown.set, |keys| keys.keys[index].direction = rounded(moved));
+        let edit = shown
+            .session
+            .keys()
+            .change_set(shown.set, |keys| keys.keys[index].direction = rounded(moved));
         out.push(Command::EditHeld(handled.response.id, edit));
     }
     if handle::pressed(ui, &handled.response, Key::Delete) {

@@ -17,7 +17,7 @@ use glam::DVec3;
 
 use crate::commands::{Command, PanelId, ViewCommand};
 use crate::document::{DirectionKey, DirectionKeys, Edit, KeyDirection, KeyScheme};
-use crate::fields::still_wires;
+use crate::fields::constant_wires;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::keying::rounded;
 use crate::state::orbit::Orbit;
@@ -76,10 +76,13 @@ impl Keys {
             nothing(ui, session, &mut commands);
             return commands;
         };
-        let weights =
-            session.decided(self.set).map(|(_, weights)| weights.clone()).unwrap_or_default();
-        let now = session.direction_of(&keys.by);
-        let key = session.key_at(self.set);
+        let weights = session
+            .keys()
+            .decided(self.set)
+            .map(|(_, weights)| weights.clone())
+            .unwrap_or_default();
+        let now = session.keys().direction_of(&keys.by);
+        let key = session.keys().key_at(self.set);
         let shown = KeySetView { session, set: self.set, keys, key, weights, now };
         self.sets(ui, &shown, &mut commands);
         let room = ui.available_size();
@@ -147,7 +150,7 @@ impl Keys {
             if edit.changed() {
                 out.push(Command::EditHeld(
                     edit.id,
-                    session.change_set(*set, |keys| keys.name = called),
+                    session.keys().change_set(*set, |keys| keys.name = called),
                 ));
             }
             if keys.by.axes().is_none() {
@@ -312,32 +315,32 @@ fn add_menu(ui: &mut Ui, session: &Session, text: &str, out: &mut Vec<Command>) 
         let mut add = |ui: &mut Ui, text: String, by: KeyDirection| {
             if ui.button(text).clicked() {
                 let index = session.look().direction_keys.len();
-                out.push(Command::Edit(session.new_set(by, None)));
+                out.push(Command::Edit(session.keys().new_set(by, None)));
                 out.push(Command::SelectKey(Some((index, 0))));
             }
         };
         for id in session.look().lights.keys() {
             add(
                 ui,
-                format!("By the light \"{}\"", session.light_name(id)),
+                format!("By the light \"{}\"", session.look_with_library().light_name(id)),
                 KeyDirection::Light(id.clone()),
             );
         }
         add(ui, "By the view".to_owned(), KeyDirection::View);
         ui.separator();
-        for driver in session.drivers() {
-            add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+        for driver in session.keys().drivers() {
+            add(ui, session.keys().driver_name(&driver), KeyDirection::Drivers(vec![driver]));
         }
-        let [wires, still] = session.wires(&[]);
-        if !wires.is_empty() || !still.is_empty() {
+        let [wires, constant] = session.keys().wires(&[]);
+        if !wires.is_empty() || !constant.is_empty() {
             ui.separator();
         }
         ScrollArea::vertical().max_height(drivers::MENU).show(ui, |ui| {
             for driver in wires {
-                add(ui, session.driver_name(&driver), KeyDirection::Drivers(vec![driver]));
+                add(ui, session.keys().driver_name(&driver), KeyDirection::Drivers(vec![driver]));
             }
         });
-        still_wires::note(ui, session, &still);
+        constant_wires::note(ui, session, &constant);
     })
     .response
     .on_hover_text(
@@ -351,7 +354,7 @@ fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let KeySetView { session, set, keys, .. } = shown;
     let text = |by: &KeyDirection| match by {
         KeyDirection::View => "By the view".to_owned(),
-        KeyDirection::Light(id) => format!("By \"{}\"", session.light_name(id)),
+        KeyDirection::Light(id) => format!("By \"{}\"", session.look_with_library().light_name(id)),
         KeyDirection::Drivers(_) => String::new(),
     };
     let combo = ComboBox::from_id_salt("by")
@@ -362,7 +365,7 @@ fn by(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
             let lights = session.look().lights.keys().map(|id| KeyDirection::Light(id.clone()));
             for by in lights.chain([KeyDirection::View]) {
                 if ui.selectable_label(keys.by == by, text(&by)).clicked() && keys.by != by {
-                    out.push(Command::Edit(session.change_set(*set, |keys| keys.by = by)));
+                    out.push(Command::Edit(session.keys().change_set(*set, |keys| keys.by = by)));
                 }
             }
         });
@@ -393,7 +396,9 @@ fn scheme(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
                 let (label, help) = text(choice);
                 let is_it = keys.scheme == choice;
                 if ui.selectable_label(is_it, label).on_hover_text(help).clicked() && !is_it {
-                    out.push(Command::Edit(session.change_set(*set, |keys| keys.scheme = choice)));
+                    out.push(Command::Edit(
+                        session.keys().change_set(*set, |keys| keys.scheme = choice),
+                    ));
                 }
             }
         });
@@ -435,10 +440,10 @@ fn add_here(shown: &KeySetView<'_>) -> Edit {
     let KeySetView { session, set, keys, now, .. } = shown;
     let values = crate::state::keying::targets_of(keys)
         .into_iter()
-        .filter_map(|target| Some((target.clone(), session.value_now(&target)?)))
+        .filter_map(|target| Some((target.clone(), session.keys().value_now(&target)?)))
         .collect();
     let direction = rounded(*now);
-    session.change_set(*set, |keys| {
+    session.keys().change_set(*set, |keys| {
         keys.keys.push(DirectionKey { direction, values, unknown: Default::default() });
     })
 }
@@ -454,14 +459,16 @@ fn copy(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
         }
     };
     let copied = DirectionKey { direction, ..original.clone() };
-    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| keys.keys.push(copied))));
+    out.push(Command::Edit(
+        shown.session.keys().change_set(shown.set, |keys| keys.keys.push(copied)),
+    ));
     out.push(Command::SelectKey(Some((shown.set, shown.keys.keys.len()))));
 }
 
 fn remove(shown: &KeySetView<'_>, out: &mut Vec<Command>) {
     let key = shown.key;
     out.push(Command::SelectKey(None));
-    out.push(Command::Edit(shown.session.change_set(shown.set, |keys| {
+    out.push(Command::Edit(shown.session.keys().change_set(shown.set, |keys| {
         if key < keys.keys.len() {
             keys.keys.remove(key);
         }

@@ -69,7 +69,7 @@ fn head(ui: &mut Ui, shown: &KeySetView<'_>, out: &mut Vec<Command>) {
 
 fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Command>) {
     let KeySetView { session, set, keys, .. } = shown;
-    let [owner, what] = session.names_of(target);
+    let [owner, what] = session.look_with_library().names_of(target);
     let called = format!("{owner}: {what}");
     let link = ui
         .link(RichText::new(&called).color(theme::of(ui).text))
@@ -79,7 +79,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     {
         out.push(Command::Show(node.clone()));
     }
-    let Some(port) = session.port_at(target) else {
+    let Some(port) = session.look_with_library().port_at(target) else {
         ui.end_row();
         return;
     };
@@ -88,7 +88,11 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
             ui.horizontal(|ui| {
                 let name = format!("{called} at key {}", index + 1);
                 let own = key.values.get(target);
-                let Some(now) = own.cloned().or_else(|| session.own_value(target)) else { return };
+                let Some(now) =
+                    own.cloned().or_else(|| session.look_with_library().own_value(target))
+                else {
+                    return;
+                };
                 if own.is_none() {
                     let help =
                         "This key leaves the look's own value; press to give it one of its own";
@@ -98,14 +102,19 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
                         WidgetInfo::labeled(egui::Role::Button, true, format!("Set {name}"))
                     });
                     if response.clicked() {
-                        out.push(Command::Edit(session.set_in_key(*set, index, target, now)));
+                        out.push(Command::Edit(
+                            session.keys().set_in_key(*set, index, target, now),
+                        ));
                     }
                     return;
                 }
                 if let Some((id, value)) =
                     value::cell(ui, &name, &port, &now, session.look().color_space)
                 {
-                    out.push(Command::EditHeld(id, session.set_in_key(*set, index, target, value)));
+                    out.push(Command::EditHeld(
+                        id,
+                        session.keys().set_in_key(*set, index, target, value),
+                    ));
                 }
                 let is_only =
                     keys.keys.iter().filter(|key| key.values.contains_key(target)).count() < 2;
@@ -114,7 +123,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
                     WidgetInfo::labeled(egui::Role::Button, !is_only, format!("Clear {name}"))
                 });
                 if clear.on_hover_text("Leaves the look's own value at this key").clicked() {
-                    out.push(Command::Edit(session.change_set(*set, |keys| {
+                    out.push(Command::Edit(session.keys().change_set(*set, |keys| {
                         keys.keys[index].values.shift_remove(target);
                     })));
                 }
@@ -125,7 +134,7 @@ fn row(ui: &mut Ui, shown: &KeySetView<'_>, target: &Target, out: &mut Vec<Comma
     unkey.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("Unkey {called}")));
     if unkey.on_hover_text("Keys change this no more; it keeps the value that it has now").clicked()
     {
-        out.push(Command::Edit(session.unkey(target)));
+        out.push(Command::Edit(session.keys().unkey(target)));
     }
     ui.end_row();
 }
@@ -142,7 +151,7 @@ fn add_value(ui: &mut Ui, shown: &KeySetView<'_>, known: &[Target], out: &mut Ve
                 let ports = kind.map(|kind| kind.inputs.as_slice()).unwrap_or_default();
                 for port in ports.iter().filter(|port| has_between(&port.ty)) {
                     let is_free = session.graph().wire_into(id, &port.name).is_none();
-                    let target = session.target(id, &port.name);
+                    let target = session.selection.target(id, &port.name);
                     entry(ui, shown, &target, is_free && !known.contains(&target), out);
                 }
             }
@@ -173,11 +182,11 @@ fn entry(
     is_new: bool,
     out: &mut Vec<Command>,
 ) {
-    let [owner, what] = shown.session.names_of(target);
+    let [owner, what] = shown.session.look_with_library().names_of(target);
     if is_new
-        && shown.session.value_now(target).is_some()
+        && shown.session.keys().value_now(target).is_some()
         && ui.button(format!("{owner}: {what}")).clicked()
     {
-        out.extend(shown.session.key_in_set(shown.set, target).map(Command::Edit));
+        out.extend(shown.session.keys().key_in_set(shown.set, target).map(Command::Edit));
     }
 }

@@ -35,18 +35,28 @@ pub(crate) const PANEL: PanelRow = PanelRow::new(
 );
 
 /// Inputs that make up a profile, in order, with their symbols.
-const PARTS: [Part; 3] = [
-    Part {
+const ANGLES: [ProfileAngle; 3] = [
+    ProfileAngle {
         port: "offset",
         label: "Offset",
         symbol: "τ",
         help: "Up to this angle the tone is full",
     },
-    Part { port: "falloff", label: "Fall-off", symbol: "f", help: "Where the tone falls fastest" },
-    Part { port: "cutoff", label: "Cut-off", symbol: "c", help: "Where the tone reaches 0" },
+    ProfileAngle {
+        port: "falloff",
+        label: "Fall-off",
+        symbol: "f",
+        help: "Where the tone falls fastest",
+    },
+    ProfileAngle {
+        port: "cutoff",
+        label: "Cut-off",
+        symbol: "c",
+        help: "Where the tone reaches 0",
+    },
 ];
 
-struct Part {
+struct ProfileAngle {
     port: &'static str,
     label: &'static str,
     /// Symbol of the BADF paper, for its readers.
@@ -54,7 +64,7 @@ struct Part {
     help: &'static str,
 }
 
-impl Part {
+impl ProfileAngle {
     fn explained(&self) -> String {
         format!("{}: {} ({} in the BADF paper)", self.label, self.help.to_lowercase(), self.symbol)
     }
@@ -100,23 +110,26 @@ impl<'a> Layer<'a> {
         if !has_profile(kind) {
             return None;
         }
-        let of = |part: &Part| {
-            values::number(session.value_at(&session.target(id, &part.port.into())).as_ref())
+        let of = |part: &ProfileAngle| {
+            values::number(
+                session.keys().value_at(&session.selection.target(id, &part.port.into())).as_ref(),
+            )
         };
-        let [offset, falloff, cutoff] = PARTS.each_ref().map(of);
-        let wired =
-            PARTS.each_ref().map(|part| session.graph().wire_into(id, &part.port.into()).is_some());
+        let [offset, falloff, cutoff] = ANGLES.each_ref().map(of);
+        let wired = ANGLES
+            .each_ref()
+            .map(|part| session.graph().wire_into(id, &part.port.into()).is_some());
         Some(Self { session, id, node, kind, shape: Shape { offset, falloff, cutoff }, wired })
     }
 
     fn target(&self, port: &str) -> Target {
-        self.session.target(self.id, &port.into())
+        self.session.selection.target(self.id, &port.into())
     }
 
     /// Present value of a numeric input; `None` where the node has no such input.
     fn number(&self, port: &str) -> Option<f64> {
         self.kind.input(port)?;
-        self.session.value_now(&self.target(port)).map(|value| values::number(Some(&value)))
+        self.session.keys().value_now(&self.target(port)).map(|value| values::number(Some(&value)))
     }
 
     /// Largest distance that curvature moves the profile, in radians; 0 where curvature has no
@@ -139,20 +152,21 @@ impl<'a> Layer<'a> {
     /// Shape at each key of the set that moves the shape, with the key's index.
     fn shapes_of_keys(&self) -> Vec<(usize, Shape)> {
         let session = self.session;
-        let set = PARTS.iter().find_map(|part| match session.keyed_by(&self.target(part.port)) {
-            KeyedBy::Direction(set) => Some(set),
-            _ => None,
-        });
+        let set =
+            ANGLES.iter().find_map(|part| match session.keys().keyed_by(&self.target(part.port)) {
+                KeyedBy::Direction(set) => Some(set),
+                _ => None,
+            });
         let Some(keys) = set.and_then(|set| session.look().direction_keys.get(set)) else {
             return Vec::new();
         };
         let shape_at = |key: &crate::document::DirectionKey| {
-            let of = |part: &Part| {
+            let of = |part: &ProfileAngle| {
                 let target = self.target(part.port);
-                let own = || session.own_value(&target);
+                let own = || session.look_with_library().own_value(&target);
                 values::number(key.values.get(&target).cloned().or_else(own).as_ref())
             };
-            let [offset, falloff, cutoff] = PARTS.each_ref().map(of);
+            let [offset, falloff, cutoff] = ANGLES.each_ref().map(of);
             Shape { offset, falloff, cutoff }
         };
         keys.keys.iter().map(shape_at).enumerate().collect()
@@ -160,7 +174,7 @@ impl<'a> Layer<'a> {
 }
 
 fn has_profile(kind: &Kind) -> bool {
-    PARTS
+    ANGLES
         .iter()
         .all(|part| kind.input(part.port).is_some_and(|index| kind.inputs[index].unit == "rad"))
 }
@@ -194,7 +208,7 @@ impl Profile {
     }
 
     fn layer(&mut self, ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
-        let can_edit = !layer.session.is_read_only();
+        let can_edit = !layer.session.graph_view().is_read_only();
         ui.add_enabled_ui(can_edit, |ui| {
             head(ui, layer, out);
             numbers(ui, layer, out);
@@ -290,8 +304,11 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
             .unwrap_or_default();
         for preset in presets {
             let is_it = preset.values.iter().all(|(port, value)| {
-                let now =
-                    PARTS.iter().zip([layer.shape.offset, layer.shape.falloff, layer.shape.cutoff]);
+                let now = ANGLES.iter().zip([
+                    layer.shape.offset,
+                    layer.shape.falloff,
+                    layer.shape.cutoff,
+                ]);
                 now.into_iter().any(|(part, now)| {
                     part.port == port.as_str() && (now - values::number(Some(value))).abs() < 1e-6
                 })
@@ -308,7 +325,7 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
                     .values
                     .iter()
                     .map(|(port, value)| (layer.target(port.as_str()), value.clone()));
-                out.push(Command::Edit(session.set_all_at(values)));
+                out.push(Command::Edit(session.keys().set_all_at(values)));
             }
         }
     });
@@ -318,7 +335,7 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
 fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
     let Shape { offset, falloff, cutoff } = layer.shape;
     ui.horizontal_wrapped(|ui| {
-        for (index, (part, radians)) in PARTS.iter().zip([offset, falloff, cutoff]).enumerate() {
+        for (index, (part, radians)) in ANGLES.iter().zip([offset, falloff, cutoff]).enumerate() {
             let color = plot::color_of(ui, index);
             let help = part.explained();
             let label = ui.label(RichText::new(part.label).color(color)).on_hover_text(&help).id;
@@ -337,6 +354,7 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
             if response.changed() && degrees.is_finite() {
                 let edit = layer
                     .session
+                    .keys()
                     .set_at(&layer.target(part.port), Value::Number(degrees.to_radians()));
                 out.push(Command::EditHeld(response.id, edit));
             }
@@ -346,9 +364,9 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
 }
 
 /// Shows the mark of the key that a number belongs to, where keys move the number.
-fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &Part) {
+fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &ProfileAngle) {
     let target = layer.target(part.port);
-    if layer.session.keyed_by(&target) != KeyedBy::Nothing {
+    if layer.session.keys().keyed_by(&target) != KeyedBy::Nothing {
         let name = format!("Keys of {}", part.label.to_lowercase());
         mark::of(ui, layer.session, &target, &name)
             .on_hover_text(mark::help(layer.session, &target));
@@ -366,7 +384,7 @@ fn notes(layer: &Layer<'_>, curve: &Curve) -> Vec<String> {
         sane.falloff,
         sane.cutoff,
     ]);
-    for (part, (own, counts)) in PARTS.iter().zip(pairs) {
+    for (part, (own, counts)) in ANGLES.iter().zip(pairs) {
         if (own - counts).abs() > 1e-9 && sane.offset < PI - 1e-5 {
             notes.push(format!(
                 "{} {} counts as {}: offset, fall-off and cut-off come in this order.",

@@ -11,7 +11,7 @@ use eframe::egui::{
 use eframe::egui::{pos2, vec2};
 
 use super::sample::Bend;
-use super::{Curve, Layer, PARTS};
+use super::{ANGLES, Curve, Layer};
 use crate::commands::Command;
 use crate::document::Value;
 use crate::values;
@@ -209,8 +209,8 @@ fn handles(
     [0, 1, 2].map(|index| {
         let (u, tone) = places[index];
         let at = axes.at(u, tone);
-        let id = ui.scope_id().with(("handle", PARTS[index].port));
-        let label = format!("{} of the profile", PARTS[index].label);
+        let id = ui.scope_id().with(("handle", ANGLES[index].port));
+        let label = format!("{} of the profile", ANGLES[index].label);
         (at, handle(ui, id, at, &label, u.to_degrees(), can_edit && !layer.wired[index]))
     })
 }
@@ -242,16 +242,17 @@ fn moved(
         let grid = if handled.to.is_some() { 2.0 } else { 10.0 };
         ((degrees * grid).round() / grid).to_radians()
     };
-    let target = |index: usize| layer.target(PARTS[index].port);
+    let target = |index: usize| layer.target(ANGLES[index].port);
     let is_free = !layer.wired.contains(&true);
     let edit = if ui.input(|input| input.modifiers.shift) && handled.to.is_some() && is_free {
         let shift = (to_grid(wished) - own[part]).clamp(-own[0], PI - own[2]);
         layer
             .session
+            .keys()
             .set_all_at([0, 1, 2].map(|index| (target(index), Value::Number(own[index] + shift))))
     } else {
         let [low, high] = limits(layer, part);
-        layer.session.set_at(&target(part), Value::Number(to_grid(wished).clamp(low, high)))
+        layer.session.keys().set_at(&target(part), Value::Number(to_grid(wished).clamp(low, high)))
     };
     Some(Command::EditHeld(handled.response.id, edit))
 }
@@ -285,7 +286,7 @@ fn paint_handle(
     handle::focus_ring(ui, &handled.response, at, radius);
     let help = format!(
         "{}. Drag, or arrow keys (Shift: a tenth); Shift-drag moves all three.",
-        PARTS[part].explained()
+        ANGLES[part].explained()
     );
     if !is_held {
         handled.response.clone().on_hover_text(help);
@@ -313,10 +314,10 @@ fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, HandleRespon
         let text = match is_hot(handled) {
             true => format!(
                 "{} {}°",
-                PARTS[part].label,
+                ANGLES[part].label,
                 values::number_text(values[part].to_degrees(), 1)
             ),
-            false => PARTS[part].label.to_owned(),
+            false => ANGLES[part].label.to_owned(),
         };
         let galley = ui.painter().layout_no_wrap(text, font.clone(), color_of(ui, part));
         let rect = place(&taken, room, *at, galley.size(), part);
@@ -390,7 +391,7 @@ fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &HandleRe
     let (align, dx) =
         if is_right { (Align2::RIGHT_CENTER, -8.0) } else { (Align2::LEFT_CENTER, 8.0) };
     let text =
-        format!("Stops at the {}. Shift moves all three.", PARTS[other].label.to_lowercase());
+        format!("Stops at the {}. Shift moves all three.", ANGLES[other].label.to_lowercase());
     let font = FontId::proportional(theme::TEXT_SIZE);
     let galley = painter.layout_no_wrap(text, font, colors.warning);
     let at = align.anchor_size(pos2(axes.x(limit) + dx, axes.y(0.72)), galley.size());

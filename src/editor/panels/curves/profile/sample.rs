@@ -80,10 +80,10 @@ pub(super) struct Sampler {
     prepare: Arc<Program>,
     profile: Arc<Program>,
     /// Arguments of the profile function, in order.
-    takes: Vec<Takes>,
+    takes: Vec<ProfileArgument>,
 }
 
-enum Takes {
+enum ProfileArgument {
     Angle,
     Shift,
     Shape,
@@ -97,10 +97,10 @@ impl Sampler {
         let variant = variant_of(def, tier)?;
         let profile = def.module.program(&variant.function).ok()?;
         let takes = variant.parameters.iter().map(|parameter| match parameter {
-            Parameter::Prepared => Some(Takes::Shape),
+            Parameter::Prepared => Some(ProfileArgument::Shape),
             Parameter::Input(index, _) => match def.inputs[*index].name.as_str() {
-                "angle" => Some(Takes::Angle),
-                "shift" => Some(Takes::Shift),
+                "angle" => Some(ProfileArgument::Angle),
+                "shift" => Some(ProfileArgument::Shift),
                 _ => None,
             },
             Parameter::Sampler(_) => None,
@@ -118,12 +118,12 @@ impl Sampler {
                 .takes
                 .iter()
                 .map(|takes| match takes {
-                    Takes::Angle => {
+                    ProfileArgument::Angle => {
                         let (sin, cos) = (0.5 * u).sin_cos();
                         Value::Struct(vec![Value::Float(sin), Value::Float(cos.max(0.0))])
                     }
-                    Takes::Shift => Value::Float(shift),
-                    Takes::Shape => prepared.clone(),
+                    ProfileArgument::Shift => Value::Float(shift),
+                    ProfileArgument::Shape => prepared.clone(),
                 })
                 .collect();
             machine.call(&arguments).ok().and_then(|value| value.as_f64()).unwrap_or(0.0)

@@ -89,19 +89,19 @@ fn inputs(layer: &Layer<'_>) -> Inputs {
     let space = session.look().color_space;
     let color = |port: &str| {
         layer.kind.input(port)?;
-        session.value_now(&layer.target(port))?.color_in(space)
+        session.keys().value_now(&layer.target(port))?.color_in(space)
     };
     let word = |port: &str| match layer
         .kind
         .input(port)
-        .and_then(|_| session.value_now(&layer.target(port)))
+        .and_then(|_| session.keys().value_now(&layer.target(port)))
     {
         Some(Value::Text(word)) => word,
         _ => String::new(),
     };
     let convex = color("convex").unwrap_or([1.0; 4]);
     let name = word("light");
-    let lights = &session.keyed_now().lights;
+    let lights = &session.keys().values().lights;
     let light = lights.get(name.as_str()).or_else(|| session.look().lights.get(name.as_str()));
     let light = light.cloned().unwrap_or_else(|| Light { intensity: 1.0, ..Light::default() });
     let [r, g, b] = light.color;
@@ -111,12 +111,14 @@ fn inputs(layer: &Layer<'_>) -> Inputs {
                 node: crate::ids::NodePath::root(id.clone()),
                 port: "color".into(),
             };
-            session.value_now(&target)?.color_in(space)
+            session.keys().value_now(&target)?.color_in(space)
         },
     );
     let is_layer = layer.kind.input("convex").is_some();
-    let clamped =
-        layer.kind.input("clamped").and_then(|_| session.value_now(&layer.target("clamped")));
+    let clamped = layer
+        .kind
+        .input("clamped")
+        .and_then(|_| session.keys().value_now(&layer.target("clamped")));
     Inputs {
         convex,
         concave: color("concave").unwrap_or(convex),

@@ -102,7 +102,7 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
                     if changes_in_time(&port.ty)
                         && session.graph().wire_into(id, &port.name).is_none()
                     {
-                        entry(ui, session, &session.target(id, &port.name), out);
+                        entry(ui, session, &session.selection.target(id, &port.name), out);
                     }
                 }
             }
@@ -121,8 +121,8 @@ fn add_value(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
 
 fn entry(ui: &mut Ui, session: &Session, target: &Target, out: &mut Vec<Command>) {
     let is_new = session.look().time_keys.iter().all(|track| track.target != *target);
-    let Some(edit) = session.key_in_time(target).filter(|_| is_new) else { return };
-    let [owner, what] = session.names_of(target);
+    let Some(edit) = session.keys().key_in_time(target).filter(|_| is_new) else { return };
+    let [owner, what] = session.look_with_library().names_of(target);
     if ui.button(format!("{owner}: {what}")).clicked() {
         out.push(Command::Edit(edit));
     }
@@ -132,11 +132,13 @@ fn entry(ui: &mut Ui, session: &Session, target: &Target, out: &mut Vec<Command>
 pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     let Some((track_at, key_at)) = timeline.selected else { return };
     let Some(track) = session.look().time_keys.get(track_at) else { return };
-    let (Some(key), Some(port)) = (track.keys.get(key_at), session.port_at(&track.target)) else {
+    let (Some(key), Some(port)) =
+        (track.keys.get(key_at), session.look_with_library().port_at(&track.target))
+    else {
         return;
     };
     ui.horizontal_wrapped(|ui| {
-        let [owner, what] = session.names_of(&track.target);
+        let [owner, what] = session.look_with_library().names_of(&track.target);
         ui.label(RichText::new(format!("{owner}: {what}")).color(theme::of(ui).accent));
         let mut time = key.time;
         let response = ui
@@ -148,7 +150,8 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
         }
         let space = session.look().color_space;
         if let Some((id, value)) = value::cell(ui, "Value of the key", &port, &key.value, space) {
-            let edit = session.change_track(track_at, |track| track.keys[key_at].value = value);
+            let edit =
+                session.keys().change_track(track_at, |track| track.keys[key_at].value = value);
             out.push(Command::EditHeld(id, edit));
         }
         for (choice, text, help) in [
@@ -159,6 +162,7 @@ pub(super) fn key(timeline: &mut Timeline, ui: &mut Ui, session: &Session, out: 
             let is_it = key.interpolation == choice;
             if ui.add(Button::selectable(is_it, text)).on_hover_text(help).clicked() && !is_it {
                 let edit = session
+                    .keys()
                     .change_track(track_at, |track| track.keys[key_at].interpolation = choice);
                 out.push(Command::Edit(edit));
             }
@@ -179,7 +183,7 @@ pub(super) fn moved(
 ) -> Edit {
     let gap = if timeline.snaps { 1.0 / timeline.fps } else { super::LEAST };
     let time = timeline.snapped(time);
-    session.change_track(track, |track| {
+    session.keys().change_track(track, |track| {
         let low =
             key.checked_sub(1).map_or(f64::NEG_INFINITY, |before| track.keys[before].time + gap);
         let high = track.keys.get(key + 1).map_or(f64::INFINITY, |after| after.time - gap);
@@ -195,9 +199,9 @@ pub(super) fn removed(session: &Session, track: usize, key: usize) -> Edit {
         return Edit::Group { edits: Vec::new() };
     };
     if of.keys.len() < 2 {
-        return session.unkey(&of.target);
+        return session.keys().unkey(&of.target);
     }
-    session.change_track(track, |track| {
+    session.keys().change_track(track, |track| {
         if key < track.keys.len() {
             track.keys.remove(key);
         }

@@ -38,7 +38,7 @@ pub(super) fn show(
     let mut head = ui.new_child(egui::UiBuilder::new().id_salt(index).max_rect(names));
     name(&mut head, session, index, track, out);
     let lane = Rect::from_x_y_ranges(axis.lane.x_range(), rect.y_range());
-    let [owner, what] = session.names_of(&track.target);
+    let [owner, what] = session.look_with_library().names_of(&track.target);
     let response = ui.interact(lane, ui.scope_id().with(("lane", index)), Sense::click_and_drag());
     response.widget_info(|| {
         WidgetInfo::labeled(egui::Role::Canvas, true, format!("Track of {owner}: {what}"))
@@ -51,7 +51,7 @@ pub(super) fn show(
     {
         let time = timeline.snapped(axis.time(pointer.x));
         if let Some(value) = at_time(&track.keys, time, is_direction(&track.target)) {
-            out.push(Command::Edit(session.set_in_time(index, time, value)));
+            out.push(Command::Edit(session.keys().set_in_time(index, time, value)));
         }
     }
     response.on_hover_text("Double-click adds a key; drag pans; drag a key to move it in time");
@@ -64,7 +64,7 @@ pub(super) fn show(
 /// Shows the diamond that keys the value at the playhead, the value's name, and its present value.
 fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mut Vec<Command>) {
     let colors = theme::of(ui);
-    let [owner, what] = session.names_of(&track.target);
+    let [owner, what] = session.look_with_library().names_of(&track.target);
     ui.horizontal_centered(|ui| {
         let here = track.keys.iter().position(|key| (key.time - session.view.time).abs() < 1e-6);
         let verb = if here.is_some() { "Delete key of" } else { "Add key of" };
@@ -77,10 +77,13 @@ fn name(ui: &mut Ui, session: &Session, index: usize, track: &TimeKeys, out: &mu
         if diamond.on_hover_text(help).clicked() {
             out.extend(match here {
                 Some(key) => Some(Command::Edit(bar::removed(session, index, key))),
-                None => session.key_in_time(&track.target).map(Command::Edit),
+                None => session.keys().key_in_time(&track.target).map(Command::Edit),
             });
         }
-        let now = session.value_now(&track.target).zip(session.port_at(&track.target));
+        let now = session
+            .keys()
+            .value_now(&track.target)
+            .zip(session.look_with_library().port_at(&track.target));
         let space = session.look().color_space;
         let shown = now.map(|(value, port)| {
             match value.color_in(space).filter(|_| port.ty == Type::Color) {
@@ -105,7 +108,7 @@ fn paint(ui: &Ui, session: &Session, axis: Axis, lane: Rect, track: &TimeKeys) {
     let colors = theme::of(ui);
     let painter = ui.painter_at(lane);
     painter.rect_filled(lane, 3.0, colors.canvas);
-    let port = session.port_at(&track.target);
+    let port = session.look_with_library().port_at(&track.target);
     let of = |time: f64| at_time(&track.keys, time, is_direction(&track.target));
     let count = (lane.width() / 3.0).clamp(2.0, 400.0) as usize;
     let places = (0..=count).map(|i| lane.left() + lane.width() * i as f32 / count as f32);
@@ -167,7 +170,8 @@ fn key_handle(
     if !lane.x_range().expand(6.0).contains(at.x) {
         return;
     }
-    let [owner, what] = session.names_of(&session.look().time_keys[track].target);
+    let [owner, what] =
+        session.look_with_library().names_of(&session.look().time_keys[track].target);
     let label = format!("Time key {} of {owner}: {what}", index + 1);
     let handled = handle(ui, ui.scope_id().with(("key", track, index)), at, &label, key.time, true);
     if handled.response.clicked() || handled.response.drag_started() {

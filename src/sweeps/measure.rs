@@ -17,6 +17,7 @@ use crate::interp::Precision;
 use crate::library::{Library, SurfacePart, Type};
 use crate::reference;
 use crate::render::Renderer;
+use crate::wgsl::code;
 
 /// Laboratory: the library, the GPU and the assets that all measurements share.
 pub struct Lab<'a> {
@@ -191,8 +192,8 @@ impl<'a> Lab<'a> {
     }
 
     /// Passes to `sink` everything that decides on a case's results, except the engines that judge
-    /// them: the modules that the GPU and the interpreter run, their numbers and their images,
-    /// always in the same order.
+    /// them: the modules that the GPU and the interpreter run (without comments), their numbers and
+    /// their images, always in the same order.
     ///
     /// # Errors
     /// Errors of the compiler.
@@ -223,7 +224,7 @@ impl<'a> Lab<'a> {
             let run = self.batches(&bench.look, root, &all, self.is_unspecialized(bench))?;
             let truth = self.batches(&bench.exact, root, &all, true)?;
             for batch in run.iter().chain(&truth) {
-                sink(batch.shader.wgsl.as_bytes());
+                sink(code(&batch.shader.wgsl).as_bytes());
                 let numbers = batch.samples.numbers.iter().flat_map(|number| number.to_le_bytes());
                 sink(&numbers.collect::<Vec<u8>>());
                 batch.images.iter().for_each(|image| sink(&image.bytes));

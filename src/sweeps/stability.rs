@@ -9,10 +9,9 @@ use super::looks::EDGE_SHARE;
 use crate::accuracy::error::VISIBLE;
 use crate::accuracy::{Colors, MeasureError, truth::Truth};
 use crate::compile::Live;
-use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
+use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::Renderer;
 
 /// Own shapes that turn.
 pub const MESHES: [&str; 2] = ["shape:sphere", "shape:creature"];
@@ -115,7 +114,7 @@ pub async fn measure_stability(
     path: &Path,
     mesh: &str,
     library: &Library,
-    precise: &mut Renderer,
+    precise: &mut dyn Executor,
     effort: &StabilityEffort,
     progress: &Progress,
 ) -> Result<StabilityFigures, MeasureError> {
@@ -149,15 +148,15 @@ pub async fn measure_stability(
 async fn frame(
     setup: &Setup,
     library: &Library,
-    precise: &mut Renderer,
+    precise: &mut dyn Executor,
     (planner, truths): (&mut Planner, &mut Planner),
     side: u32,
     progress: &Progress,
 ) -> Result<Frame, MeasureError> {
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let mut truth = Truth::of(setup, library, truths, &options, &progress.part(1))?;
-    let plan = planner.plan(setup, library, &Live::Keyed, &options)?;
-    let got = Colors::from(&precise.picture(&plan).await?);
+    let plan = planner.plan(setup, library, &Live::Keyed, &options)?.value;
+    let got = Colors::from(&precise.picture(&plan, &Progress::new()).await?);
     let colors = truth.colors().rgba.into_owned();
     // Each of the two frames contributes half of a change.
     let above =

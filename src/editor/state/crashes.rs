@@ -21,6 +21,7 @@ use crate::clock;
 use crate::document::Look;
 use crate::files::write_atomic;
 use crate::state::paths::absolute;
+use crate::state::revision::SuspectsRevision;
 
 const ENDING: &str = "running";
 /// Largest number of bytes read of a file.
@@ -32,7 +33,7 @@ const OLD: Duration = Duration::from_secs(60 * 60);
 /// Step of work on a document, in order: a later step needs the earlier ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum Step {
+pub(crate) enum CrashStep {
     /// Reading the document's file.
     Read,
     /// Compiling its shader.
@@ -41,7 +42,7 @@ pub(crate) enum Step {
     Draw,
 }
 
-impl Step {
+impl CrashStep {
     /// Participle of the step, as in "Chiaro ended while drawing it".
     pub(crate) fn doing(self) -> &'static str {
         match self {
@@ -103,7 +104,7 @@ impl DocumentOrigin {
 enum Line {
     Begin {
         number: u64,
-        step: Step,
+        step: CrashStep,
         document: DocumentOrigin,
         /// Size of the document's file, and time of its last change.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -124,7 +125,7 @@ impl Line {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Suspect {
     pub(crate) document: DocumentOrigin,
-    pub(crate) step: Step,
+    pub(crate) step: CrashStep,
     stamp: Option<[u64; 2]>,
     /// File of the window that ended.
     told_by: PathBuf,
@@ -151,8 +152,7 @@ struct State {
     begun: u64,
     going: usize,
     suspects: Vec<Suspect>,
-    /// Number of changes of `suspects`.
-    changes: u64,
+    suspects_revision: SuspectsRevision,
 }
 
 impl CrashLog {
@@ -167,11 +167,15 @@ impl CrashLog {
         let mut state = self.lock();
         state.folder = Some(folder.to_owned());
         state.suspects = suspects;
-        state.changes += 1;
+        state.suspects_revision.advance();
     }
 
     /// Notes that a step of work on a document goes on until the returned mark is dropped.
-    pub(crate) fn begin(&self, step: Step, document: impl FnOnce() -> DocumentOrigin) -> CrashMark {
+    pub(crate) fn begin(
+        &self,
+        step: CrashStep,
+        document: impl FnOnce() -> DocumentOrigin,
+    ) -> CrashMark {
         let is_kept = self.lock().folder.is_some();
         // Computed without holding the lock: hashing or asking for the file takes a moment.
         let begun = is_kept.then(document).map(|document| (document.stamp(), document));
@@ -198,9 +202,9 @@ impl CrashLog {
         }
     }
 
-    /// Number of changes of the suspects: grows when a document is suspected, or no longer is.
-    pub(crate) fn changes(&self) -> u64 {
-        self.lock().changes
+    /// Revision of the suspects, which grows when a document is suspected, or no longer is.
+    pub(crate) fn suspects_revision(&self) -> SuspectsRevision {
+        self.lock().suspects_revision
     }
 
     /// True if any step was interrupted.
@@ -227,7 +231,7 @@ impl CrashLog {
             .into_iter()
             .partition(|suspect| suspect.document.is(document));
         state.suspects = left;
-        state.changes += 1;
+        state.suspects_revision.advance();
         for told_by in gone.iter().map(|suspect| &suspect.told_by) {
             let others = state.suspects.iter().filter(|suspect| suspect.told_by == *told_by);
             let lines = others.zip(0..).map(|(suspect, number)| {
@@ -387,15 +391,15 @@ mod tests {
         let state = folder.path().join("state");
         let [a, b, c] = ["a.json", "b.json", "c.json"].map(|name| file(folder.path(), name));
         let log = kept_in(&state);
-        let going = log.begin(Step::Draw, || a.clone());
-        drop(log.begin(Step::Compile, || b.clone()));
-        let also = log.begin(Step::Compile, || c.clone());
+        let going = log.begin(CrashStep::Draw, || a.clone());
+        drop(log.begin(CrashStep::Compile, || b.clone()));
+        let also = log.begin(CrashStep::Compile, || c.clone());
         assert!(!kept_in(&state).is_any(), "another window that runs is at work");
         let left = after_a_crash(&state);
         for _ in 0..2 {
             // Each window learns of the interruption, at the same time too.
             let next = kept_in(left.path());
-            assert_eq!(next.suspect(&a).map(|suspect| suspect.step), Some(Step::Draw));
+            assert_eq!(next.suspect(&a).map(|suspect| suspect.step), Some(CrashStep::Draw));
             assert_eq!(next.suspect(&b), None, "that had ended");
         }
         let next = kept_in(left.path());
@@ -424,8 +428,10 @@ mod tests {
         let look = Look { name: "Rim".to_owned(), ..Look::default() };
         let unsaved = DocumentOrigin::new("Rim", None, &look);
         let log = kept_in(&state);
-        let going =
-            [log.begin(Step::Draw, || a.clone()), log.begin(Step::Read, || unsaved.clone())];
+        let going = [
+            log.begin(CrashStep::Draw, || a.clone()),
+            log.begin(CrashStep::Read, || unsaved.clone()),
+        ];
         let left = after_a_crash(&state);
         fs::write(folder.path().join("a.json"), "{\"name\": \"mended\"}").unwrap();
         let next = kept_in(left.path());
@@ -442,11 +448,12 @@ mod tests {
         let state = folder.path().join("state");
         let log = kept_in(&state);
         for _ in 0..1000 {
-            drop(log.begin(Step::Draw, || a.clone()));
+            drop(log.begin(CrashStep::Draw, || a.clone()));
         }
         let own = fs::read_dir(&state).unwrap().flatten().next().unwrap();
         assert_eq!(own.metadata().unwrap().len(), 0);
-        let line = Line::Begin { number: 0, step: Step::Draw, document: a, stamp: None }.to_text();
+        let line =
+            Line::Begin { number: 0, step: CrashStep::Draw, document: a, stamp: None }.to_text();
         assert_eq!(begun_in(&line[..line.len() / 2], &state).len(), 0);
         assert_eq!(begun_in(&(line.clone() + &line[..9]), &state).len(), 1);
     }
@@ -454,7 +461,7 @@ mod tests {
     #[test]
     fn without_a_folder_nothing_is_kept() {
         let log = CrashLog::default();
-        let going = log.begin(Step::Draw, || unreachable!("nobody asks"));
+        let going = log.begin(CrashStep::Draw, || unreachable!("nobody asks"));
         assert!(!log.is_any() && going.number.is_none());
     }
 }

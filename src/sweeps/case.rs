@@ -9,7 +9,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::slot::{Kind, Place, Slot};
 use crate::diag::Diagnostic;
-use crate::document::{Directions, Grid, Hcbtf, Look, Tier, Tile};
+use crate::document::{Directions, Grid, Hcbtf, LightField, LightQuantity, Look, Tier, Tile};
 use crate::frame::SetupLook;
 use crate::hcbtf;
 use crate::library::{
@@ -491,10 +491,7 @@ impl Builder<'_> {
         if self.def.special != Special::Output {
             wires.push(json!({"from": "shown", "to": "output.color"}));
         }
-        let light = json!({
-            "type": self.light_word(), "space": "world", "inner": 0.35, "outer": 0.9,
-            "half_distance": 1.5, "range": 40
-        });
+        let light = self.light();
         let json = json!({
             "chiaro": "look", "version": 1, "name": self.case.name(),
             "lights": {"key": light}, "nodes": nodes, "wires": wires, "exposed": self.exposed
@@ -506,6 +503,26 @@ impl Builder<'_> {
             .filter(|_| !crate::diag::has_errors(&loaded.diagnostics))
             .ok_or(loaded.diagnostics)?;
         Ok(SetupLook { look, source, folder: PathBuf::from(folder) })
+    }
+
+    /// The light of the look. Samples set its direction, position, color and intensity; every other
+    /// number is such that the light shows it.
+    fn light(&self) -> serde_json::Value {
+        let mut light = json!({"type": self.light_word(), "space": "world"});
+        let mut angles = [0.35, 0.9].iter().cycle();
+        let mut distances = [1.5, 40.0].iter().cycle();
+        for field in LightField::ALL {
+            let number = match field.quantity() {
+                LightQuantity::Angle => angles.next(),
+                LightQuantity::Distance => distances.next(),
+                LightQuantity::Factor if field != LightField::Intensity => Some(&0.75),
+                _ => None,
+            };
+            if let Some(number) = number {
+                light[field.name()] = json!(number);
+            }
+        }
+        light
     }
 
     fn light_word(&self) -> &str {

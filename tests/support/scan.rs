@@ -6,7 +6,7 @@
 
 /// The target of a path.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Reference {
+pub enum Reference {
     /// A top-level module of this crate.
     Module(String),
     /// The crate's root itself: a glob or a rename.
@@ -17,12 +17,13 @@ pub(crate) enum Reference {
 
 /// A path and its place in the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Found {
-    pub(crate) reference: Reference,
+pub struct Found {
+    /// The target of the path.
+    pub reference: Reference,
     /// The path as it would be written out, up to the name of the module or crate.
-    pub(crate) path: String,
+    pub path: String,
     /// Line of the path, from 1.
-    pub(crate) line: usize,
+    pub line: usize,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,9 +41,8 @@ struct Token {
 }
 
 /// Every path in `text` that names a top-level module or another crate. `depth` is the number of
-/// modules that the file is deep: 1 for `src/ids.rs` and `src/compile/mod.rs`, 2 for
-/// `src/compile/emit.rs`.
-pub(crate) fn references(text: &str, depth: usize) -> Vec<Found> {
+/// modules that the file is deep: 1 for `ids.rs` and `compile/mod.rs`, 2 for `compile/emit.rs`.
+pub fn references(text: &str, depth: usize) -> Vec<Found> {
     let tokens = tokens(text);
     let mut found = Vec::new();
     let mut braces = Vec::new();
@@ -87,7 +87,7 @@ impl Brace {
 }
 
 /// Every path in `text` that starts at the crate `name`, as a program outside that crate writes it.
-pub(crate) fn crate_paths(text: &str, name: &str) -> Vec<Found> {
+pub fn crate_paths(text: &str, name: &str) -> Vec<Found> {
     let tokens = tokens(text);
     let mut found = Vec::new();
     for at in 0..tokens.len() {
@@ -99,12 +99,44 @@ pub(crate) fn crate_paths(text: &str, name: &str) -> Vec<Found> {
 }
 
 /// Every word in `text` outside of comments and strings, with its line.
-pub(crate) fn words(text: &str) -> Vec<(String, usize)> {
+pub fn words(text: &str) -> Vec<(String, usize)> {
     let word = |token: Token| match token.kind {
         Kind::Word(word) => Some((word, token.line)),
         _ => None,
     };
     tokens(text).into_iter().filter_map(word).collect()
+}
+
+/// Every path in `text` that goes through the module `name`, up to the member below it.
+pub fn members(text: &str, name: &str) -> Vec<Found> {
+    let tokens = tokens(text);
+    let mut found = Vec::new();
+    for at in 0..tokens.len() {
+        if is_word(&tokens, at, name) {
+            below(&tokens, at, 0, name, &mut found);
+        }
+    }
+    found
+}
+
+/// The literals of a Rust source that are in quotes, as they are written.
+pub fn literals(text: &str) -> Vec<&str> {
+    let mut lexer = Lexer { rest: text, line: 1 };
+    let mut found = Vec::new();
+    while let Some(first) = lexer.rest.chars().next() {
+        if lexer.skip_comment() {
+            continue;
+        }
+        let before = lexer.rest;
+        if lexer.skip_literal() {
+            found.push(&before[..before.len() - lexer.rest.len()]);
+        } else if first == '_' || first.is_alphanumeric() {
+            lexer.take_word();
+        } else {
+            lexer.advance(first.len_utf8());
+        }
+    }
+    found
 }
 
 /// True if the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
@@ -329,104 +361,5 @@ impl Lexer<'_> {
             end += if bytes[end] == b'\\' { 2 } else { 1 };
         }
         self.advance(end + 1);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The modules that `text` reaches, each with its line.
-    fn modules(text: &str) -> Vec<(String, usize)> {
-        references(text, 1)
-            .into_iter()
-            .filter_map(|found| match found.reference {
-                Reference::Module(name) => Some((name, found.line)),
-                _ => None,
-            })
-            .collect()
-    }
-
-    fn names(text: &str) -> Vec<String> {
-        modules(text).into_iter().map(|(name, _)| name).collect()
-    }
-
-    #[test]
-    fn use_items_and_nested_groups() {
-        assert_eq!(names("use crate::a::B; pub(crate) use crate::c;"), ["a", "c"]);
-        assert_eq!(names("use crate::{a, b::{c, d::{e}}, f::*, g as h};"), ["a", "b", "f", "g"]);
-        assert_eq!(names("use {crate::a::{b}, std::fmt, crate::c};"), ["a", "c"]);
-        assert_eq!(
-            modules("use crate::{\n  a,\n  b::{\n c,\n },\n d,\n};"),
-            [("a".into(), 2), ("b".into(), 3), ("d".into(), 6)]
-        );
-    }
-
-    #[test]
-    fn inline_paths_in_code_and_macros() {
-        assert_eq!(
-            names("fn f(x: &crate::a::T) -> crate::b::U { crate::c::g::<crate::d::V>(x) }"),
-            ["a", "b", "c", "d"]
-        );
-        assert_eq!(
-            names("vec![crate::a::X]; macro_rules! m { () => { $crate::b::y!() } }"),
-            ["a", "b"]
-        );
-        assert_eq!(names("impl From<crate::a::A> for B {} pub(in crate::b) fn f() {}"), ["a", "b"]);
-    }
-
-    #[test]
-    fn comments_and_literals_are_no_code() {
-        let silent = [
-            "// crate::a::b",
-            "/// [`crate::a`]\n//! crate::b",
-            "/* crate::a /* crate::b */ crate::c */",
-            r#" "crate::a \" crate::b" "#,
-            r##" r#"crate::a " crate::b"# "##,
-            r#" br"crate::a\" "#,
-            r#" b"crate::a" "#,
-            r#" c"crate::a" "#,
-        ];
-        for text in silent {
-            assert_eq!(names(text), [""; 0], "{text}");
-        }
-    }
-
-    #[test]
-    fn what_looks_like_a_literal_does_not_swallow_code() {
-        assert_eq!(names(r"let c = '\''; crate::a::b"), ["a"]);
-        assert_eq!(names(r"let c = '\\'; crate::a::b"), ["a"]);
-        assert_eq!(names("let c = '\"'; crate::a::b"), ["a"]);
-        assert_eq!(names("let c = b'\"'; crate::a::b"), ["a"]);
-        assert_eq!(names(r"let c = '\u{1F600}'; crate::a::b"), ["a"]);
-        assert_eq!(names("fn f<'a>(x: &'a str) -> crate::a::B<'a> {}"), ["a"]);
-        assert_eq!(names(r#"let s = "\\"; crate::a::b"#), ["a"]);
-        assert_eq!(names(r#"let s = r"\"; crate::a::b"#), ["a"]);
-        assert_eq!(names("let r#type = r#crate_name; crate::a::b"), ["a"]);
-        assert_eq!(names("let x = 1 / 2; // no\ncrate::a::b"), ["a"]);
-        assert_eq!(names("let s = \"λ\nμ\"; 'λ'; crate::a::b"), ["a"]);
-    }
-
-    #[test]
-    fn supers_reach_the_root_only_from_the_right_depth() {
-        let reached = |text, depth| {
-            references(text, depth).iter().any(|f| f.reference == Reference::Module("x".into()))
-        };
-        assert!(reached("use super::x;", 1));
-        assert!(!reached("use super::x;", 2));
-        assert!(reached("use super::super::x;", 2));
-        assert!(reached("self::super::x", 1));
-        assert!(!reached("mod tests { use super::x; }", 1));
-        assert!(reached("mod a { fn f() {} } use super::x;", 1));
-    }
-
-    #[test]
-    fn other_crates_are_seen_where_a_path_starts() {
-        let crates =
-            |text| -> Vec<_> { references(text, 1).into_iter().map(|found| found.path).collect() };
-        assert_eq!(
-            crates("use std::fmt; ::wgpu::Device; a.b.wgpu.c; x::wgpu::y"),
-            ["std", "wgpu", "x"]
-        );
     }
 }

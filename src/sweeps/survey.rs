@@ -17,6 +17,7 @@ use super::report::AccuracyReport;
 use super::search::Worst;
 use super::stability::{MESHES, StabilityEffort, StabilityFigures, measure_stability};
 use crate::accuracy::MeasureError;
+use crate::frame::Executor;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
@@ -172,13 +173,13 @@ impl Team<'_> {
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
                 SurveyTask::Case(case) => self.measure_case(case, &mut lab).await,
-                // Each look has a renderer of its own, which frees the look's shaders and textures
+                // Each look has an executor of its own, which frees the look's shaders and textures
                 // after it.
                 SurveyTask::Look(path) => {
-                    self.measure_look(path, &mut Renderer::new(precise.with_own_store())).await
+                    self.measure_look(path, &mut *precise.with_own_store().executor()).await
                 }
                 SurveyTask::Large(path) => {
-                    self.measure_large(path, &mut Renderer::new(precise.with_own_store())).await
+                    self.measure_large(path, &mut *precise.with_own_store().executor()).await
                 }
             }?;
             if tell.send(WorkerMessage::Finished(number, found)).is_err() {
@@ -221,7 +222,7 @@ impl Team<'_> {
     async fn measure_look(
         &self,
         path: &Path,
-        precise: &mut Renderer,
+        precise: &mut dyn Executor,
     ) -> Result<TaskResult, MeasureError> {
         let progress = &self.progress;
         let drawn =
@@ -239,7 +240,7 @@ impl Team<'_> {
     async fn measure_large(
         &self,
         path: &Path,
-        precise: &mut Renderer,
+        precise: &mut dyn Executor,
     ) -> Result<TaskResult, MeasureError> {
         let effort = self.survey.large.clone().unwrap_or_else(LookEffort::large);
         let drawn = measure_look(path, self.library, precise, &effort, &self.progress).await?;

@@ -10,18 +10,18 @@ use crate::widgets::theme;
 const NAMED: usize = 12;
 
 /// Shows the number of wires that are left out, with the reason and their names in a tooltip.
-pub(crate) fn note(ui: &mut Ui, session: &Session, still: &[Driver]) {
-    if still.is_empty() {
+pub(crate) fn note(ui: &mut Ui, session: &Session, constant: &[Driver]) {
+    if constant.is_empty() {
         return;
     }
-    let text = match still.len() {
+    let text = match constant.len() {
         1 => "1 wire never changes".to_owned(),
         count => format!("{count} wires never change"),
     };
     let mut names: Vec<String> =
-        still.iter().take(NAMED).map(|driver| session.driver_name(driver)).collect();
-    if still.len() > NAMED {
-        names.push(format!("and {} more", still.len() - NAMED));
+        constant.iter().take(NAMED).map(|driver| session.keys().driver_name(driver)).collect();
+    if constant.len() > NAMED {
+        names.push(format!("and {} more", constant.len() - NAMED));
     }
     let help = format!(
         "Left out, for keys by them would stand still:\n{}\nExpose what they come from, key it in \

@@ -109,40 +109,40 @@ pub(super) fn paint(
     let is_over = response.is_pointer_button_down_on() || is_quick;
     let pressure = tools.pen.unwrap_or(1.0);
     let painting = LivePainting { work, stroke: None };
-    let mut hand =
+    let mut gesture =
         Events { tilt, going, tools, painting, path: Vec::new(), pressure, out: Vec::new() };
     let mut last = ui.input(|input| input.pointer.latest_pos());
     for event in ui.input(|input| input.events.clone()) {
         match event {
-            Event::PointerMoved(at) => hand.path.push(at),
+            Event::PointerMoved(at) => gesture.path.push(at),
             Event::Touch { phase: TouchPhase::End | TouchPhase::Cancel, .. } => {
-                hand.tools.pen = None;
+                gesture.tools.pen = None;
             }
             Event::Touch { force: Some(force), .. } => {
-                hand.pressure = f64::from(force);
-                hand.tools.pen = Some(hand.pressure);
+                gesture.pressure = f64::from(force);
+                gesture.tools.pen = Some(gesture.pressure);
             }
             Event::PointerButton { pos, button: PointerButton::Primary, pressed, modifiers } => {
                 last = Some(pos);
                 match pressed {
                     true if is_over && response.rect.contains(pos) && !space => {
-                        hand.press(pos, modifiers);
+                        gesture.press(pos, modifiers);
                     }
                     true => {}
-                    false => hand.release(last),
+                    false => gesture.release(last),
                 }
             }
             _ => {}
         }
     }
-    hand.go_on();
+    gesture.go_on();
     // No event tells of a button that is let go outside the window.
     if !is_down {
-        hand.release(last);
+        gesture.release(last);
     }
     // The stroke is shown before the steps are applied, as each step ends the stroke that is shown.
-    let stroke = hand.painting.stroke.map(PaintCommand::ShowStroke).map(Command::Paint);
-    stroke.into_iter().chain(hand.out).collect()
+    let stroke = gesture.painting.stroke.map(PaintCommand::ShowStroke).map(Command::Paint);
+    stroke.into_iter().chain(gesture.out).collect()
 }
 
 /// Handler of the pointer's events in a frame, with the resulting commands.

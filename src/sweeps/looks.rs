@@ -12,10 +12,9 @@ use crate::accuracy::{Colors, ErrorFigures, MeasureError, Variant, truth::Truth}
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
-use crate::frame::{Assets, PlanOptions, Planner, Setup, open};
+use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::render::Renderer;
 
 /// Own shapes that looks are compared on.
 pub const MESHES: [&str; 3] = ["shape:sphere", "shape:creature", "shape:plane"];
@@ -243,11 +242,13 @@ pub fn content(
         let exact = Variant::Looks(Tier::Exact).of(&setup);
         Planner::for_truth(Assets::default())
             .plan(&exact, library, &Live::Keyed, &options)?
+            .value
             .content(sink);
         let mut planner = Planner::default();
         for &tier in tiers {
             planner
                 .plan(&Variant::Looks(tier).of(&setup), library, &Live::Keyed, &options)?
+                .value
                 .content(sink);
         }
     }
@@ -262,7 +263,7 @@ pub fn content(
 pub async fn measure_look(
     path: &Path,
     library: &Library,
-    precise: &mut Renderer,
+    precise: &mut dyn Executor,
     effort: &LookEffort,
     progress: &Progress,
 ) -> Result<Vec<LookFigures>, MeasureError> {
@@ -305,8 +306,9 @@ pub async fn measure_look(
                 )?;
                 for (number, &tier) in effort.tiers.iter().enumerate() {
                     let drawn = Variant::Looks(tier).of(&seen);
-                    let plan = planners[number].plan(&drawn, library, &Live::Keyed, &options)?;
-                    let got = Colors::from(&precise.picture(&plan).await?);
+                    let plan =
+                        planners[number].plan(&drawn, library, &Live::Keyed, &options)?.value;
+                    let got = Colors::from(&precise.picture(&plan, &Progress::new()).await?);
                     // Settling renders further truths, which only a bound on single pixels calls
                     // for.
                     if bounds[number].max.is_some() {

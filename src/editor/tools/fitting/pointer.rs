@@ -71,12 +71,12 @@ fn laid(before: &[u8], cover: f64, shown: [f64; 3], tools: &Tools) -> [u8; 4] {
     let was = [r, g, b];
     let seen = std::array::from_fn(|c| shown[c] + alpha * (was[c] - shown[c]));
     let byte = |x: f64| x.clamp(0.0, 1.0).mul_add(255.0, 0.5) as u8;
-    let Some(wish) = tools.wish(shown, seen) else {
+    let Some(goal) = tools.goal(shown, seen) else {
         return [before[0], before[1], before[2], byte(alpha * (1.0 - cover))];
     };
     let rest = alpha * (1.0 - cover);
     let [r, g, b] =
-        std::array::from_fn(|c| byte((wish[c] * cover + was[c] * rest) / (cover + rest)));
+        std::array::from_fn(|c| byte((goal[c] * cover + was[c] * rest) / (cover + rest)));
     [r, g, b, byte(cover + rest)]
 }
 
@@ -173,7 +173,7 @@ impl Fitting {
         }
         let ground = self.ground()?;
         let empty = || Arc::new(Tile::filled(ground.size.map(|side| side * FINENESS), [0; 4]));
-        let before = session.sketch().tile().cloned().unwrap_or_else(empty);
+        let before = session.sketchbook.sketch().tile().cloned().unwrap_or_else(empty);
         let mut going = LightStroke::begin(before, &waiting.tools);
         for at in waiting.path {
             going.to(on_sketch(at, going.before.size()), ground);
@@ -188,7 +188,7 @@ impl Fitting {
             return Some(Command::Tell(told.to_owned()));
         }
         if going.now != going.before {
-            let from = match session.sketch().standpoint() {
+            let from = match session.sketchbook.sketch().standpoint() {
                 Some(standpoint) => standpoint.clone(),
                 None => Standpoint::new(&session.view.orbit, session.view.time),
             };
@@ -214,9 +214,9 @@ mod tests {
         let tools = Tools::default();
         let shown = [0.3, 0.25, 0.2];
         let half = laid(&[0; 4], 0.5, shown, &tools);
-        let wished = tools.wish(shown, shown).unwrap();
+        let goal = tools.goal(shown, shown).unwrap();
         let near = |a: u8, b: f64| (f64::from(a) / 255.0 - b).abs() < 0.003;
-        assert!((0..3).all(|c| near(half[c], wished[c])) && near(half[3], 0.5), "{half:?}");
+        assert!((0..3).all(|c| near(half[c], goal[c])) && near(half[3], 0.5), "{half:?}");
         let whole = laid(&[0; 4], 1.0, shown, &tools);
         let twice = laid(&whole, 1.0, shown, &tools);
         assert!((0..3).all(|c| twice[c] > whole[c]) && twice[3] == 255);

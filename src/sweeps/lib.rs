@@ -7,6 +7,14 @@
 //! says so, and the result is compared with all true results within four units in the last place.
 //! [`search`] climbs from the worst samples to worse ones and keeps them.
 
+use chiaro_compiler::{compile, document, library};
+use chiaro_files as files;
+use chiaro_laboratory::accuracy;
+use chiaro_language::{diag, ids, interp, progress, wgsl};
+use chiaro_reference as reference;
+use chiaro_render as render;
+use chiaro_scene::{frame, hcbtf};
+
 pub mod bounds;
 pub mod case;
 pub mod looks;

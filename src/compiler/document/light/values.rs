@@ -1,0 +1,160 @@
+//! Lights as shaders take them: in world space, and within bounds that an f32 holds.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::{Light, LightField, LightKind, LightQuantity, LightSpace};
+
+/// The greatest intensity: finite in f32, whatever a file says.
+pub const MAX_INTENSITY: f64 = 1e30;
+
+/// The least half distance and range above 0, in scene units. An f32 has a lesser one as 0 or as a
+/// denormal, which a GPU may take for 0; and 0 means no fading and no end, the opposite of what was
+/// written.
+pub const MIN_LIGHT_DISTANCE: f64 = 1e-30;
+
+/// A light in world space, ready for the shader.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightValues {
+    /// The fields of the light as shaders take them: directions of length 1 and places in world
+    /// space, intensities up to [`MAX_INTENSITY`], distances 0 or [`MIN_LIGHT_DISTANCE`] and more.
+    pub(super) world: Light,
+    /// Unit, toward a directional light, in its own frame.
+    pub own_direction: DVec3,
+    /// Rotation from world space to the light's own frame.
+    pub own_from_world: DMat3,
+    /// Cosines of the inner and outer half-angles.
+    pub cone: [f64; 2],
+    /// The kind of light.
+    pub kind: LightKind,
+}
+
+impl LightValues {
+    /// Resolves `light` under the illumination frame (world from illumination) and the camera
+    /// (camera from world).
+    pub fn new(light: &Light, illumination: DQuat, camera_from_world: DMat3) -> Self {
+        let world_from_own = match light.space {
+            LightSpace::Illumination => DMat3::from_quat(illumination),
+            LightSpace::World => DMat3::IDENTITY,
+            LightSpace::Camera => camera_from_world.transpose(),
+        };
+        let mut world = light.clone();
+        for field in LightField::ALL {
+            resolve(field.quantity(), field.numbers_mut(&mut world), world_from_own);
+        }
+        Self {
+            own_direction: unit(&light.direction),
+            own_from_world: world_from_own.transpose(),
+            cone: [world.inner.clamp(0.0, world.outer).cos(), world.outer.cos()],
+            kind: light.kind,
+            world,
+        }
+    }
+
+    /// Unit, toward a directional light, world space.
+    pub fn direction(&self) -> DVec3 {
+        self.world.direction.into()
+    }
+
+    /// World space.
+    pub fn position(&self) -> DVec3 {
+        self.world.position.into()
+    }
+
+    /// Unit, from the light outward, world space.
+    pub fn aim(&self) -> DVec3 {
+        self.world.aim.into()
+    }
+
+    /// Straight RGB.
+    pub fn color(&self) -> DVec3 {
+        self.world.color.into()
+    }
+
+    /// 0 to [`MAX_INTENSITY`].
+    pub fn intensity(&self) -> f64 {
+        self.world.intensity
+    }
+
+    /// The distance beyond which nothing of it is left: 0, or [`MIN_LIGHT_DISTANCE`] and more.
+    pub fn range(&self) -> f64 {
+        self.world.range
+    }
+
+    /// Lets it shine from a direction: unit, world space.
+    pub fn shine_from(&mut self, direction: DVec3) {
+        self.world.direction = direction.into();
+        self.own_direction = self.own_from_world * direction;
+    }
+
+    /// Puts it at a place, a spot light shining along `aim`: unit, world space.
+    pub fn stand_at(&mut self, position: DVec3, aim: DVec3) {
+        self.world.position = position.into();
+        if self.kind == LightKind::Spot {
+            self.world.aim = aim.into();
+        }
+    }
+}
+
+impl Default for LightValues {
+    fn default() -> Self {
+        Self::new(&Light::default(), DQuat::IDENTITY, DMat3::IDENTITY)
+    }
+}
+
+fn unit(direction: &[f64]) -> DVec3 {
+    DVec3::from_slice(direction).try_normalize().unwrap_or(DVec3::Z)
+}
+
+/// Brings the numbers of a light's field to what shaders take. What is no number counts as 0.
+fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) {
+    match quantity {
+        LightQuantity::Direction => {
+            (world_from_own * unit(numbers)).write_to_slice(numbers);
+        }
+        LightQuantity::Position => {
+            (world_from_own * DVec3::from_slice(numbers)).write_to_slice(numbers);
+        }
+        LightQuantity::Color => {}
+        LightQuantity::Factor => numbers.iter_mut().for_each(|x| {
+            *x = if x.is_nan() { 0.0 } else { x.clamp(0.0, MAX_INTENSITY) };
+        }),
+        LightQuantity::Angle => numbers.iter_mut().for_each(|x| {
+            *x = if x.is_nan() { 0.0 } else { x.clamp(0.0, std::f64::consts::PI) };
+        }),
+        LightQuantity::Distance => numbers.iter_mut().for_each(|x| *x = light_distance(*x)),
+    }
+}
+
+/// A distance of a light as the f32 of a shader and the f64 of the reference both hold it; what is
+/// no number counts as 0.
+fn light_distance(distance: f64) -> f64 {
+    if distance > 0.0 { distance.clamp(MIN_LIGHT_DISTANCE, f64::from(f32::MAX)) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn distances_of_lights_mean_the_same_in_f32_and_f64() {
+        let fading = |half_distance, range| {
+            let light = Light { half_distance, range, ..Light::default() };
+            let world = LightValues::new(&light, DQuat::IDENTITY, DMat3::IDENTITY).world;
+            [world.half_distance, world.range]
+        };
+        for tiny in [1e-300, f64::MIN_POSITIVE, 5e-324, 1e-40, f64::from(f32::MIN_POSITIVE)] {
+            for distance in [fading(tiny, 0.0)[0], fading(0.0, tiny)[1]] {
+                assert!(
+                    (distance as f32).is_normal() && distance == MIN_LIGHT_DISTANCE,
+                    "{tiny}: {distance}"
+                );
+                // The quotient in `light_fading` stays a number in f32, across all distances that a
+                // scene may hold.
+                assert!((4e6_f32 / distance as f32).is_finite());
+            }
+        }
+        assert_eq!(fading(0.0, -1.0), [0.0; 2], "no fading and no end");
+        assert_eq!(fading(f64::NAN, 2.5), [0.0, 2.5]);
+        assert_eq!(fading(f64::INFINITY, 1e-30), [f64::from(f32::MAX), 1e-30]);
+    }
+}

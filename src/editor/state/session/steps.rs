@@ -1,0 +1,112 @@
+//! Steps of all open documents, in one order: undo takes back the last of them.
+
+use crate::document::Look;
+use crate::state::document::OpenDocument;
+use crate::state::painting::work::OpenPainting;
+use crate::state::revision::StepTime;
+use crate::state::scene::OpenScene;
+use crate::state::sketch::Sketch;
+
+/// Document that a step belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum DocumentKind {
+    Look,
+    Scene,
+    Painting,
+    Sketch,
+}
+
+/// Steps of the look, and of the other documents whose steps undo takes back.
+#[derive(Clone, Copy)]
+pub struct Steps<'a> {
+    pub(super) look: &'a OpenDocument<Look>,
+    pub(super) scene: Option<&'a OpenScene>,
+    /// The painting, where the open look shows it.
+    pub(super) painting: Option<&'a OpenPainting>,
+    /// The sketch, where it is shown.
+    pub(super) sketch: Option<&'a Sketch>,
+}
+
+impl<'a> Steps<'a> {
+    /// The document whose step undo would take back.
+    pub(super) fn last(self) -> DocumentKind {
+        let of_look = self.look.history.undo_label().and(self.look.times.last());
+        let of_scene = self.scene.and_then(|scene| scene.document.times.last());
+        let of_painting = self.painting.and_then(|work| work.document.times.last());
+        let of_sketch = self.sketch.and_then(|sketch| sketch.times.last());
+        // Among steps that journals brought back, the look's come first.
+        if of_sketch.is_some() && of_sketch > of_look.max(of_scene).max(of_painting) {
+            DocumentKind::Sketch
+        } else if of_painting.is_some() && of_painting > of_look.max(of_scene) {
+            DocumentKind::Painting
+        } else if of_scene.is_some() && of_scene > of_look {
+            DocumentKind::Scene
+        } else {
+            DocumentKind::Look
+        }
+    }
+
+    /// The document whose step redo would repeat.
+    pub(super) fn next(self) -> DocumentKind {
+        let of_scene = self.scene.and_then(|scene| scene.document.times.next());
+        let of_look = self.look.history.redo_label().and(self.look.times.next());
+        let of_painting = self.painting.and_then(|work| work.document.times.next());
+        let of_sketch = self.sketch.and_then(|sketch| sketch.times.next());
+        let all = [
+            (of_look, DocumentKind::Look),
+            (of_scene, DocumentKind::Scene),
+            (of_painting, DocumentKind::Painting),
+            (of_sketch, DocumentKind::Sketch),
+        ];
+        let there = all.into_iter().filter_map(|(time, of)| Some((time?, of)));
+        there.min_by_key(|(time, _)| *time).map_or(DocumentKind::Look, |(_, of)| of)
+    }
+
+    /// Label of the step that undo would take back.
+    pub fn undo_label(self) -> Option<&'a str> {
+        match self.last() {
+            DocumentKind::Look => self.look.history.undo_label(),
+            DocumentKind::Scene => self.scene?.history().undo_label(),
+            DocumentKind::Painting => self.painting?.history().undo_label(),
+            DocumentKind::Sketch => self.sketch?.undo_label(),
+        }
+    }
+
+    /// Label of the step that redo would repeat.
+    pub fn redo_label(self) -> Option<&'a str> {
+        match self.next() {
+            DocumentKind::Look => self.look.history.redo_label(),
+            DocumentKind::Scene => self.scene?.history().redo_label(),
+            DocumentKind::Painting => self.painting?.history().redo_label(),
+            DocumentKind::Sketch => self.sketch?.redo_label(),
+        }
+    }
+
+    /// Labels of all steps, the first one first.
+    pub fn labels(self) -> impl Iterator<Item = &'a str> {
+        let mut steps: Vec<((bool, StepTime), &str)> =
+            self.look.times.all().zip(self.look.history.labels()).collect();
+        if let Some(scene) = self.scene {
+            // Steps of the same time are from journals: the scene's are older.
+            let of_scene = scene.document.times.all().zip(scene.history().labels());
+            steps.splice(0..0, of_scene);
+        }
+        if let Some(work) = self.painting {
+            steps.splice(0..0, work.document.times.all().zip(work.history().labels()));
+        }
+        if let Some(sketch) = self.sketch {
+            let labels = sketch.labels().map(|label| -> &str { label });
+            steps.extend(sketch.times.all().zip(labels));
+        }
+        steps.sort_by_key(|(time, _)| *time);
+        steps.into_iter().map(|(_, label)| label)
+    }
+
+    /// Number of steps that are done.
+    pub fn done(self) -> usize {
+        let of_scene = self.scene.map_or(0, |scene| scene.history().place());
+        let of_painting = self.painting.map_or(0, |work| work.history().place());
+        let of_sketch = self.sketch.map_or(0, Sketch::place);
+        self.look.history.place() + of_scene + of_painting + of_sketch
+    }
+}

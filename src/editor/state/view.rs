@@ -1,0 +1,81 @@
+//! View of the picture: the camera, the moment, and what of the look is shown.
+
+use crate::document::SceneEdit;
+use crate::ids::ObjectId;
+use crate::state::orbit::Orbit;
+use crate::state::revision::SoloRevision;
+use crate::state::scene::OpenScene;
+use crate::state::solo::Solo;
+use crate::state::wire::ShownWire;
+
+/// View and moment of the picture, and the shown part of the look.
+#[derive(Default)]
+pub struct ViewState {
+    pub(crate) orbit: Orbit,
+    /// The moment in the picture, in seconds.
+    pub(crate) time: f64,
+    /// Wire that is shown in place of the look's own output.
+    pub(crate) wire: Option<ShownWire>,
+    /// Layers and lights that are shown alone or left out for now.
+    pub(crate) solo: Solo,
+    /// Revision of the solo, which grows whenever another solo needs another shader.
+    pub(crate) solo_revision: SoloRevision,
+}
+
+impl ViewState {
+    /// View of the camera, with the turn of the lights.
+    pub fn orbit(&self) -> &Orbit {
+        &self.orbit
+    }
+
+    /// The moment in the picture, in seconds.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// True if a light is neither muted nor left out by a solo.
+    pub fn shines(&self, light: &str) -> bool {
+        !self.solo.is_dark(&light.into())
+    }
+
+    /// Turns camera and lights as the scene has them, or to their defaults without a scene.
+    pub(crate) fn reset(&mut self, open_scene: Option<&OpenScene>) {
+        let Some(open_scene) = open_scene else { return self.orbit.reset() };
+        let scene = open_scene.scene();
+        self.orbit.look_from(&scene.camera);
+        let illumination = glam::DQuat::from_array(scene.illumination);
+        self.orbit.illumination = if illumination.length_squared() > 1e-18 {
+            illumination.normalize()
+        } else {
+            glam::DQuat::IDENTITY
+        };
+        self.orbit.backdrop = None;
+    }
+
+    /// The edit that sets the scene's camera, lights and backdrop to the present view.
+    pub(crate) fn as_scene_edit(&self) -> SceneEdit {
+        let camera = SceneEdit::SetCamera { camera: self.orbit.camera() };
+        let mut edits = vec![
+            camera,
+            SceneEdit::SetIllumination { rotation: self.orbit.illumination.to_array() },
+        ];
+        edits
+            .extend(self.orbit.backdrop.map(|color| SceneEdit::SetBackdrop { color: Some(color) }));
+        SceneEdit::Group { edits }
+    }
+
+    /// Brings an object of the scene into view, or all of them, or the mesh of a look without a
+    /// scene; the direction stays. `aspect` is the picture's width over its height.
+    pub(crate) fn frame(
+        &mut self,
+        open_scene: Option<&OpenScene>,
+        only: Option<&ObjectId>,
+        aspect: f64,
+    ) {
+        match open_scene.map(|open_scene| open_scene.sphere(only)) {
+            None => self.orbit.frame_object(),
+            Some(Some((center, radius))) => self.orbit.frame(center, radius, aspect),
+            Some(None) => {}
+        }
+    }
+}
