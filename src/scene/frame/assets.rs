@@ -236,6 +236,11 @@ impl Assets {
         Self { store: store.clone(), ..Self::default() }
     }
 
+    /// Store that is shared with other readers.
+    pub fn store(&self) -> &AssetStore {
+        &self.store
+    }
+
     /// Shares everything that is read from now on with all users of the same store.
     pub fn share(&mut self, store: &AssetStore) {
         if !self.store.is_same(store) {
