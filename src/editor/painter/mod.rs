@@ -69,7 +69,7 @@ pub struct Painting {
     atlas: map::Atlas,
     order: list::Order,
     held: Option<dome::HeldHandle>,
-    filling: filling::Filling,
+    filling: filling::FillWorker,
     exports: export::Exports,
     memory: memory::Memory,
     /// Dialog for a grid, while it is open.
@@ -103,7 +103,7 @@ impl Painting {
             atlas: map::Atlas::default(),
             order: list::Order::default(),
             held: None,
-            filling: filling::Filling::new(wake.clone()),
+            filling: filling::FillWorker::new(wake.clone()),
             exports: export::Exports::new(wake.clone()),
             memory: memory::Memory::new(device, wake.clone()),
             preview: preview::Preview::new(wake.clone()),
