@@ -5,6 +5,8 @@
 //! time into a frame plan, which a renderer executes; [`export`] turns it into files for other
 //! programs, and [`drawing`] draws graphs themselves.
 
+#[cfg(test)]
+use chiaro_compiler::examples;
 use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
 #[cfg(test)]

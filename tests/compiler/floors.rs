@@ -149,10 +149,10 @@ const EXECUTORS: &[NamedExecutor] = &[
             ("editor/viewport/picture.rs", "shows the texture itself, and times passes"),
             ("laboratory/accuracy/bench.rs", "times passes"),
             ("laboratory/accuracy/cost.rs", "times passes"),
-            ("laboratory/accuracy/sweep/measure.rs", "evaluates samples"),
-            ("laboratory/accuracy/sweep/survey.rs", "evaluates samples"),
             ("laboratory/accuracy/tune.rs", "times passes"),
             ("laboratory/gallery/entry.rs", "times passes"),
+            ("sweeps/measure.rs", "evaluates samples"),
+            ("sweeps/survey.rs", "evaluates samples"),
         ],
     },
     NamedExecutor {
@@ -452,10 +452,8 @@ fn every_room_stands_on_one_floor() {
 /// The lines on which `text` names an executor that one of `modules` has.
 fn executors_named(text: &str, executor: &str, modules: &[&str]) -> Vec<usize> {
     let found = modules.iter().flat_map(|module| scan::members(text, module));
-    let is_executor = |found: &scan::Found| match &found.reference {
-        Reference::Module(member) => member == executor,
-        other => *other == Reference::WholeCrate,
-    };
+    let is_executor =
+        |found: &scan::Found| found.reference == Reference::Module(executor.to_owned());
     found.filter(is_executor).map(|found| found.line).collect()
 }
 
@@ -481,8 +479,36 @@ fn who_only_wants_a_picture_does_not_ask_who_draws() {
     let named = |text: &str| executors_named(text, "Renderer", &["render"]).len();
     assert_eq!(named("use crate::render::{Gpu, Renderer};"), 1);
     assert_eq!(named("fn f() { chiaro::render::Renderer::new(gpu) }"), 1);
-    assert_eq!(named("use crate::render::*;"), 1);
-    assert_eq!(named("use crate::render::Gpu; use eframe::Renderer; // render::Renderer"), 0);
+    assert_eq!(named("use chiaro_render as render; use crate::render::{self, Gpu};"), 0);
+    assert_eq!(named("use eframe::Renderer; // render::Renderer"), 0);
+}
+
+/// Names of stages and passes, and the files that may say them beside the table of passes.
+const KINDS_OF_PASSES: &[(&str, &[&str])] =
+    &[("Stage", &["Draw", "Normals", "DetailNormals", "Eval"]), ("PassId", &["named"])];
+const SAYS_A_STAGE: &[(&str, &str)] = &[("scene/frame/samples.rs", "compiles for samples")];
+
+#[test]
+fn nobody_tells_passes_apart_by_their_kinds() {
+    let (src, files) = sources();
+    let mut complaints = Vec::new();
+    for path in files.iter().filter(|path| !path.starts_with("compiler/library/passes")) {
+        let name = path.to_str().expect("sources have plain names");
+        if SAYS_A_STAGE.iter().any(|(known, _)| *known == name) {
+            continue;
+        }
+        let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+        for (of, kinds) in KINDS_OF_PASSES {
+            complaints.extend(scan::members(&text, of).into_iter().filter_map(|found| {
+                let Reference::Module(member) = &found.reference else { return None };
+                let is_kind = kinds.contains(&member.as_str());
+                is_kind.then(|| {
+                    format!("src/{name}:{}: ask the row in place of {}", found.line, found.path)
+                })
+            }));
+        }
+    }
+    assert!(complaints.is_empty(), "kinds of passes:\n{}", complaints.join("\n"));
 }
 
 /// Cargo finds no test program by itself, because one belongs to another package; so a test program
@@ -518,6 +544,24 @@ fn crates_stand_on_those_below() {
     }
     assert_eq!(count, CRATES.len(), "every crate of CRATES has a manifest");
     assert!(complaints.is_empty(), "manifests that break the floors:\n{}", complaints.join("\n"));
+}
+
+/// Every crate says what it is and under which license, and takes version and edition from the
+/// workspace; libraries are for registries, and all else says that it is not.
+#[test]
+fn manifests_say_what_a_registry_asks() {
+    let (src, _) = sources();
+    for (name, _) in CRATES {
+        let manifest = fs::read_to_string(src.join(name).join("Cargo.toml")).expect("a manifest");
+        let has = |line: &str| manifest.lines().any(|other| other.starts_with(line));
+        for line in ["version", "edition", "rust-version", "license"] {
+            assert!(has(&format!("{line}.workspace = true")), "{name}: {line} is the workspace's");
+        }
+        assert!(has("description = \""), "{name} has no description");
+        let is_program = ["cli", "editor", "sweeps"].contains(name);
+        let publish = if is_program { "publish = false" } else { "publish.workspace = true" };
+        assert!(has(publish), "{name}: `{publish}`");
+    }
 }
 
 #[cfg(test)]

@@ -47,6 +47,25 @@ fn two_pictures_with_the_same_mesh_read_it_once_and_upload_it_once() {
 }
 
 #[test]
+fn planners_of_one_setup_share_what_its_looks_read() {
+    let folder = tempfile::tempdir().unwrap();
+    image::RgbImage::new(4, 4).save(folder.path().join("paper.png")).unwrap();
+    let look = folder.path().join("paper.json");
+    let text = r#"{"chiaro": "look", "nodes": [
+        {"id": "paper", "kind": "image", "values": {"image": "paper.png"}},
+        {"id": "output", "kind": "output"}], "wires": [{"from": "paper", "to": "output.color"}]}"#;
+    std::fs::write(&look, text).unwrap();
+    let store = AssetStore::new();
+    let setup = open(&look, Some("shape:sphere"), &mut Assets::of(&store)).unwrap().value;
+    let options = PlanOptions { size: [32; 2], samples: 1, time: 0.0 };
+    let plans = [Live::Keyed, Live::All].map(|live| {
+        Planner::default().plan(&setup, Library::built_in(), &live, &options).unwrap().value
+    });
+    assert!(plans.iter().all(|plan| plan.draws[0].images.len() == 1));
+    assert_eq!(store.reads(), 2, "the sphere and the paper");
+}
+
+#[test]
 fn a_picture_drops_what_it_has_not_used_for_long() {
     let store = AssetStore::new();
     let mut assets = Assets::of(&store);

@@ -53,7 +53,7 @@ impl BakeDialog {
             setup,
             library: snapshot.library,
             painting: snapshot.painting,
-            assets: still.assets,
+            assets: snapshot.assets,
             grid: self.grid,
             light,
             to,
@@ -164,7 +164,7 @@ fn before_baking(
             setup: setup(session),
             library: snapshot.library,
             painting: snapshot.painting,
-            assets: still.assets,
+            assets: snapshot.assets,
         }
     };
     let made = preview.of(&of, job).map(|made| match made {

@@ -277,7 +277,7 @@ pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Dia
         let options = Options { live: Live::Exposed, stage, ..Options::default() };
         compile_typed(typed, &options)
     };
-    let draw = compile(Stage::Draw)?;
+    let draw = compile(Stage::default())?;
     let wanted = wanted(&draw);
     let mut found = Modules { title: header::title(&typed.name), ..Modules::default() };
     for &pass in &wanted {

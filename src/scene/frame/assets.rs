@@ -236,6 +236,11 @@ impl Assets {
         Self { store: store.clone(), ..Self::default() }
     }
 
+    /// Store that is shared with other readers.
+    pub fn store(&self) -> &AssetStore {
+        &self.store
+    }
+
     /// Files that meshes, images, HCBTFs and documents are read from.
     pub fn source(&self) -> &SharedFiles {
         self.store.source()

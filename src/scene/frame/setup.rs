@@ -7,6 +7,7 @@ use glam::{DMat4, DQuat, DVec3};
 use indexmap::IndexMap;
 
 use super::assets::Assets;
+use super::store::AssetStore;
 use crate::diag::{Diagnostic, Warned, has_errors};
 use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
 use crate::files::Files;
@@ -76,6 +77,8 @@ pub struct Setup {
     /// Look that is being edited, if one is: its lights are taken as they are now, and all other
     /// looks are compiled with their values folded, whatever liveness is asked for this one.
     pub edited: Option<usize>,
+    /// Store that the setup's meshes were read with, and in which plans find what they read.
+    pub assets: AssetStore,
 }
 
 impl Setup {
@@ -182,7 +185,8 @@ pub fn default_setup(
         looks,
         values: Values::new(),
     };
-    Ok(Warned::new(Setup { looks: vec![look], objects: vec![object], ..Setup::default() }, notes))
+    let (looks, objects, assets) = (vec![look], vec![object], assets.store().clone());
+    Ok(Warned::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
 }
 
 /// The matrix from object to world space: fit, scale, turn, move.
@@ -212,7 +216,8 @@ pub fn scene_setup(
     let placed = place_objects(&scene, folder, source, mesh, assets, &mut looks);
     let looks = looks.found.into_iter().map(|(_, look)| look).collect();
     let source = Some(source.clone().into());
-    placed.map(|objects| Setup { scene, source, looks, objects, edited: None })
+    let assets = assets.store().clone();
+    placed.map(|objects| Setup { scene, source, looks, objects, edited: None, assets })
 }
 
 /// Source of the looks of a scene.

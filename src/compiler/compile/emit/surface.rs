@@ -42,7 +42,7 @@ pub(super) struct ExpressionInputs {
 impl ExpressionInputs {
     /// What a context reads where looks are drawn.
     pub(super) fn of(context: Context) -> Self {
-        Self::at(context, Stage::Draw)
+        Self::at(context, Stage::default())
     }
 
     /// What a context reads in a module of a stage.

@@ -99,8 +99,8 @@ impl SceneSnapshot {
         let (objects, problems) =
             place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn)
                 .into_parts();
-        let mut setup =
-            Setup { scene: self.scene.clone(), looks: worn.looks, objects, ..Setup::default() };
+        let (scene, assets) = (self.scene.clone(), assets.store().clone());
+        let mut setup = Setup { scene, looks: worn.looks, objects, assets, ..Setup::default() };
         if self.is_alone {
             setup.looks.truncate(1);
             for object in &mut setup.objects {

@@ -88,6 +88,7 @@ impl Planner {
         live: &Live,
         options: &PlanOptions,
     ) -> Result<Warned<FramePlan>, Vec<Diagnostic>> {
+        self.assets.share(&setup.assets);
         let mut dropped = Vec::new();
         let scene = self.place(setup, library, live, options);
         let visible = self.visible(&scene, &mut dropped);
