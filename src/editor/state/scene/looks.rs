@@ -79,8 +79,8 @@ impl Looks {
     }
 }
 
-/// The look that was `loaded` from a file; `before` is shown where it is broken now. `catalog` is of the library, made at the
-/// first need.
+/// The look that was `loaded` from a file; `before` is shown where it is broken now. `catalog` is
+/// of the library, made at the first need.
 fn read(
     file: &Path,
     stamp: Option<FileMetadata>,
