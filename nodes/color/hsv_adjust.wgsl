@@ -4,13 +4,13 @@ import chiaro::total;
 
 /// Hue, saturation, value
 ///
-/// Shifts a color: another hue, greyer or stronger, darker or brighter. Greys have no hue and stay
-/// grey.
+/// Shifts a color: another hue, grayer or stronger, darker or brighter. Grays have no hue and stay
+/// gray.
 ///
 /// @param color "Color" default=1,1,1,1 : Straight RGBA; the alpha stays.
 /// @param hue "Hue" unit=rad default=0 min=-pi max=pi : Turns the color wheel; a third of a turn
 ///   makes red green.
-/// @param saturation "Saturation" default=1 min=0 max=2 : 0 is grey.
+/// @param saturation "Saturation" default=1 min=0 max=2 : 0 is gray.
 /// @param value "Value" default=1 min=0 max=2 : 0 is black.
 /// @return color "Color" : Straight RGBA.
 /// @bypass color when hue = 0 and saturation = 1 and value = 1 : it changes nothing

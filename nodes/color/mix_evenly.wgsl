@@ -4,7 +4,7 @@ import chiaro::total;
 
 /// Mix evenly
 ///
-/// Goes from one color to another in steps that look even, without the grey or the dark that a
+/// Goes from one color to another in steps that look even, without the gray or the dark that a
 /// plain mix passes through.
 ///
 /// @choice space "Space" default=oklab oklab="Oklab" linear="Linear light" hue="Around the hues" :

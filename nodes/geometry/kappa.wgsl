@@ -10,7 +10,7 @@ import chiaro::curvature;
 /// @param kappa from=kappa hidden
 /// @param kappa_detail from=kappa_detail hidden
 /// @error balanced 0.06 : of the curvature itself, where the surface is smooth; the pass looks at
-///   four neighbours in place of twelve, so that creases and the noise of scans come out sharper
+///   four neighbors in place of twelve, so that creases and the noise of scans come out sharper
 /// @error fast 0.1 : of the curvature itself, for the surface where it is smooth, of triangles of a
 ///   pixel or so, and not seen edge-on; large triangles and creases show, and no pass is needed;
 ///   for details the same as balanced

@@ -13,7 +13,7 @@ import chiaro::total;
 /// @param stretch "Stretch" default=0,0,0 : From Mark place.
 /// @param count "Grains" default=160 min=1 max=2000 : How many there are to the picture's height.
 /// @param tooth "Tooth" default=0.5 min=0 max=1 : How rough the paper is.
-/// @param fiber "Fibre" default=0.3 min=0 max=1 : How much finer grain there is on the grain.
+/// @param fiber "Fiber" default=0.3 min=0 max=1 : How much finer grain there is on the grain.
 /// @param seed "Seed" default=0 : Another number, another sheet.
 /// @param viewport from=viewport hidden
 /// @source Kalnins et al. 2002

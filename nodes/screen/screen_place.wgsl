@@ -14,7 +14,7 @@ fn screen_place(pixel: vec2f, viewport: vec2f) -> ScreenPlace {
 }
 
 struct ScreenPlace {
-    /// From the picture's upper left corner, x to the right and y down, in pixels; centres lie at
+    /// From the picture's upper left corner, x to the right and y down, in pixels; centers lie at
     /// halves.
     pixel: vec2f,
     /// From the picture's middle, x to the right and y up, in picture heights.

@@ -6,7 +6,7 @@ import chiaro::shape;
 
 /// Inner contour
 ///
-/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
 /// about to appear, along the bottom of hollows, or along ridges.
 ///
 /// @choice lines "Lines" default=suggestive suggestive="Suggestive" valleys="Valleys"

@@ -20,7 +20,7 @@ fn constant_size(uv: vec2f, distance: f32, near: f32, fade: f32) -> ConstantSize
     let low = i32(floor(octave));
     let middle = octave - floor(octave) - 0.5;
     let part = clamp(0.5 + middle / clamp(bounded(fade), 0.01, 1.0), 0.0, 1.0);
-    // Of two neighbouring sizes one is even and one odd: each changes only where the other alone is
+    // Of two neighboring sizes one is even and one odd: each changes only where the other alone is
     // seen.
     let is_odd = (low & 1) == 1;
     let even = low + (low & 1);

@@ -55,7 +55,7 @@ fn hcbtf_directions_phi_zero(light: Light, normal: vec3f, view: vec3f, tangent: 
         1.0);
 }
 
-/// A sample's own color: its step around the normal as hue, paler towards the normal.
+/// A sample's own color: its step around the normal as hue, paler toward the normal.
 fn hcbtf_sample_color(place: vec2i, directions: vec2i) -> vec4f {
     let hue = rgb_of_hue(f32(place.y) / f32(directions.y));
     let part = f32(place.x) / f32(max(directions.x - 1, 1));

@@ -29,10 +29,10 @@ import chiaro::hcbtf;
 /// @param tangent from=tangent hidden
 /// @param bitangent from=bitangent hidden
 /// @return color "Color" : Straight RGBA.
-/// @error balanced 5e-3 : color of opaque paint where neighbouring paintings have nothing in
+/// @error balanced 5e-3 : color of opaque paint where neighboring paintings have nothing in
 ///   common, from the GPU's eight-bit weights; 1e-3 where they are alike; edges of transparent
 ///   paint may be tinted
-/// @error fast 0.55 : color where paintings of neighbouring views differ, for the nearest view
+/// @error fast 0.55 : color where paintings of neighboring views differ, for the nearest view
 ///   alone is read; the mean over smooth paintings is 0.017
 /// @source thesis 10.3, A.3
 fn hcbtf_lookup_smooth(

@@ -84,7 +84,7 @@ fn square_wave_filtered(x: f32, w: f32) -> f32 {
     return (triangle_wave(turn + 0.5 * width) - triangle_wave(turn - 0.5 * width)) / width;
 }
 
-/// A chessboard of unit squares, 1 on the square at the origin and 0 on its neighbours, averaged
+/// A chessboard of unit squares, 1 on the square at the origin and 0 on its neighbors, averaged
 /// over a footprint.
 fn checker_filtered(p: vec2f, w: vec2f) -> f32 {
     return 0.5 + 0.5 * square_wave_filtered(p.x, w.x) * square_wave_filtered(p.y, w.y);

@@ -25,7 +25,7 @@ fn rgb_of_hue(hue: f32) -> vec3f {
     return clamp(abs(6.0 * (places - floor(places)) - 3.0) - 1.0, vec3f(0.0), vec3f(1.0));
 }
 
-/// The hue of a color in turns, in [0, 1]; 0 for grey. `chroma` is its largest component less its
+/// The hue of a color in turns, in [0, 1]; 0 for gray. `chroma` is its largest component less its
 /// smallest.
 fn hue_of_rgb(rgb: vec3f, chroma: f32) -> f32 {
     let largest = max(max(rgb.x, rgb.y), rgb.z);
@@ -94,7 +94,7 @@ fn lightness_of(rgb: vec3f) -> f32 {
     return dot(rgb, vec3f(0.3, 0.59, 0.11));
 }
 
-/// `rgb` as light as `other`, drawn toward its grey where a component would leave [0, 1] (SetLum,
+/// `rgb` as light as `other`, drawn toward its gray where a component would leave [0, 1] (SetLum,
 /// ClipColor).
 fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     let light = lightness_of(other);
@@ -110,7 +110,7 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
 }
 
 /// `rgb` with the spread between largest and smallest component that `other` has (SetSat); black
-/// where `rgb` is grey.
+/// where `rgb` is gray.
 fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
     let least = min(min(rgb.x, rgb.y), rgb.z);
     let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
@@ -188,7 +188,7 @@ fn mixed_by_hue(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let start = oklab_of_srgb(a.xyz);
     let goal = oklab_of_srgb(b.xyz);
     let chroma = vec2f(length_of(vec3f(start.yz, 0.0)), length_of(vec3f(goal.yz, 0.0)));
-    // Grey has no hue and takes that of the other color.
+    // Gray has no hue and takes that of the other color.
     let one = angle_of_point(select(start.z, goal.z, chroma.x < 1e-3),
         select(start.y, goal.y, chroma.x < 1e-3));
     let other = angle_of_point(select(goal.z, start.z, chroma.y < 1e-3),
@@ -205,7 +205,7 @@ fn mixed_by_hue(a: vec4f, b: vec4f, t: f32) -> vec4f {
 fn mixed_in_hsv(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let start = hsv_of_rgb(bounded_vec3(a.xyz));
     let goal = hsv_of_rgb(bounded_vec3(b.xyz));
-    // Grey has no hue and takes that of the other color.
+    // Gray has no hue and takes that of the other color.
     let one = select(start.x, goal.x, start.y < 1e-3);
     let other = select(goal.x, start.x, goal.y < 1e-3);
     let apart = other - one;
@@ -215,7 +215,7 @@ fn mixed_in_hsv(a: vec4f, b: vec4f, t: f32) -> vec4f {
     return ends_kept(a, b, t, value * rgb);
 }
 
-/// Hue in turns, saturation and value of a color; grey has the hue 0.
+/// Hue in turns, saturation and value of a color; gray has the hue 0.
 fn hsv_of_rgb(rgb: vec3f) -> vec3f {
     let most = max(max(rgb.x, rgb.y), rgb.z);
     let chroma = most - min(min(rgb.x, rgb.y), rgb.z);

@@ -59,8 +59,8 @@ fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: 
     return kappa_safe(divergence / scale);
 }
 
-/// The view-centred curvature tensor (xx, xy, yy) from how the normal changes between the pixels of
-/// a quad, as [`curvature_on_screen`] takes its trace. Call it in uniform control flow.
+/// The view-centered curvature tensor (xx, xy, yy) from how the normal changes between the pixels
+/// of a quad, as [`curvature_on_screen`] takes its trace. Call it in uniform control flow.
 fn tensor_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> vec3f {
     let slope = normal.xy / max(normal.z, 0.2);
     let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);

@@ -2,7 +2,7 @@
 import chiaro::numeric;
 import chiaro::total;
 
-/// Weight of a place: 1 within the share `hardness` of the radius around the centre, 0 from the
+/// Weight of a place: 1 within the share `hardness` of the radius around the center, 0 from the
 /// radius on, smooth between.
 fn near_place(position: vec3f, center: vec3f, radius: f32, hardness: f32) -> f32 {
     let far = length_of(bounded_vec3(position) - bounded_vec3(center));

@@ -4,10 +4,10 @@
 // 1/800 of the picture's height wide, for nine reads a level however wide it is.
 import chiaro::curvature_map;
 
-/// The normal at a pixel, smoothed from neighbours `step` steps of 1/800 of the picture's height
+/// The normal at a pixel, smoothed from neighbors `step` steps of 1/800 of the picture's height
 /// away, in xyz; the object in w.
 ///
-/// Two opposite neighbours count for as much as the lesser of them does. So what one side lacks, at
+/// Two opposite neighbors count for as much as the lesser of them does. So what one side lacks, at
 /// an outline or where something else lies in front, does not bend the normal toward the other
 /// side.
 fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
@@ -15,7 +15,7 @@ fn smoothed_at(pixel: vec2i, step: i32) -> vec4f {
     var center = texel(at);
     let object = center.object;
     if center.object == 0.0 {
-        // With several samples per pixel, pixels at an outline take the values of a neighbour, as
+        // With several samples per pixel, pixels at an outline take the values of a neighbor, as
         // for curvature.
         if curvature.samples < 2.0 {
             return vec4f(0.0);
@@ -42,7 +42,7 @@ fn pair_of(center: Texel, at: vec2i, offset: vec2i, weight: f32) -> vec3f {
     let up = select(-1, 1, curvature.rows_up > 0.5);
     let by = vec2i(offset.x, up * offset.y);
     let away = vec2f(offset);
-    let share = min(neighbour(center, at + by, away).z, neighbour(center, at - by, -away).z);
+    let share = min(neighbor(center, at + by, away).z, neighbor(center, at - by, -away).z);
     let both = texel(at + by).normal + texel(at - by).normal;
     return weight * (share * both + (1.0 - share) * 2.0 * center.normal);
 }

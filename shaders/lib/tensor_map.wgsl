@@ -1,11 +1,11 @@
-// View-centred curvature tensor (Vergne et al. 2008): how the slope n.xy / n.z changes along both
-// axes of the picture. The curvature pass finds half of its trace; neighbours count as in that
+// View-centered curvature tensor (Vergne et al. 2008): how the slope n.xy / n.z changes along both
+// axes of the picture. The curvature pass finds half of its trace; neighbors count as in that
 // pass.
 import chiaro::curvature_map;
 
-/// Weighted difference of slopes to a neighbour for each step in xy, and the weight in z.
+/// Weighted difference of slopes to a neighbor for each step in xy, and the weight in z.
 fn slope_change(center: Texel, here: vec2f, at: vec2i, offset: vec2f, weight: f32) -> vec3f {
-    let other = neighbour(center, at, offset);
+    let other = neighbor(center, at, offset);
     let sign = select(-1.0, 1.0, offset.x + offset.y > 0.0);
     return weight * other.z * vec3f(sign * (other.xy - here) / length(offset), 1.0);
 }
@@ -23,7 +23,7 @@ fn tensor_at(pixel: vec2i) -> vec3f {
     var at = pixel;
     var center = texel(at);
     if center.object == 0.0 {
-        // With several samples per pixel, pixels at an outline take the values of a neighbour, as
+        // With several samples per pixel, pixels at an outline take the values of a neighbor, as
         // for curvature.
         if curvature.samples < 2.0 {
             return vec3f(0.0);

@@ -1,4 +1,4 @@
-// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of
+// Curvature in every detail: from the neighbors one, two and three steps away, by a derivative of
 // a Gaussian.
 import chiaro::curvature_map;
 

@@ -1,4 +1,4 @@
-// Curvature at half the price: from the four neighbours two steps away alone, which is the middle
+// Curvature at half the price: from the four neighbors two steps away alone, which is the middle
 // of what the exact pass takes in. One step away would be no cheaper, noisier and farther from it.
 import chiaro::curvature_map;
 

@@ -1,5 +1,5 @@
 // Curvature by direction: its own number along, across and between the axes of the picture, from
-// twelve neighbours.
+// twelve neighbors.
 import chiaro::tensor_map;
 
 @vertex

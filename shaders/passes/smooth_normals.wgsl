@@ -1,8 +1,8 @@
-// A level of smoothed normals: from neighbours in the level before it, or, for the first one, in
+// A level of smoothed normals: from neighbors in the level before it, or, for the first one, in
 // the normals themselves.
 import chiaro::smooth_map;
 
-/// Steps to the neighbours, each 1/800 of the picture's height: twice as many at each level.
+/// Steps to the neighbors, each 1/800 of the picture's height: twice as many at each level.
 const STEPS = 2;
 
 @vertex

@@ -125,7 +125,7 @@ impl AccuracyReport {
              Every node in every choice, width and tier, alone in a look with all of its inputs \
              fed: evenly over what is\n\
              documented, and at the edges of arithmetic (zeros, denormals, the largest numbers, pi \
-             in f32 and its neighbours,\n\
+             in f32 and its neighbors,\n\
              vectors that are equal, opposite and nearly so, or not unit). From the worst samples \
              a search climbs to worse\n\
              ones; what it found is kept in `tests/worst` and held by a test. {samples} samples; \

@@ -489,6 +489,24 @@ fn crates_stand_on_those_below() {
     assert!(complaints.is_empty(), "manifests that break the floors:\n{}", complaints.join("\n"));
 }
 
+/// Every crate says what it is and under which license, and takes version and edition from the
+/// workspace; libraries are for registries, and all else says that it is not.
+#[test]
+fn manifests_say_what_a_registry_asks() {
+    let (src, _) = sources();
+    for (name, _) in CRATES {
+        let manifest = fs::read_to_string(src.join(name).join("Cargo.toml")).expect("a manifest");
+        let has = |line: &str| manifest.lines().any(|other| other.starts_with(line));
+        for line in ["version", "edition", "rust-version", "license"] {
+            assert!(has(&format!("{line}.workspace = true")), "{name}: {line} is the workspace's");
+        }
+        assert!(has("description = \""), "{name} has no description");
+        let is_program = ["cli", "editor", "sweeps"].contains(name);
+        let publish = if is_program { "publish = false" } else { "publish.workspace = true" };
+        assert!(has(publish), "{name}: `{publish}`");
+    }
+}
+
 #[cfg(test)]
 mod rules {
     use super::*;

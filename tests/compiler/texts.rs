@@ -21,7 +21,7 @@ const UNWRAPPED: &[(&str, &str)] = &[
 ];
 
 /// Kinds of files that people write and read as text; scripts have none.
-const KINDS: &[&str] = &["css", "md", "rs", "toml", "wgsl", ""];
+const KINDS: &[&str] = &["md", "rs", "toml", "wgsl", ""];
 
 /// Files that people write, with their paths from the root and their texts; links to folders are
 /// read once, where the folders lie.
@@ -193,8 +193,8 @@ fn read_by_users() -> Vec<(String, String)> {
             found.push((name.clone(), literals(shipped).join(" ")));
             found.push((name.clone(), docs.collect::<Vec<_>>().join(" ")));
         } else if name.ends_with(".md") || name.ends_with(".wgsl") {
-            let is_ours = !name.starts_with("tests/cases");
-            found.extend(is_ours.then_some((name, text)));
+            // Exports say what shaders say, and cases are of strangers.
+            found.extend((!name.starts_with("tests/")).then_some((name, text)));
         }
     }
     let examples: Vec<PathBuf> = files::below(&root().join("examples"))

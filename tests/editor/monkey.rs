@@ -232,12 +232,12 @@ impl Monkey {
     /// Text of the scene, which is checked to be read back as the same scene; empty where none is
     /// open.
     fn check_scene(&self) -> String {
-        let Some(stage) = self.hand.app().session().open_scene() else { return String::new() };
-        let text = stage.scene().to_text();
+        let Some(open_scene) = self.hand.app().session().open_scene() else { return String::new() };
+        let text = open_scene.scene().to_text();
         let loaded = Scene::read(&text, "monkey");
         assert!(!loaded.has_errors(), "after {} gestures: {:?}", self.done, loaded.diagnostics);
         assert!(
-            loaded.value.as_ref() == Some(stage.scene()),
+            loaded.value.as_ref() == Some(open_scene.scene()),
             "after {} gestures the scene says something else",
             self.done
         );

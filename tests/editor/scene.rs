@@ -81,12 +81,12 @@ const TWO: &str = r#"{
 }
 "#;
 
-fn stage(hand: &Hand) -> &chiaro::editor::OpenScene {
+fn open_scene(hand: &Hand) -> &chiaro::editor::OpenScene {
     hand.app().session().open_scene().expect("a scene is open")
 }
 
 fn scene(hand: &Hand) -> &Scene {
-    stage(hand).scene()
+    open_scene(hand).scene()
 }
 
 fn ids(hand: &Hand) -> Vec<String> {
@@ -252,13 +252,13 @@ fn every_object_wears_its_own_look_and_a_click_opens_it() {
         let at = if id == "minimal" { at + eframe::egui::vec2(0.0, 18.0) } else { at };
         hand.click(at);
         hand.settle();
-        assert_eq!(stage(&hand).selected().map(|(id, _)| id.as_str()), Some(id));
+        assert_eq!(open_scene(&hand).selected().map(|(id, _)| id.as_str()), Some(id));
         assert_eq!(open_look(&hand), look);
     }
     // A click beside all objects selects nothing, and the look stays open.
     let rect = hand.app().viewport().rect().unwrap();
     hand.click(rect.left_top() + eframe::egui::vec2(12.0, 12.0));
-    assert!(stage(&hand).selected().is_none());
+    assert!(open_scene(&hand).selected().is_none());
     assert_eq!(open_look(&hand), "figure6-minimal.json");
     // A click on an object's row selects it too.
     press(&mut hand, "Object directional");
@@ -279,7 +279,7 @@ fn a_look_alone_becomes_a_scene_by_adding_and_one_order_of_undo_takes_all_back()
     choose(&mut hand, "Add an object", "Torus");
     assert_eq!(ids(&hand), ["creature", "torus"]);
     assert!(hand.app().session().is_dirty());
-    assert_eq!(stage(&hand).selected().map(|(id, _)| id.as_str()), Some("torus"));
+    assert_eq!(open_scene(&hand).selected().map(|(id, _)| id.as_str()), Some("torus"));
     // Both objects wear the open look, and both can be seen.
     let looks: Vec<_> =
         scene(&hand).objects.values().map(|object| object.looks["*"].clone()).collect();
@@ -423,7 +423,7 @@ fn work_on_a_scene_and_its_look_goes_on_after_the_window_was_closed() {
     drop(hand);
 
     let mut hand = home.window(None);
-    assert_eq!(stage(&hand).path(), Some(home.scene().as_path()));
+    assert_eq!(open_scene(&hand).path(), Some(home.scene().as_path()));
     assert_eq!(
         (open_look(&hand).as_str(), hand.look().name.as_str()),
         ("figure6-minimal.json", "unsaved")
@@ -449,7 +449,7 @@ fn an_unsaved_look_on_an_unsaved_stage_goes_on_too() {
         (ids(&hand), hand.look().name.as_str()),
         (vec!["creature".to_owned(), "knot".to_owned()], "nowhere yet")
     );
-    assert!(hand.app().session().path().is_none() && stage(&hand).path().is_none());
+    assert!(hand.app().session().path().is_none() && open_scene(&hand).path().is_none());
     hand.undo();
     hand.undo();
     assert_eq!(ids(&hand), ["creature"]);
@@ -499,7 +499,7 @@ fn bad_scene_files_are_told_and_what_is_open_stays() {
         hand.app_mut().open(&home.file(name));
         hand.settle();
         assert!(hand.harness.query_by_label_contains(told).is_some(), "{name}");
-        assert_eq!(stage(&hand).path(), Some(home.scene().as_path()), "{name}");
+        assert_eq!(open_scene(&hand).path(), Some(home.scene().as_path()), "{name}");
     }
     // Looks and meshes that are missing or broken are told of, and the rest of the scene is there.
     let text = TWO
@@ -665,7 +665,7 @@ fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     press(&mut hand, "Object ring");
     press(&mut hand, "Do not save");
     assert_eq!(open_look(&hand), "figure4-color.json");
-    assert!(stage(&hand).is_dirty(), "the scene's changes are still there");
+    assert!(open_scene(&hand).is_dirty(), "the scene's changes are still there");
     choose(&mut hand, "More of the scene", "Close the scene");
     assert!(sees(&hand, "two.json has changes"));
     press(&mut hand, "Do not save");

@@ -921,12 +921,12 @@ fn an_example_scene_opens_as_a_new_one_of_ones_own() {
     let mut hand = home.window(None);
     open_card(&mut hand, "Open the scene Painted surfaces");
     assert!(!hand.app().shows_start_page());
-    let stage = hand.app().session().open_scene().expect("a scene");
+    let open_scene = hand.app().session().open_scene().expect("a scene");
     assert_eq!(
-        (stage.scene().objects.len(), stage.path(), hand.app().session().path()),
+        (open_scene.scene().objects.len(), open_scene.path(), hand.app().session().path()),
         (10, None, None)
     );
-    let wrong: Vec<String> = stage.problem_texts().map(str::to_owned).collect();
+    let wrong: Vec<String> = open_scene.problem_texts().map(str::to_owned).collect();
     assert!(
         wrong.is_empty() && compiles(&hand),
         "{wrong:?} {:?}",

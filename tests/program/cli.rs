@@ -973,8 +973,8 @@ fn docs_nodes_md_is_what_the_code_says() {
     let kept = fs::read_to_string(&path).unwrap_or_default();
     assert!(
         kept == printed,
-        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test program writes it \
-         anew"
+        "docs/nodes.md is not what the code says; CHIARO_BLESS=1 cargo test --test program writes \
+         it anew"
     );
 }
 

@@ -6,8 +6,8 @@
 //! judge it (see [`judges`](crate::judges)), and the driver. The ledger keeps a line a case, `KEY
 //! FIGURE CASE`: the figure is the result of the proof, mostly the largest error. A case whose key
 //! differs from its line's is proved anew; of the rest a tenth is, chosen by the commit, so that
-//! each line is checked within ten or so commits. A false line is found then: the new figure is held
-//! against the line's.
+//! each line is checked within ten or so commits. A false line is found then: the new figure is
+//! held against the line's.
 //!
 //! `CHIARO_LEDGER=write` writes the lines of the proved cases; `CHIARO_LEDGER=all` proves all
 //! cases, as `scripts/soak` does.

@@ -2,11 +2,11 @@
 //! paper's formulas (`formulas`), for surfaces that are known at every point (`surfaces`), and
 //! compared with the reference's picture.
 //!
-//! `cargo test --test truth closed_forms -- --nocapture` prints the largest difference of each. On a
-//! plane whose normals turn linearly everything has a closed form, the curvature pass included, so
-//! that only the polynomials of the shader library differ: the least accurate of them are atan2's
-//! series (3e-9) and the logarithm's (2e-10, times a profile's
-//! exponent). On a sphere made of triangles the triangles differ.
+//! `cargo test --test truth closed_forms -- --nocapture` prints the largest difference of each. On
+//! a plane whose normals turn linearly everything has a closed form, the curvature pass included,
+//! so that only the polynomials of the shader library differ: the least accurate of them are
+//! atan2's series (3e-9) and the logarithm's (2e-10, times a profile's exponent). On a sphere made
+//! of triangles the triangles differ.
 
 mod formulas;
 mod surfaces;

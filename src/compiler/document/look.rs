@@ -246,7 +246,7 @@ described! {
     pub struct Bookmark("bookmark", Line, by key) {
         /// The key.
         key: u8, Kind::Number(Bounds::whole(1.0, 9.0)), required;
-        /// The point of the graph at the canvas's centre, x right and y down.
+        /// The point of the graph at the canvas's center, x right and y down.
         position as "at": [f64; 2] = [0.0; 2], CANVAS;
         /// Points of the screen for each point of the graph.
         zoom: f64 = 1.0, Kind::Number(Bounds::new(0.001, 1000.0));
@@ -521,7 +521,7 @@ described! {
     /// Values at one direction.
     pub struct DirectionKey("direction key", Line) {
         /// Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, y
-        /// up, z toward the viewer). By view: from the object's centre to the eye, in world space.
+        /// up, z toward the viewer). By view: from the object's center to the eye, in world space.
         direction: [f64; 3], Kind::Direction, words "required, unless drivers decide",
             by KeyPlace;
         /// Where, if drivers decide: a number for each, in their order.
@@ -550,7 +550,7 @@ described! {
         time: f64, Kind::Number(FAR), required;
         /// The value then.
         value: Value, Kind::Value, required;
-        /// How neighbours are joined; for a time key, how it goes on to the next.
+        /// How neighbors are joined; for a time key, how it goes on to the next.
         interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
         unknown;
     }

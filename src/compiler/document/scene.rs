@@ -75,7 +75,7 @@ described! {
         rotate: [f64; 4] = [0.0, 0.0, 0.0, 1.0], Kind::Rotation;
         /// Along each axis of the object; none of them 0.
         scale: [f64; 3] = [1.0; 3], Kind::Numbers(3, 3, FAR), by Scale;
-        /// Whether the mesh is first centred and scaled to a bounding sphere of radius 1.
+        /// Whether the mesh is first centered and scaled to a bounding sphere of radius 1.
         fit: bool = true, Kind::Bool;
     }
 }

@@ -37,7 +37,7 @@ described! {
         /// `[x, y]` pairs in increasing x; at least one.
         points: Vec<[f64; 2]> = Vec::new(),
             Kind::List(&Kind::Numbers(2, 2, F32), Curve::MAX_POINTS), required;
-        /// How neighbours are joined; for a time key, how it goes on to the next.
+        /// How neighbors are joined; for a time key, how it goes on to the next.
         #[serde(default)]
         interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
     }
@@ -54,7 +54,7 @@ described! {
         /// In increasing `at`; at least one.
         stops: Vec<RampStop> = Vec::new(),
             Kind::List(&Kind::Object(RampStop::shape), Ramp::MAX_STOPS), required;
-        /// How neighbours are joined; for a time key, how it goes on to the next.
+        /// How neighbors are joined; for a time key, how it goes on to the next.
         #[serde(default)]
         interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
     }

@@ -371,12 +371,10 @@ impl Canvas {
             (Gesture::Move(drag), _) if drag.into.is_some() => {
                 "Let go to put the node into this wire · Esc puts back"
             }
-            (Gesture::Move(drag), _) if drag.joins.is_some() => {
-                "Let go to wire it to its neighbour"
-            }
+            (Gesture::Move(drag), _) if drag.joins.is_some() => "Let go to wire it to its neighbor",
             (Gesture::Move(drag), _) if drag.frame.is_some() => "Let go to put it into the frame",
             (Gesture::Move(_), _) => {
-                "Let go to put down · Alt wires to a neighbour, Ctrl does not snap · Esc puts back"
+                "Let go to put down · Alt wires to a neighbor, Ctrl does not snap · Esc puts back"
             }
             (Gesture::Note { .. }, _) => "Let go to put down · the right edge sets the width",
             (Gesture::Cut { .. }, _) => "Let go to cut the wires that are crossed",

@@ -224,7 +224,7 @@ impl Easel {
                 neighbours(work, at, self.onion_along).map(|address| work.tile(address).cloned());
             for (shown, tile) in self.neighbours.iter_mut().zip(found) {
                 if let Some(tile) = tile {
-                    let texture = shown.of(ui.ctx(), "neighbour", &tile);
+                    let texture = shown.of(ui.ctx(), "neighbor", &tile);
                     quads(painter, texture, std::iter::once((tilt.corners([0, 0]), tint)));
                 }
             }

@@ -34,7 +34,7 @@ struct SampleResult {
 }
 
 /// Threads that fill unpainted samples, and their requests.
-pub(super) struct Filling {
+pub(super) struct FillWorker {
     worker: Worker<FillRequest, FillResult>,
     ahead: Worker<(FillRequest, Address), SampleResult>,
     /// HCBTF of the last request.
@@ -50,7 +50,7 @@ pub(super) struct Filling {
     pub(super) problem: Option<Diagnostic>,
 }
 
-impl Filling {
+impl FillWorker {
     /// `wake` is called from another thread when samples are filled.
     pub(super) fn new(wake: impl Fn() + Clone + Send + 'static) -> Self {
         // A stroke changes little of the last result, so that the worker starts from it. The
@@ -178,7 +178,7 @@ impl Filling {
     }
 }
 
-impl Drop for Filling {
+impl Drop for FillWorker {
     fn drop(&mut self) {
         self.stop();
     }
@@ -201,7 +201,7 @@ mod tests {
         let rules = vec![Rule::Strokes(Box::new(Strokes::preset("Grass")))];
         let mut work =
             OpenPainting::of_history(History::new(Hcbtf { rules, ..Hcbtf::new(grid) }), None);
-        let mut filling = Filling::new(|| {});
+        let mut filling = FillWorker::new(|| {});
         let at = Address::new([1, 2], [2, 3]);
         work.go_to(at);
         let alone = |work: &OpenPainting| sample(work.hcbtf(), at, &Progress::new()).unwrap();

@@ -69,7 +69,7 @@ pub struct Painting {
     atlas: map::Atlas,
     order: list::Order,
     held: Option<dome::HeldHandle>,
-    filling: filling::Filling,
+    filling: filling::FillWorker,
     exports: export::Exports,
     memory: memory::Memory,
     /// Dialog for a grid, while it is open.
@@ -103,7 +103,7 @@ impl Painting {
             atlas: map::Atlas::default(),
             order: list::Order::default(),
             held: None,
-            filling: filling::Filling::new(wake.clone()),
+            filling: filling::FillWorker::new(wake.clone()),
             exports: export::Exports::new(wake.clone()),
             memory: memory::Memory::new(device, wake.clone()),
             preview: preview::Preview::new(wake.clone()),
@@ -356,7 +356,7 @@ impl Painting {
             }
             self.seen.turn(ui, session, work, out);
             ui.separator();
-            let help = "How much of the neighbouring samples shines through";
+            let help = "How much of the neighboring samples shines through";
             ui.label("Onion skin").on_hover_text(help);
             ui.spacing_mut().slider_width = 60.0;
             let slider = ui.add(Slider::new(&mut easel.onion, 0.0..=1.0).show_value(false));
@@ -365,7 +365,7 @@ impl Painting {
         });
         // The list of angles has a row of its own, as it does not wrap with the other widgets.
         if self.easel.onion > 0.0 {
-            rules::along(ui, "neighbours by", &mut self.easel.onion_along);
+            rules::along(ui, "neighbors by", &mut self.easel.onion_along);
         }
     }
 

@@ -15,7 +15,7 @@ const SHOWN: &str = "chiaro-shown";
 /// Display of a value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Style {
-    /// Numbers as red, green and blue; one as grey.
+    /// Numbers as red, green and blue; one as gray.
     #[default]
     Color,
     Heat,
@@ -36,13 +36,13 @@ impl Style {
     pub(crate) fn help(self) -> &'static str {
         match self {
             Self::Color => {
-                "The numbers as red, green and blue; a single one as grey, an angle from 0 to 180°"
+                "The numbers as red, green and blue; a single one as gray, an angle from 0 to 180°"
             }
             Self::Heat => {
                 "Blue below 0, then black to yellow from 0 to 1, red above; not a number is magenta"
             }
             Self::Isolines => {
-                "Grey, with a line where it crosses a tenth, a white one where it crosses a whole \
+                "Gray, with a line where it crosses a tenth, a white one where it crosses a whole \
                  number; none where it is level"
             }
         }
@@ -169,9 +169,9 @@ const ISOLINES: &str = "    \
     let width = max(slope, 1e-7);
     let tenth = abs(fract(x * 10.0 - 0.5) - 0.5) / (10.0 * width);
     let whole = abs(fract(x - 0.5) - 0.5) / width;
-    let grey = vec3f(0.15 + 0.6 * clamp(x, 0.0, 1.0));
-    let fine = mix(vec3f(0.93, 0.64, 0.33), grey, clamp(max(tenth, 10.0 * width * 2.0 - 1.0), 0.0, \
+    let gray = vec3f(0.15 + 0.6 * clamp(x, 0.0, 1.0));
+    let fine = mix(vec3f(0.93, 0.64, 0.33), gray, clamp(max(tenth, 10.0 * width * 2.0 - 1.0), 0.0, \
     1.0));
     let lined = mix(vec3f(1.0, 1.0, 1.0), fine, clamp(whole - 0.5, 0.0, 1.0));
-    return select(grey, lined, slope > 1e-6);
+    return select(gray, lined, slope > 1e-6);
 ";

@@ -25,12 +25,12 @@ struct State<Q, A> {
     is_over: bool,
 }
 
-struct Shared<Q, A> {
+struct WorkerShared<Q, A> {
     state: Mutex<State<Q, A>>,
     changed: Condvar,
 }
 
-impl<Q, A> Shared<Q, A> {
+impl<Q, A> WorkerShared<Q, A> {
     fn lock(&self) -> MutexGuard<'_, State<Q, A>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -38,7 +38,7 @@ impl<Q, A> Shared<Q, A> {
 
 /// A thread that turns requests into answers.
 pub(crate) struct Worker<Q, A> {
-    shared: Arc<Shared<Q, A>>,
+    shared: Arc<WorkerShared<Q, A>>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -65,7 +65,7 @@ impl<Q: Send + 'static, A: Send + 'static> Worker<Q, A> {
             answers: Vec::new(),
             is_over: false,
         };
-        let shared = Arc::new(Shared { state: Mutex::new(state), changed: Condvar::new() });
+        let shared = Arc::new(WorkerShared { state: Mutex::new(state), changed: Condvar::new() });
         let thread = {
             let shared = shared.clone();
             start(name, move || {
@@ -145,7 +145,7 @@ impl<Q, A> Drop for Worker<Q, A> {
 }
 
 /// Waits for a request; `None` when the worker is dropped.
-fn next<Q, A>(shared: &Shared<Q, A>) -> Option<Q> {
+fn next<Q, A>(shared: &WorkerShared<Q, A>) -> Option<Q> {
     let is_idle = |state: &mut State<Q, A>| state.waiting.is_none() && !state.is_over;
     let mut state =
         shared.changed.wait_while(shared.lock(), is_idle).unwrap_or_else(PoisonError::into_inner);

@@ -90,7 +90,7 @@ pub struct Viewport {
     /// Exposure in stops; for this window only.
     exposure: f32,
     exports: Exports,
-    preparing: preparing::Preparing,
+    preparing: preparing::PictureDelay,
     reference: Option<ReferenceImage>,
     /// Side of baked images, in pixels.
     bake_side: u32,
@@ -134,7 +134,7 @@ impl Viewport {
             turns: false,
             exposure: 0.0,
             exports: Exports::new(gpu, wake),
-            preparing: preparing::Preparing::default(),
+            preparing: preparing::PictureDelay::default(),
             reference: None,
             bake_side: 512,
         }

@@ -21,11 +21,11 @@ const WHEEL: f32 = 22.0;
 
 /// Time since which a picture is awaited, in seconds of the window's clock.
 #[derive(Debug, Default)]
-pub(super) struct Preparing {
+pub(super) struct PictureDelay {
     since: Option<f64>,
 }
 
-impl Preparing {
+impl PictureDelay {
     /// Opacity of the sign, 0 to 1, and the time until it begins to show, in seconds.
     fn tell(&mut self, is_awaited: bool, now: f64) -> (f32, f64) {
         if !is_awaited {
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn what_is_quick_has_no_sign_and_what_is_slow_one_that_fades_in() {
-        let mut preparing = Preparing::default();
+        let mut preparing = PictureDelay::default();
         let mut at = |is_awaited, now| preparing.tell(is_awaited, now).0;
         assert_eq!([at(true, 10.0), at(true, 10.2), at(true, 10.0 + CALM)], [0.0; 3]);
         let half = at(true, 10.0 + CALM + FADE / 2.0);

@@ -96,13 +96,13 @@ fn draw(painter: &Painter, icon: Icon, at: Pos2, ink: Color32, is_on: bool) {
 
 /// A name that is being changed.
 #[derive(Clone, Debug)]
-pub(crate) struct Renaming<I> {
+pub(crate) struct NameEdit<I> {
     pub(crate) id: I,
     text: String,
     is_new: bool,
 }
 
-impl<I> Renaming<I> {
+impl<I> NameEdit<I> {
     pub(crate) fn new(id: I, name: &str) -> Self {
         Self { id, text: name.to_owned(), is_new: true }
     }

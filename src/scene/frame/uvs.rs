@@ -84,7 +84,7 @@ pub(super) fn without_uvs(
             let message =
                 format!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
             Diagnostic::warning("no-uvs", message).hint(
-                "unwrap the mesh in a modelling program, wire other coordinates into the node's \
+                "unwrap the mesh in a modeling program, wire other coordinates into the node's \
                  UV, or show the look on a \
                  shape that has UVs (`shape:sphere`)",
             )
@@ -96,7 +96,7 @@ pub(super) fn without_uvs(
             );
             Diagnostic::note("level-tangents", message).hint(
                 "for strokes or highlights that follow the form, unwrap the mesh in a \
-                       modelling program",
+                       modeling program",
             )
         }
     };

@@ -347,7 +347,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
 /// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
@@ -576,7 +576,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let d = p - corner;
     let cell = vec3i(corner);
-    // Beyond the neighbours every point is at least 1 away.
+    // Beyond the neighbors every point is at least 1 away.
     var nearest = 1.0;
     for (var i = 0; i < 27; i++) {
         let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);

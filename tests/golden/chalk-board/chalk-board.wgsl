@@ -730,13 +730,13 @@ fn shade(surface: Surface) -> vec4f {
     let board = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
     let r_grain = paper_grain(r_bare, board.place, board.stretch, 120.0, 0.6, 0.5, 5i, look.viewport);
     let r_on = invert(r_grain.tone);
-    let blue_grey = mix_colors_normal(vec4f(0.1216, 0.1647, 0.1686, 1.0), vec4f(0.4275, 0.5098, 0.5647, 1.0), r_on);
+    let blue_gray = mix_colors_normal(vec4f(0.1216, 0.1647, 0.1686, 1.0), vec4f(0.4275, 0.5098, 0.5647, 1.0), r_on);
     let turn = parametrization_diffuse(look.back, surface.normal);
     let orange_chalk = profile(turn, 0.0, orange_chalk_shape);
     let o_bare = invert(orange_chalk);
     let o_grain = paper_grain(o_bare, board.place, board.stretch, 220.0, 0.8, 0.5, 9i, look.viewport);
     let o_on = invert(o_grain.tone);
-    let orange = mix_colors_normal(blue_grey, vec4f(0.9412, 0.6353, 0.3608, 1.0), o_on);
+    let orange = mix_colors_normal(blue_gray, vec4f(0.9412, 0.6353, 0.3608, 1.0), o_on);
     let curvature = kappa_surface(surface.kappa);
     let hollow_to_bulge = transition(curvature, 0.16);
     let bare_in_hollows = map_range(hollow_to_bulge, 0.15, 0.5, 0.1, 1.0, true);

@@ -646,7 +646,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let d = p - corner;
     let cell = vec3i(corner);
-    // Beyond the neighbours every point is at least 1 away.
+    // Beyond the neighbors every point is at least 1 away.
     var nearest = 1.0;
     for (var i = 0; i < 27; i++) {
         let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);

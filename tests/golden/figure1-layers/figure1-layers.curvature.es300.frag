@@ -58,7 +58,7 @@ vec2 slope(vec3 normal) {
     return (normal.xy / vec2(max(normal.z, 0.2)));
 }
 
-vec3 neighbour(Texel center, ivec2 at_1, vec2 offset) {
+vec3 neighbor(Texel center, ivec2 at_1, vec2 offset) {
     Texel _e3 = texel(at_1);
     if ((_e3.object != center.object)) {
         return vec3(0.0);
@@ -165,16 +165,16 @@ float curvature_at(ivec2 pixel_1, int first, int last) {
             float weight_1 = ((WEIGHTS[(_e64 - 1)] * distance_) * distance_);
             Texel _e70 = center_1;
             ivec2 _e71 = at_2;
-            vec3 _e79 = neighbour(_e70, (_e71 + ivec2(-(reach), 0)), vec2(-(distance_), 0.0));
+            vec3 _e79 = neighbor(_e70, (_e71 + ivec2(-(reach), 0)), vec2(-(distance_), 0.0));
             Texel _e80 = center_1;
             ivec2 _e81 = at_2;
-            vec3 _e87 = neighbour(_e80, (_e81 + ivec2(reach, 0)), vec2(distance_, 0.0));
+            vec3 _e87 = neighbor(_e80, (_e81 + ivec2(reach, 0)), vec2(distance_, 0.0));
             Texel _e88 = center_1;
             ivec2 _e89 = at_2;
-            vec3 _e96 = neighbour(_e88, (_e89 + ivec2(0, (up * reach))), vec2(0.0, distance_));
+            vec3 _e96 = neighbor(_e88, (_e89 + ivec2(0, (up * reach))), vec2(0.0, distance_));
             Texel _e97 = center_1;
             ivec2 _e98 = at_2;
-            vec3 _e106 = neighbour(_e97, (_e98 - ivec2(0, (up * reach))), vec2(0.0, -(distance_)));
+            vec3 _e106 = neighbor(_e97, (_e98 - ivec2(0, (up * reach))), vec2(0.0, -(distance_)));
             float _e108 = along_x.forward;
             along_x.forward = (_e108 + (((weight_1 * _e87.z) * (_e87.x - _e27.x)) / distance_));
             float _e118 = along_x.forward_weight;

@@ -256,7 +256,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
 /// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(

@@ -3,13 +3,13 @@
 // Bindings of group 0: normals 0, depths 1, curvature 2.
 // figure6-glossy-jade.json says what to put there and how to draw.
 
-// View-centred mean curvature from screen-space normals (docs/math.md 3), for the curvature passes:
-// half the divergence of n.xy / n.z, in camera axes.
+// View-centered mean curvature from screen-space normals (docs/math.md 3), for the curvature
+// passes: half the divergence of n.xy / n.z, in camera axes.
 //
 // Convex is positive. The result is in 1/viewport-height, so that a picture at twice the resolution
-// shows the same. A neighbour counts only where it lies on the same surface: on the same object,
+// shows the same. A neighbor counts only where it lies on the same surface: on the same object,
 // and no farther in depth than the normal's slope explains; otherwise the difference is one-sided,
-// and 0 where no neighbour is left.
+// and 0 where no neighbor is left.
 
 struct Curvature {
     /// The size of a pixel in scene units: at depth 1 for perspective, at every depth for parallel
@@ -34,7 +34,7 @@ struct Curvature {
 
 /// The least n.z that divides: beyond it every rim would saturate to convex.
 const LEAST_NZ = 0.2;
-/// Tolerated difference in depth to a neighbour, in multiples of the change that the slope
+/// Tolerated difference in depth to a neighbor, in multiples of the change that the slope
 /// explains.
 const DEPTH_TOLERANCE = 2.0;
 /// Largest curvature, in 1/viewport-height: beyond, it says no more.
@@ -65,9 +65,9 @@ fn slope(normal: vec3f) -> vec2f {
     return normal.xy / max(normal.z, LEAST_NZ);
 }
 
-/// The slope at a neighbour in xy and the neighbour's weight in z, 0 to 1. `offset` is in pixels, y
+/// The slope at a neighbor in xy and the neighbor's weight in z, 0 to 1. `offset` is in pixels, y
 /// up.
-fn neighbour(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
+fn neighbor(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
     let other = texel(at);
     if other.object != center.object {
         return vec3f(0.0);
@@ -123,14 +123,14 @@ fn covered_near(pixel: vec2i) -> vec2i {
     return found;
 }
 
-/// Curvature at a pixel, from the neighbours on the four sides that are `first` to `last` steps
+/// Curvature at a pixel, from the neighbors on the four sides that are `first` to `last` steps
 /// away, within 1 to 3.
 fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
     var at = pixel;
     var center = texel(at);
     if center.object == 0.0 {
         // With several samples a pixel, a look also shades pixels whose middle the object just
-        // misses: they have the curvature of a neighbour.
+        // misses: they have the curvature of a neighbor.
         if curvature.samples < 2.0 {
             return 0.0;
         }
@@ -151,10 +151,10 @@ fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
         let reach = k * stride;
         let distance = f32(reach);
         let weight = WEIGHTS[k - 1] * distance * distance;
-        let left = neighbour(center, at + vec2i(-reach, 0), vec2f(-distance, 0.0));
-        let right = neighbour(center, at + vec2i(reach, 0), vec2f(distance, 0.0));
-        let above = neighbour(center, at + vec2i(0, up * reach), vec2f(0.0, distance));
-        let below = neighbour(center, at - vec2i(0, up * reach), vec2f(0.0, -distance));
+        let left = neighbor(center, at + vec2i(-reach, 0), vec2f(-distance, 0.0));
+        let right = neighbor(center, at + vec2i(reach, 0), vec2f(distance, 0.0));
+        let above = neighbor(center, at + vec2i(0, up * reach), vec2f(0.0, distance));
+        let below = neighbor(center, at - vec2i(0, up * reach), vec2f(0.0, -distance));
         along_x.forward += weight * right.z * (right.x - here.x) / distance;
         along_x.forward_weight += weight * right.z;
         along_x.backward += weight * left.z * (here.x - left.x) / distance;
@@ -167,7 +167,7 @@ fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
     let kappa = 0.5 * (derivative(along_x) + derivative(along_y)) * curvature.viewport_height;
     return clamp(kappa, -MOST, MOST);
 }
-// Curvature in every detail: from the neighbours one, two and three steps away, by a derivative of
+// Curvature in every detail: from the neighbors one, two and three steps away, by a derivative of
 // a Gaussian.
                              
 

@@ -65,8 +65,8 @@ const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape grey_modelling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
-const ProfileShape grey_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
+const ProfileShape gray_modeling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
+const ProfileShape gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };
 
@@ -602,13 +602,13 @@ VectorParts separate_vector(vec3 vector) {
 vec4 shade(Surface surface_1) {
     Light _e3 = u_look.key;
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, grey_modelling_tone_shape);
+    float _e8 = profile(_e5, 0.0, gray_modeling_tone_shape);
     Light _e11 = u_look.key;
     LitLayer _e17 = light_apply(_e11, vec4(0.7059, 0.7059, 0.7059, 1.0), _e8);
     vec4 _e27 = blend_alpha(vec4(0.1216, 0.1216, 0.1216, 1.0), _e17.color, _e17.tone, 1.0, true);
     Light _e30 = u_look.key;
     Angle _e33 = parametrization_specular(_e30, surface_1.normal, surface_1.view);
-    float _e36 = profile(_e33, 0.0, grey_lights_tone_shape);
+    float _e36 = profile(_e33, 0.0, gray_lights_tone_shape);
     Light _e39 = u_look.key;
     LitLayer _e45 = light_apply(_e39, vec4(0.2902, 0.2902, 0.2902, 1.0), _e36);
     vec4 _e50 = blend_add(_e27, _e45.color, _e45.tone, 1.0, true);

@@ -81,8 +81,8 @@ constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape grey_modelling_tone_shape = ProfileShape {1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u};
-constant ProfileShape grey_lights_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u};
+constant ProfileShape gray_modeling_tone_shape = ProfileShape {1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u};
+constant ProfileShape gray_lights_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u};
 
 bool is_finite(
     float x
@@ -817,13 +817,13 @@ metal::float4 shade(
 ) {
     Light _e3 = look.key;
     Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, grey_modelling_tone_shape);
+    float _e8 = profile(_e5, 0.0, gray_modeling_tone_shape);
     Light _e11 = look.key;
     LitLayer _e17 = light_apply(_e11, metal::float4(0.7059, 0.7059, 0.7059, 1.0), _e8);
     Composite _e27 = blend_alpha(metal::float4(0.1216, 0.1216, 0.1216, 1.0), _e17.color, _e17.tone, 1.0, true);
     Light _e30 = look.key;
     Angle _e33 = parametrization_specular(_e30, surface_1.normal, surface_1.view);
-    float _e36 = profile(_e33, 0.0, grey_lights_tone_shape);
+    float _e36 = profile(_e33, 0.0, gray_lights_tone_shape);
     Light _e39 = look.key;
     LitLayer _e45 = light_apply(_e39, metal::float4(0.2902, 0.2902, 0.2902, 1.0), _e36);
     Composite _e50 = blend_add(_e27, _e45.color, _e45.tone, 1.0, true);

@@ -326,7 +326,7 @@ fn lightness_of(rgb: vec3f) -> f32 {
     return dot(rgb, vec3f(0.3, 0.59, 0.11));
 }
 
-/// `rgb` as light as `other`, drawn toward its grey where a component would leave [0, 1] (SetLum,
+/// `rgb` as light as `other`, drawn toward its gray where a component would leave [0, 1] (SetLum,
 /// ClipColor).
 fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     let light = lightness_of(other);
@@ -342,7 +342,7 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
 }
 
 /// `rgb` with the spread between largest and smallest component that `other` has (SetSat); black
-/// where `rgb` is grey.
+/// where `rgb` is gray.
 fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
     let least = min(min(rgb.x, rgb.y), rgb.z);
     let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
@@ -654,20 +654,20 @@ struct VectorParts {
     z: f32,
 }
 
-const grey_modelling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
-const grey_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
+const gray_modeling_tone_shape = ProfileShape(1.0, 0.0, 1.0537579, 1.3909147, 0.0, 1.2772532, 0.561292, 0u);
+const gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3.3126261, 0.1, 0.42646712, 0.19445144, 0u);
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let grey_modelling_angle = parametrization_diffuse(look.key, surface.normal);
-    let grey_modelling_tone = profile(grey_modelling_angle, 0.0, grey_modelling_tone_shape);
-    let grey_modelling_lit = light_apply(look.key, vec4f(0.7059, 0.7059, 0.7059, 1.0), grey_modelling_tone);
-    let grey_modelling_blend = blend_alpha(vec4f(0.1216, 0.1216, 0.1216, 1.0), grey_modelling_lit.color, grey_modelling_lit.tone, 1.0, true);
-    let grey_lights_angle = parametrization_specular(look.key, surface.normal, surface.view);
-    let grey_lights_tone = profile(grey_lights_angle, 0.0, grey_lights_tone_shape);
-    let grey_lights_lit = light_apply(look.key, vec4f(0.2902, 0.2902, 0.2902, 1.0), grey_lights_tone);
-    let grey_lights_blend = blend_add(grey_modelling_blend, grey_lights_lit.color, grey_lights_lit.tone, 1.0, true);
-    let grisaille = set_alpha(straight(grey_lights_blend), 1.0);
+    let gray_modeling_angle = parametrization_diffuse(look.key, surface.normal);
+    let gray_modeling_tone = profile(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
+    let gray_modeling_lit = light_apply(look.key, vec4f(0.7059, 0.7059, 0.7059, 1.0), gray_modeling_tone);
+    let gray_modeling_blend = blend_alpha(vec4f(0.1216, 0.1216, 0.1216, 1.0), gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
+    let gray_lights_angle = parametrization_specular(look.key, surface.normal, surface.view);
+    let gray_lights_tone = profile(gray_lights_angle, 0.0, gray_lights_tone_shape);
+    let gray_lights_lit = light_apply(look.key, vec4f(0.2902, 0.2902, 0.2902, 1.0), gray_lights_tone);
+    let gray_lights_blend = blend_add(gray_modeling_blend, gray_lights_lit.color, gray_lights_lit.tone, 1.0, true);
+    let grisaille = set_alpha(straight(gray_lights_blend), 1.0);
     let glaze_of_green_earth = mix_colors_color(grisaille, vec4f(0.4275, 0.5412, 0.4471, 1.0), 0.75);
     let glaze_of_sienna = mix_colors_color(grisaille, vec4f(0.7098, 0.4667, 0.3098, 1.0), 0.7);
     let place = position_object(surface.position_object);

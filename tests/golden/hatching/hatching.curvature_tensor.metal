@@ -65,7 +65,7 @@ metal::float2 slope(
     return normal.xy / metal::float2(metal::max(normal.z, 0.2));
 }
 
-metal::float3 neighbour(
+metal::float3 neighbor(
     Texel center,
     metal::int2 at_1,
     metal::float2 offset,
@@ -211,16 +211,16 @@ float curvature_at(
             float weight_2 = (WEIGHTS.inner[as_type<int>(as_type<uint>(_e64) - as_type<uint>(1))] * distance) * distance;
             Texel _e70 = center_1;
             metal::int2 _e71 = at_2;
-            metal::float3 _e79 = neighbour(_e70, as_type<metal::int2>(as_type<metal::uint2>(_e71) + as_type<metal::uint2>(metal::int2(naga_neg(reach), 0))), metal::float2(-(distance), 0.0), normals, depths, curvature);
+            metal::float3 _e79 = neighbor(_e70, as_type<metal::int2>(as_type<metal::uint2>(_e71) + as_type<metal::uint2>(metal::int2(naga_neg(reach), 0))), metal::float2(-(distance), 0.0), normals, depths, curvature);
             Texel _e80 = center_1;
             metal::int2 _e81 = at_2;
-            metal::float3 _e87 = neighbour(_e80, as_type<metal::int2>(as_type<metal::uint2>(_e81) + as_type<metal::uint2>(metal::int2(reach, 0))), metal::float2(distance, 0.0), normals, depths, curvature);
+            metal::float3 _e87 = neighbor(_e80, as_type<metal::int2>(as_type<metal::uint2>(_e81) + as_type<metal::uint2>(metal::int2(reach, 0))), metal::float2(distance, 0.0), normals, depths, curvature);
             Texel _e88 = center_1;
             metal::int2 _e89 = at_2;
-            metal::float3 _e96 = neighbour(_e88, as_type<metal::int2>(as_type<metal::uint2>(_e89) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, distance), normals, depths, curvature);
+            metal::float3 _e96 = neighbor(_e88, as_type<metal::int2>(as_type<metal::uint2>(_e89) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, distance), normals, depths, curvature);
             Texel _e97 = center_1;
             metal::int2 _e98 = at_2;
-            metal::float3 _e106 = neighbour(_e97, as_type<metal::int2>(as_type<metal::uint2>(_e98) - as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, -(distance)), normals, depths, curvature);
+            metal::float3 _e106 = neighbor(_e97, as_type<metal::int2>(as_type<metal::uint2>(_e98) - as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, -(distance)), normals, depths, curvature);
             float _e108 = along_x.forward;
             along_x.forward = _e108 + (((weight_2 * _e87.z) * (_e87.x - _e27.x)) / distance);
             float _e118 = along_x.forward_weight;
@@ -258,7 +258,7 @@ metal::float3 slope_change(
     metal::texture2d<float, metal::access::sample> depths,
     constant Curvature& curvature
 ) {
-    metal::float3 _e5 = neighbour(center_2, at_3, offset_1, normals, depths, curvature);
+    metal::float3 _e5 = neighbor(center_2, at_3, offset_1, normals, depths, curvature);
     float sign = ((offset_1.x + offset_1.y) > 0.0) ? 1.0 : -1.0;
     return (weight * _e5.z) * metal::float3((sign * (_e5.xy - here)) / metal::float2(metal::length(offset_1)), 1.0);
 }

@@ -536,7 +536,7 @@ struct Strokes {
 
 /// A stroke as seen at a place.
 struct Stroke {
-    /// Turn of the stroke among its neighbours, 0 to 1.
+    /// Turn of the stroke among its neighbors, 0 to 1.
     turn: f32,
     /// Width of the stroke at the place, as a share of its full width.
     profile: f32,
@@ -569,7 +569,7 @@ fn stroke_between(line: vec2i, x: f32, level: f32, style: Strokes) -> Stroke {
 
 /// Distance that strokes stray at a place of an octave, in spacings of the place.
 fn stray_at(place: vec2f, zoom: i32, seed: u32) -> f32 {
-    // The noise changes slowly along a stroke and differs between neighbours.
+    // The noise changes slowly along a stroke and differs between neighbors.
     let p = place * power_of_two(zoom);
     return (value_noise(vec3f(0.11 * p.x, 0.45 * p.y, 0.5), seed) - 0.5) * 2.0
         * power_of_two(-zoom);

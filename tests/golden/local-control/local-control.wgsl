@@ -358,7 +358,7 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// Weight of a place: 1 within the share `hardness` of the radius around the centre, 0 from the
+/// Weight of a place: 1 within the share `hardness` of the radius around the center, 0 from the
 /// radius on, smooth between.
 fn near_place(position: vec3f, center: vec3f, radius: f32, hardness: f32) -> f32 {
     let far = length_of(bounded_vec3(position) - bounded_vec3(center));
@@ -541,7 +541,7 @@ fn seen_well(facing: f32) -> f32 {
 
 /// Inner contour
 ///
-/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
 /// about to appear, along the bottom of hollows, or along ridges.
 fn inner_contour_suggestive(
     width: f32,

@@ -92,7 +92,7 @@ float2 slope(float3 normal)
     return (normal.xy / (max(normal.z, 0.2)).xx);
 }
 
-float3 neighbour(Texel center_, int2 at_1, float2 offset)
+float3 neighbor(Texel center_, int2 at_1, float2 offset)
 {
     const Texel _e3 = texel(at_1);
     if ((_e3.object != center_.object)) {
@@ -233,16 +233,16 @@ float curvature_at(int2 pixel_1, int first, int last)
             float weight_1 = ((WEIGHTS[min(uint(asint(asuint(_e64) - asuint(int(1)))), 2u)] * distance_) * distance_);
             Texel _e70 = center_1;
             int2 _e71 = at_2;
-            const float3 _e79 = neighbour(_e70, asint(asuint(_e71) + asuint(int2(naga_neg(reach), int(0)))), float2(-(distance_), 0.0));
+            const float3 _e79 = neighbor(_e70, asint(asuint(_e71) + asuint(int2(naga_neg(reach), int(0)))), float2(-(distance_), 0.0));
             Texel _e80 = center_1;
             int2 _e81 = at_2;
-            const float3 _e87 = neighbour(_e80, asint(asuint(_e81) + asuint(int2(reach, int(0)))), float2(distance_, 0.0));
+            const float3 _e87 = neighbor(_e80, asint(asuint(_e81) + asuint(int2(reach, int(0)))), float2(distance_, 0.0));
             Texel _e88 = center_1;
             int2 _e89 = at_2;
-            const float3 _e96 = neighbour(_e88, asint(asuint(_e89) + asuint(int2(int(0), asint(asuint(up) * asuint(reach))))), float2(0.0, distance_));
+            const float3 _e96 = neighbor(_e88, asint(asuint(_e89) + asuint(int2(int(0), asint(asuint(up) * asuint(reach))))), float2(0.0, distance_));
             Texel _e97 = center_1;
             int2 _e98 = at_2;
-            const float3 _e106 = neighbour(_e97, asint(asuint(_e98) - asuint(int2(int(0), asint(asuint(up) * asuint(reach))))), float2(0.0, -(distance_)));
+            const float3 _e106 = neighbor(_e97, asint(asuint(_e98) - asuint(int2(int(0), asint(asuint(up) * asuint(reach))))), float2(0.0, -(distance_)));
             float _e108 = along_x.forward;
             along_x.forward = (_e108 + (((weight_1 * _e87.z) * (_e87.x - _e27.x)) / distance_));
             float _e118 = along_x.forward_weight;

@@ -1,6 +1,6 @@
 #version 300 es
 // Oil portrait: made by Chiaro 0.1.0, GLSL ES 3.00.
-// The vertex shader. Smooths normals from neighbours two steps away.
+// The vertex shader. Smooths normals from neighbors two steps away.
 // Uniform blocks (std140): CurvatureBlock 0.
 // Textures: u_normals 0, u_depths 1.
 // oil-portrait.json says what to put there and how to draw.

@@ -1,6 +1,6 @@
 #version 300 es
 // Oil portrait: made by Chiaro 0.1.0, GLSL ES 3.00.
-// The fragment shader. Smooths normals further, from neighbours eight steps away.
+// The fragment shader. Smooths normals further, from neighbors eight steps away.
 // Uniform blocks (std140): CurvatureBlock 0.
 // Textures: u_normals 0, u_depths 1.
 // oil-portrait.json says what to put there and how to draw.
@@ -52,7 +52,7 @@ vec2 slope(vec3 normal) {
     return (normal.xy / vec2(max(normal.z, 0.2)));
 }
 
-vec3 neighbour(Texel center, ivec2 at_1, vec2 offset) {
+vec3 neighbor(Texel center, ivec2 at_1, vec2 offset) {
     Texel _e3 = texel(at_1);
     if ((_e3.object != center.object)) {
         return vec3(0.0);
@@ -104,8 +104,8 @@ vec3 pair_of(Texel center_1, ivec2 at_2, ivec2 offset_1, float weight) {
     int up = ((_e6 > 0.5) ? 1 : -1);
     ivec2 by = ivec2(offset_1.x, (up * offset_1.y));
     vec2 away = vec2(offset_1);
-    vec3 _e18 = neighbour(center_1, (at_2 + by), away);
-    vec3 _e22 = neighbour(center_1, (at_2 - by), -(away));
+    vec3 _e18 = neighbor(center_1, (at_2 + by), away);
+    vec3 _e22 = neighbor(center_1, (at_2 - by), -(away));
     float share = min(_e18.z, _e22.z);
     Texel _e26 = texel((at_2 + by));
     Texel _e29 = texel((at_2 - by));

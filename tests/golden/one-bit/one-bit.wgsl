@@ -595,7 +595,7 @@ fn seen_well(facing: f32) -> f32 {
 
 /// Inner contour
 ///
-/// Lines within the outline that show the form, as a draughtsman sets them: where a contour is
+/// Lines within the outline that show the form, as a draftsman sets them: where a contour is
 /// about to appear, along the bottom of hollows, or along ridges.
 fn inner_contour_suggestive(
     width: f32,

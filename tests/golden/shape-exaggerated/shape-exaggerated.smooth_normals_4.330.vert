@@ -1,6 +1,6 @@
 #version 330 core
 // Exaggerated shape: made by Chiaro 0.1.0, GLSL 3.30.
-// The vertex shader. Smooths normals further, from neighbours sixteen steps away.
+// The vertex shader. Smooths normals further, from neighbors sixteen steps away.
 // Uniform blocks (std140): CurvatureBlock 0.
 // Textures: u_normals 0, u_depths 1.
 // shape-exaggerated.json says what to put there and how to draw.

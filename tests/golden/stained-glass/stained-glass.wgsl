@@ -395,7 +395,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
     return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
 }
 
-/// The slope at a stop that keeps a cubic between its neighbours' values (Fritsch and Butland
+/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
 /// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
 fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
     return vec4f(
@@ -747,7 +747,7 @@ fn worley_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let d = p - corner;
     let cell = vec3i(corner);
-    // Beyond the neighbours every point is at least 1 away.
+    // Beyond the neighbors every point is at least 1 away.
     var nearest = 1.0;
     for (var i = 0; i < 27; i++) {
         let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
@@ -766,7 +766,7 @@ struct Cell {
     distance: f32,
 }
 
-/// Least distance of the point of a cell that is no neighbour, in cells: points keep a quarter of a
+/// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 const CELL_REACH: f32 = 1.25;
 /// Averages of border and distance, measured in f64.

@@ -58,7 +58,7 @@ vec2 slope(vec3 normal) {
     return (normal.xy / vec2(max(normal.z, 0.2)));
 }
 
-vec3 neighbour(Texel center, ivec2 at_1, vec2 offset) {
+vec3 neighbor(Texel center, ivec2 at_1, vec2 offset) {
     Texel _e3 = texel(at_1);
     if ((_e3.object != center.object)) {
         return vec3(0.0);
@@ -113,7 +113,7 @@ ivec2 covered_near(ivec2 pixel) {
 }
 
 vec3 slope_change(Texel center_1, vec2 here, ivec2 at_2, vec2 offset_1, float weight) {
-    vec3 _e5 = neighbour(center_1, at_2, offset_1);
+    vec3 _e5 = neighbor(center_1, at_2, offset_1);
     float sign_ = (((offset_1.x + offset_1.y) > 0.0) ? 1.0 : -1.0);
     return ((weight * _e5.z) * vec3(((sign_ * (_e5.xy - here)) / vec2(length(offset_1))), 1.0));
 }

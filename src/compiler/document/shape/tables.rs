@@ -20,7 +20,23 @@ pub fn field_tables() -> Vec<(&'static str, String)> {
 fn light_targets() -> String {
     let names: Vec<String> = LightField::names().map(|name| format!("`{name}`")).collect();
     let (last, first) = names.split_last().expect("a light has fields");
-    format!("- `\"lights.key.direction\"`: a field of a light: {} or {last}.\n", first.join(", "))
+    let words = format!("a field of a light: {} or {last}.", first.join(", "));
+    list_item(&format!("`\"lights.key.direction\"`: {words}"))
+}
+
+/// An item of a list in Markdown, in lines of at most 100 characters.
+fn list_item(words: &str) -> String {
+    let mut lines = vec![String::from("-")];
+    for word in words.split(' ') {
+        let line = lines.last_mut().expect("there is a line");
+        if line.chars().count() + 1 + word.chars().count() > 100 {
+            lines.push(format!("  {word}"));
+        } else {
+            line.push(' ');
+            line.push_str(word);
+        }
+    }
+    lines.join("\n") + "\n"
 }
 
 /// Collects the shape and the shapes of all objects in it, each once.

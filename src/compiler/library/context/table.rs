@@ -127,7 +127,7 @@ pub(super) const TABLE: &[Row] = &[
         "kappa_sparse",
         "f32",
         ("curvature_sparse", "texel.x"),
-        "the same from four neighbours of a pixel, two steps away",
+        "the same from four neighbors of a pixel, two steps away",
     )
     .labeled("curvature")
     .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
@@ -135,7 +135,7 @@ pub(super) const TABLE: &[Row] = &[
         "kappa_fast",
         "f32",
         on_screen!("curvature_on_screen"),
-        "the same from the normals of neighbouring pixels alone, without a pass of its own; \
+        "the same from the normals of neighboring pixels alone, without a pass of its own; \
          triangles show in it",
     )
     .labeled("curvature")
@@ -153,7 +153,7 @@ pub(super) const TABLE: &[Row] = &[
         "kappa_detail_sparse",
         "f32",
         ("detail_curvature_sparse", "texel.x"),
-        "the same from four neighbours of a pixel, two steps away",
+        "the same from four neighbors of a pixel, two steps away",
     )
     .labeled("detail curvature")
     .sampled_unchanged(&[Kappa], |at| Value::Float(at.kappa)),
@@ -171,7 +171,7 @@ pub(super) const TABLE: &[Row] = &[
         "curvature_tensor_fast",
         "vec3f",
         on_screen!("tensor_on_screen"),
-        "the same from the normals of neighbouring pixels alone, without a pass of its own; \
+        "the same from the normals of neighboring pixels alone, without a pass of its own; \
          triangles show in it",
     )
     .sampled(&[Kappa], |at| vec3(DVec3::new(at.kappa, 0.0, at.kappa))),
@@ -245,7 +245,7 @@ pub(super) const TABLE: &[Row] = &[
         "vec2f",
         "in.clip.xy * view.screen.xy + view.screen.zw",
         "the pixel's place from the picture's upper left corner, x to the right and y down, in \
-         pixels; centres lie at halves",
+         pixels; centers lie at halves",
     )
     .given(&[0.0, 0.0], (None, None)),
     Row::fragment(

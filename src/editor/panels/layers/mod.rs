@@ -23,7 +23,7 @@ use crate::state::session::Session;
 use crate::state::stack::{BELOW, Stack};
 use crate::state::worker::BackgroundJobs;
 use crate::viewport::solo_bar;
-use crate::widgets::rows::{Renaming, leave_with_pointer, undo_keys};
+use crate::widgets::rows::{NameEdit, leave_with_pointer, undo_keys};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
@@ -45,7 +45,7 @@ pub(crate) struct Layers {
     /// Document and revision that the stack was found in.
     of: Option<(DocumentNumber, LookRevision)>,
     stack: Stack,
-    renaming: Option<Renaming<NodeId>>,
+    renaming: Option<NameEdit<NodeId>>,
     /// Layer that is being dragged.
     dragged: Option<NodeId>,
     /// Node that was selected when the panel was shown last.
@@ -226,7 +226,7 @@ impl Layers {
 
     fn rename(&mut self, session: &Session, id: &NodeId) {
         let name = session.look().graph.nodes.get(id).map_or("", |node| &node.name);
-        self.renaming = Some(Renaming::new(id.clone(), name));
+        self.renaming = Some(NameEdit::new(id.clone(), name));
     }
 
     fn duplicate(&self, session: &Session, index: usize, out: &mut Vec<Command>) {

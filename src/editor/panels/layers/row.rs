@@ -15,7 +15,7 @@ use crate::ids::{NodeId, NodePath};
 use crate::library::Type;
 use crate::state::session::Session;
 use crate::values;
-use crate::widgets::rows::{ICON, Icon, Renaming, card_ground, icon, picture_frame, whole};
+use crate::widgets::rows::{ICON, Icon, NameEdit, card_ground, icon, picture_frame, whole};
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 
@@ -78,7 +78,7 @@ impl Row<'_> {
         rect: Rect,
         texture: Option<TextureId>,
         is_dragged: bool,
-        renaming: &mut Option<Renaming<NodeId>>,
+        renaming: &mut Option<NameEdit<NodeId>>,
         out: &mut Vec<Command>,
     ) -> RowResponse {
         let title = self.title();
@@ -275,7 +275,7 @@ impl Row<'_> {
         ui: &mut Ui,
         title: &str,
         is_faint: bool,
-        renaming: &mut Option<Renaming<NodeId>>,
+        renaming: &mut Option<NameEdit<NodeId>>,
         out: &mut Vec<Command>,
     ) {
         if let Some(field) = renaming.as_mut().filter(|field| field.id == *self.id) {
@@ -293,7 +293,7 @@ impl Row<'_> {
         let text = if self.node.muted { text.strikethrough() } else { text };
         let response = ui.add(Label::new(text).truncate().selectable(false).sense(Sense::click()));
         if response.double_clicked() {
-            *renaming = Some(Renaming::new(self.id.clone(), &self.node.name));
+            *renaming = Some(NameEdit::new(self.id.clone(), &self.node.name));
         } else if response.clicked() {
             self.select(ui, &response, out);
             ui.memory_mut(|memory| memory.request_focus(focus_id(self.id)));

@@ -24,7 +24,7 @@ use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
 use crate::values;
 use crate::viewport::solo_bar;
-use crate::widgets::rows::{ICON, Icon, Renaming, icon, picture_frame};
+use crate::widgets::rows::{ICON, Icon, NameEdit, icon, picture_frame};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 pub(crate) use edit::edit;
@@ -43,7 +43,7 @@ const USERS: f32 = 50.0;
 /// The panel and its state.
 #[derive(Default)]
 pub(crate) struct Lights {
-    renaming: Option<Renaming<(Owner, LightId)>>,
+    renaming: Option<NameEdit<(Owner, LightId)>>,
     /// Number of the look's nodes that name each light.
     users: HashMap<LightId, usize>,
     /// Lights of looks that lights of the scene can stand in for; empty without a scene.
@@ -250,7 +250,7 @@ impl Lights {
     }
 
     fn rename(&mut self, owned_light: &OwnedLight<'_>) {
-        self.renaming = Some(Renaming::new(
+        self.renaming = Some(NameEdit::new(
             (owned_light.owner, owned_light.id.clone()),
             &owned_light.light.name,
         ));

@@ -17,7 +17,7 @@ use crate::ids::ObjectId;
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::scene::{OpenScene, mesh_label};
 use crate::state::session::Session;
-use crate::widgets::rows::{Icon, Renaming, card_ground, icon, leave_with_pointer, undo_keys};
+use crate::widgets::rows::{Icon, NameEdit, card_ground, icon, leave_with_pointer, undo_keys};
 use crate::widgets::text::hint;
 use crate::widgets::theme;
 
@@ -34,7 +34,7 @@ const ROW: f32 = 40.0;
 /// The panel and its state.
 #[derive(Default)]
 pub(crate) struct Objects {
-    renaming: Option<Renaming<ObjectId>>,
+    renaming: Option<NameEdit<ObjectId>>,
     /// Object whose row was scrolled into view.
     shown_for: Option<ObjectId>,
     details: details::Details,
@@ -109,7 +109,7 @@ impl Objects {
             out.push(SceneCommand::Pick(id.clone(), None));
         }
         if response.double_clicked() {
-            self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
+            self.renaming = Some(NameEdit::new(id.clone(), id.as_str()));
         }
         leave_with_pointer(ui, &response);
         if response.has_focus() {
@@ -222,7 +222,7 @@ impl Objects {
             out.extend(open_scene.duplicate(id).map(|(new, edit)| SceneCommand::Make(new, edit)));
         }
         if ui.button("Rename object").on_hover_text("Or double click on the row").clicked() {
-            self.renaming = Some(Renaming::new(id.clone(), id.as_str()));
+            self.renaming = Some(NameEdit::new(id.clone(), id.as_str()));
         }
         ui.separator();
         if ui

@@ -11,7 +11,7 @@ use crate::state::scene::OpenScene;
 
 /// State of the holding back.
 #[derive(Default)]
-pub(crate) struct Holding {
+pub(crate) struct HeldDocument {
     /// Document, its scene, and revision of the suspects, for which `suspect` was found.
     looked_for: Option<(DocumentNumber, Option<PathBuf>, SuspectsRevision)>,
     pub(super) suspect: Option<Suspect>,

@@ -94,7 +94,7 @@ impl Session {
                 folder: None,
                 view: None,
                 crashes,
-                holding: holding::Holding::default(),
+                holding: holding::HeldDocument::default(),
             },
             assets: AssetStore::new(),
             picture_problems: Vec::new(),
@@ -259,13 +259,14 @@ impl Session {
             selected_key: self.selection.key,
             scene: self.open_scene.as_ref(),
             typed: self.compilation.shaders.typed.as_deref(),
-            shader: self.current_shader(),
+            shader: self.compilation.shaders.current(self.revision()),
         }
     }
 
     /// Computes the values of keys, where anything changed since.
     pub(crate) fn refresh_keys(&mut self) {
-        let shader = |sets_values| self.shader_of_wires(sets_values);
+        let shaders = &self.compilation.shaders;
+        let shader = |sets_values| shaders.of_wires(sets_values, self.revision());
         let Some(evaluation) = self.keys().evaluated(self.stamp(), shader) else { return };
         self.key_evaluation = evaluation;
         let sets = &self.look.document().direction_keys;

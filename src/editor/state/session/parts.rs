@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::holding::Holding;
+use super::holding::HeldDocument;
 use super::project::ProjectReader;
 use super::shading::ShaderCache;
 use crate::catalog::Catalog;
@@ -143,7 +143,7 @@ pub(crate) struct Journals {
     pub(crate) view: Option<serde_json::Value>,
     /// Log of steps under way, for the next window to know if this one ends over a document.
     pub(crate) crashes: CrashLog,
-    pub(crate) holding: Holding,
+    pub(crate) holding: HeldDocument,
 }
 
 impl Journals {

@@ -64,6 +64,34 @@ impl ShaderCache {
         self.baked_revision = None;
     }
 
+    /// True if the baked shader shows the look of a revision.
+    fn is_baked(&self, revision: LookRevision) -> bool {
+        self.baked_revision == Some(revision)
+    }
+
+    /// True if the live shader has the look's structure.
+    fn is_live(&self) -> bool {
+        self.live_structure == Some(self.structure)
+    }
+
+    /// The shader with the values of the present revision: the baked one where nothing changed
+    /// since, else the live one.
+    pub(super) fn current(&self, revision: LookRevision) -> Option<&CompiledShader> {
+        let shader = if self.is_baked(revision) { &self.baked } else { &self.live };
+        shader.as_deref()
+    }
+
+    /// The shader that computes wires for an object. For an object that sets exposed values this is
+    /// the live one: a baked shader has the look's values in it.
+    pub(super) fn of_wires(
+        &self,
+        sets_values: bool,
+        revision: LookRevision,
+    ) -> Option<&CompiledShader> {
+        let live = self.live.as_deref().filter(|_| sets_values && self.is_live());
+        live.or_else(|| self.current(revision))
+    }
+
     /// True if the live shader of a long look has folded a value that is edited now, and no shader
     /// was requested since.
     fn lacks_a_uniform(&self) -> bool {
@@ -279,17 +307,14 @@ impl Session {
         self.compilation.compiler.wait();
     }
 
-    /// True if the baked shader shows the present look.
-    fn is_baked(&self) -> bool {
-        self.compilation.shaders.baked_revision == Some(self.revision())
-    }
-
     /// Takes the present look for the picture, where the live shader can show it.
     pub(crate) fn refresh_shown_look(&mut self) {
         let revision = (self.revisions.document, self.revision());
-        let is_live =
-            self.compilation.shaders.live_structure == Some(self.compilation.shaders.structure);
-        if self.is_baked() || !is_live || self.compilation.shown_revision == revision {
+        let shaders = &self.compilation.shaders;
+        if shaders.is_baked(self.revision())
+            || !shaders.is_live()
+            || self.compilation.shown_revision == revision
+        {
             return;
         }
         if let Some(good) = &mut self.compilation.shaders.good {
@@ -304,30 +329,10 @@ impl Session {
     /// else by the live one; or the last look that could be compiled.
     pub(crate) fn showing(&self) -> Option<DrawableLook> {
         let good = self.view.solo.lit(self.compilation.shaders.good.as_ref()?);
-        let (shader, live) = match self.is_baked() {
+        let (shader, live) = match self.compilation.shaders.is_baked(self.revision()) {
             true => (&self.compilation.shaders.baked, Live::Keyed),
             false => (&self.compilation.shaders.live, Live::All),
         };
         Some(DrawableLook { look: good, shader: shader.clone()?, live })
-    }
-
-    /// The shader with the present values: the baked one where nothing changed since, else the live
-    /// one.
-    pub(crate) fn current_shader(&self) -> Option<&CompiledShader> {
-        let shader = if self.is_baked() {
-            &self.compilation.shaders.baked
-        } else {
-            &self.compilation.shaders.live
-        };
-        shader.as_deref()
-    }
-
-    /// The shader that computes wires for an object. For an object that sets exposed values this is
-    /// the live one: a baked shader has the look's values in it.
-    pub(crate) fn shader_of_wires(&self, sets_values: bool) -> Option<&CompiledShader> {
-        let is_there = sets_values
-            && self.compilation.shaders.live_structure == Some(self.compilation.shaders.structure);
-        let live = self.compilation.shaders.live.as_deref().filter(|_| is_there);
-        live.or_else(|| self.current_shader())
     }
 }

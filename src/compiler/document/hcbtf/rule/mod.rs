@@ -69,7 +69,7 @@ pub enum Rule {
     /// Fills: one color.
     Color {
         /// Color as straight RGBA bytes.
-        #[serde(default = "grey")]
+        #[serde(default = "gray")]
         color: [u8; 4],
     },
     /// Fills: draws strokes that stand on the tile, as each eye and each light see them.
@@ -133,7 +133,7 @@ fn copy_width() -> f64 {
     PI / 6.0
 }
 
-fn grey() -> [u8; 4] {
+fn gray() -> [u8; 4] {
     [128, 128, 128, 255]
 }
 

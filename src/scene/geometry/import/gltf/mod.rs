@@ -99,7 +99,7 @@ struct Skipped {
 impl Skipped {
     fn tell(&self, report: &mut Report) {
         if self.skins {
-            let message = "skins are left out: the mesh stands as it was modelled";
+            let message = "skins are left out: the mesh stands as it was modeled";
             report.add(Diagnostic::note("mesh-unsupported", message));
         }
         if self.morphs {
