@@ -512,7 +512,7 @@ fn the_picture_small_pictures_and_exports_read_a_file_once() {
     let mut hand = home.drawing();
     assert!(hand.app().small_pictures() > 0, "layers have small pictures");
     let reads = hand.app().session().asset_reads();
-    assert_eq!(reads, 4, "the creature of the new look and of small pictures, the leaf, the paper");
+    assert_eq!(reads, 3, "the creature of the new look and small pictures, the leaf, the paper");
     hand.app_mut().save_picture([64, 48], &home.file("out.png"));
     hand.app_mut().show_reference(&home.file("looks/paper.png"));
     hand.settle();
