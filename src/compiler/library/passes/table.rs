@@ -2,8 +2,8 @@
 //!
 //! A new pass over the whole picture needs a row here and a file of `shaders/passes`, whose
 //! textures are the row's `reads` by name and whose uniform has numbers of the view, by the names
-//! in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass through a row of the table
-//! of contexts.
+//! in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass through a row of the
+//! table of contexts.
 
 use super::row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
 
