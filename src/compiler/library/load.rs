@@ -12,7 +12,7 @@ use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
 use crate::files::{self, Files, ReadError};
 use crate::milestones;
-use crate::wgsl::Source;
+use crate::wgsl::NamedSource;
 
 /// Greatest depth of folders of a project's nodes; deeper than any category.
 const MAX_DEPTH: usize = 8;
@@ -62,7 +62,7 @@ impl Library {
     fn load_built_in() -> Result<Self, Vec<Diagnostic>> {
         let is_node = |path: &&(&str, &str)| path.0.ends_with(".wgsl");
         let sources: Vec<_> =
-            NODES.iter().filter(is_node).map(|&(name, text)| Source { name, text }).collect();
+            NODES.iter().filter(is_node).map(|&(name, text)| NamedSource { name, text }).collect();
         let module = Arc::new(load_module(&sources)?);
         let mut library = Self::default();
         for source in &sources {

@@ -6,8 +6,8 @@ use std::path::Path;
 use super::archive::Archive;
 use super::file::read_bytes;
 use super::manifest::{self, MAX_MANIFEST_BYTES, NAME, THUMBNAIL};
-use super::picture::{MAX_PNG_EXTRAS, Picture, decode};
-use super::report::Report;
+use super::picture::{BytePicture, MAX_PNG_EXTRAS, decode};
+use super::report::FileReport;
 use crate::document::Grid;
 
 /// Greatest size of a file that is read for its cover, in bytes: many covers may be asked for at
@@ -24,7 +24,7 @@ pub struct Cover {
     /// Number of painted samples.
     pub painted: usize,
     /// Thumbnail, if there is one that can be shown.
-    pub picture: Option<Picture>,
+    pub picture: Option<BytePicture>,
 }
 
 /// The cover of the `.hcbtf` file at `path`; `None` if the file is not an `.hcbtf`, is damaged, or
@@ -36,7 +36,7 @@ pub fn cover(path: &Path) -> Option<Cover> {
     let bytes = read_bytes(path).ok()?;
     let mut archive = Archive::open(&bytes).ok()?;
     let text = archive.read(NAME, MAX_MANIFEST_BYTES).ok()?;
-    let mut report = Report::new("");
+    let mut report = FileReport::new("");
     let manifest = manifest::parse(&text, &mut report).filter(|_| !report.has_errors())?;
     let most = u64::from(MOST_SIDE) * u64::from(MOST_SIDE) * 4 + MAX_PNG_EXTRAS;
     let png = archive.has(THUMBNAIL).then(|| archive.read(THUMBNAIL, most).ok()).flatten();

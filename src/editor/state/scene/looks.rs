@@ -8,7 +8,7 @@ use std::time::SystemTime;
 
 use crate::catalog::Catalog;
 use crate::compile::{TypedGraph, TypedSource, check};
-use crate::diag::{Diagnostic, Warned, has_errors};
+use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{Look, Value};
 use crate::examples;
 use crate::frame::SetupLook;
@@ -101,7 +101,7 @@ fn read(
     let folder = file.parent().map(Path::to_path_buf).unwrap_or_default();
     let look = loaded.value.filter(|_| !has_errors(&problems));
     let look = look.and_then(|look| match check(&look, library, None) {
-        Ok(Warned { value: typed, .. }) => {
+        Ok(WithWarnings { value: typed, .. }) => {
             let catalog = catalog.get_or_insert_with(|| Catalog::new(library));
             catalog.sync(&look, library);
             let parameters = LookWithLibrary { look: &look, catalog, library }.parameters();
