@@ -4,7 +4,7 @@
 
 use std::hint::black_box;
 
-use chiaro::compile::{Live, Options, check, compile, compile_source};
+use chiaro::compile::{CompileOptions, Live, check, compile, compile_source};
 use chiaro::document::{Endpoint, Look, Node, Wire};
 use chiaro::library::Library;
 use chiaro::wgsl;
@@ -50,7 +50,7 @@ fn benchmark(criterion: &mut Criterion) {
             b.iter(|| Look::read(black_box(text), "chain.json"));
         });
         for live in [Live::Keyed, Live::All] {
-            let options = Options { live: live.clone(), ..Options::default() };
+            let options = CompileOptions { live: live.clone(), ..CompileOptions::default() };
             group.bench_with_input(
                 BenchmarkId::new(format!("our own time, {live:?}"), count),
                 &look,
@@ -64,8 +64,10 @@ fn benchmark(criterion: &mut Criterion) {
                 },
             );
         }
-        let source =
-            compile(&look, library, &Options::default()).expect("the chain compiles").value.wgsl;
+        let source = compile(&look, library, &CompileOptions::default())
+            .expect("the chain compiles")
+            .value
+            .wgsl;
         group.bench_with_input(
             BenchmarkId::new("naga parses and validates", count),
             &source,

@@ -13,7 +13,7 @@ use std::time::Instant;
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Look, Scene};
 use chiaro::frame::{
-    Cull, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix,
+    CullMode, FramePlan, PlanOptions, Planner, Setup, SetupLook, SetupObject, object_matrix,
 };
 use chiaro::geometry::{Mesh, shape};
 use chiaro::library::Library;
@@ -130,7 +130,7 @@ fn crowd(mesh: &Arc<Mesh>, others: usize) -> Setup {
 fn fifty_looks(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
     println!("50 looks, 40 of them out of sight, beside the 10 alone, in ms");
     let setups = [crowd(mesh, 0), crowd(mesh, 40), crowd(mesh, 40)];
-    let culls = [Cull::All, Cull::All, Cull::Nothing];
+    let culls = [CullMode::All, CullMode::All, CullMode::Nothing];
     let mut cold: [Vec<f64>; 3] = Default::default();
     let mut warm: [Vec<f64>; 3] = Default::default();
     let mut planners: [Planner; 3] = Default::default();
@@ -280,7 +280,7 @@ fn removals(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
         one(layered, mesh)
     };
     let setup = lit(0.0);
-    let kept = plan(&mut Planner::default().culling(Cull::Objects), &setup, &Live::Keyed);
+    let kept = plan(&mut Planner::default().culling(CullMode::Objects), &setup, &Live::Keyed);
     let left_out = plan(&mut Planner::default(), &setup, &Live::Keyed);
     report(
         "light reaches no object: three layers of a light that is out",
@@ -291,7 +291,7 @@ fn removals(renderer: &mut Renderer, mesh: &Arc<Mesh>) {
         .objects
         .iter_mut()
         .for_each(|object| object.world_from_object *= DMat4::from_scale(DVec3::ZERO));
-    let kept = plan(&mut Planner::default().culling(Cull::Nothing), &setup, &Live::Keyed);
+    let kept = plan(&mut Planner::default().culling(CullMode::Nothing), &setup, &Live::Keyed);
     let left_out = plan(&mut Planner::default(), &setup, &Live::Keyed);
     report("no surface: ten objects of scale 0", draw(renderer, [&kept, &left_out]));
 }

@@ -120,8 +120,9 @@ fn instruction_price(renderer: &mut Renderer) -> f64 {
 /// Number of pixels of a plan that show an object.
 fn covered(plan: &FramePlan) -> f64 {
     let modules = Modules::new(plan, chiaro::interp::Precision::F32).expect("it runs");
-    let picture = execute(plan, &modules, &reference::Options::default(), &Progress::new())
-        .expect("it draws");
+    let picture =
+        execute(plan, &modules, &reference::ReferenceOptions::default(), &Progress::new())
+            .expect("it draws");
     picture.coverage.iter().filter(|pixel| pixel.draw.is_some()).count() as f64
 }
 
@@ -159,7 +160,7 @@ fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f
 
 /// Number of instructions of a module after `spirv-opt -O`, or as naga writes them if that is not
 /// installed.
-fn instructions(valid: &wgsl::Valid) -> f64 {
+fn instructions(valid: &wgsl::ValidModule) -> f64 {
     let words = spirv_words(valid).expect("SPIR-V can express it");
     spirv::instructions(spirv::optimized(&words).as_ref().unwrap_or(&words)) as f64
 }

@@ -12,7 +12,7 @@
 
 #[path = "support/spirv.rs"]
 mod spirv;
-use chiaro::accuracy::Estimate;
+use chiaro::accuracy::TimeEstimate;
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::document::Tier;
 use chiaro::export::spirv_words;
@@ -64,7 +64,7 @@ fn main() {
             let shader = &plan.draws[0].look;
             let pairs: Vec<f64> =
                 look_pass(series).iter().zip(by_hand.0).map(|(a, b)| a / b).collect();
-            let time = Estimate::of(&pairs);
+            let time = TimeEstimate::of(&pairs);
             let ratios =
                 sizes(shader).into_iter().zip(by_hand.1).map(|(own, hand)| match (own, hand) {
                     (Some(own), Some(hand)) => {
@@ -80,7 +80,7 @@ fn main() {
                 time.median,
                 time.low,
                 time.high,
-                Estimate::of(by_hand.0).median,
+                TimeEstimate::of(by_hand.0).median,
                 own as f64 / hand as f64
             );
         }

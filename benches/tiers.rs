@@ -21,7 +21,7 @@ use chiaro::document::Tier;
 use chiaro::frame::{Assets, FramePlan, PlanOptions, Planner, open};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer};
-use chiaro::wgsl::{Declaration, DeclarationKind, Source, link, scan};
+use chiaro::wgsl::{Declaration, DeclarationKind, NamedSource, link, scan};
 use chiaro_test_drawing::wait::block_on;
 
 const SIZE: u32 = 256;
@@ -267,8 +267,8 @@ fn run(bench: &Bench, file: &Path) {
         println!("\n{name}: this adapter has no f16");
         return;
     }
-    let linked =
-        link(&[Source { name: &name, text }]).unwrap_or_else(|problems| panic!("{problems:?}"));
+    let linked = link(&[NamedSource { name: &name, text }])
+        .unwrap_or_else(|problems| panic!("{problems:?}"));
     let own = scan(text);
     let library = format!("{enabled}{}", linked.text);
     let is_candidate =

@@ -5,7 +5,7 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use chiaro::compile::{Options, compile};
+use chiaro::compile::{CompileOptions, compile};
 use chiaro::document::Look;
 use chiaro::library::Library;
 
@@ -22,7 +22,7 @@ fn main() -> ExitCode {
         eprintln!("{diagnostic}");
     }
     let Some(look) = loaded.value else { return ExitCode::FAILURE };
-    match compile(&look, Library::built_in(), &Options::default()) {
+    match compile(&look, Library::built_in(), &CompileOptions::default()) {
         Ok(compiled) => {
             compiled.warnings.iter().for_each(|warning| eprintln!("{warning}"));
             let shader = compiled.value;

@@ -3,7 +3,7 @@
 use chiaro::clock::Clock;
 use eframe::egui::{Pos2, Rect, vec2};
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::times::told;
 use crate::{driven, example, has_display};
 
@@ -12,7 +12,7 @@ const FRAMES: u8 = 80;
 const REACH: f32 = 40.0;
 
 /// Pixels of the picture in the window as it is drawn now; waits for the GPU.
-fn pixels(hand: &mut Hand) -> Vec<u8> {
+fn pixels(hand: &mut User) -> Vec<u8> {
     let rect: Rect = hand.app().viewport().rect().expect("the picture is shown");
     let image = hand.harness.render().expect("it draws");
     let [x, y, width, height] =
@@ -23,7 +23,7 @@ fn pixels(hand: &mut Hand) -> Vec<u8> {
 /// Drags along a small loop that is twice `reach` wide, in points. Prints how many pictures were in
 /// the very frame of their edit, of all whose edit changed anything, and the time from the
 /// pointer's move until that frame was drawn.
-fn drag(hand: &mut Hand, from: Pos2, reach: f32, what: &str) {
+fn drag(hand: &mut User, from: Pos2, reach: f32, what: &str) {
     hand.hold(from);
     let (mut in_time, mut changed, mut times, mut own) = (0, 0, Vec::new(), Vec::new());
     let mut last = pixels(hand);
@@ -48,7 +48,7 @@ fn drag(hand: &mut Hand, from: Pos2, reach: f32, what: &str) {
 }
 
 pub(crate) fn run() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     println!("\nFrom a drag to its picture (window of 1500x900 points); ms, median / p95");
     println!(
         "\n| what is dragged | in the very next frame | from the pointer to the drawn frame | of \

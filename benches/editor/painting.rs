@@ -9,7 +9,7 @@ use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Tile};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, vec2};
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::times::told;
 
 const FRAMES: u8 = 60;
@@ -28,7 +28,7 @@ fn noise(size: [u32; 2]) -> Tile {
 }
 
 /// A window with an open HCBTF whose rules blend two painted samples.
-fn opened(folder: &Path, grid: Grid) -> Hand {
+fn opened(folder: &Path, grid: Grid) -> User {
     let mut hcbtf = Hcbtf { rules: vec![Rule::Blend { sharpness: 4.0 }], ..Hcbtf::new(grid) };
     for light in [[0, 0], [grid.light.theta - 1, 0]] {
         hcbtf.painted.insert(Address::new(light, [0, 0]), Arc::new(noise(grid.size)));
@@ -36,7 +36,7 @@ fn opened(folder: &Path, grid: Grid) -> Hand {
     let path = folder.join(format!("{}.hcbtf", grid.size[0]));
     std::fs::write(&path, chiaro::hcbtf::write(&hcbtf).expect("it can be written"))
         .expect("a folder to write to");
-    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    let mut hand = User::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().open(&path);
     hand.settle();
     hand
@@ -65,7 +65,7 @@ impl Shown {
     }
 }
 
-fn stroke(hand: &mut Hand, texels: f64, what: &str) {
+fn stroke(hand: &mut User, texels: f64, what: &str) {
     let size = hand.place_of(Role::SpinButton, "Size");
     hand.type_over(size, &format!("{texels}"));
     let canvas = hand.place("Painting canvas");

@@ -11,7 +11,7 @@ use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, open};
 use chiaro_laboratory::accuracy::error::VISIBLE;
 use chiaro_laboratory::accuracy::{
-    BenchOptions, Measure, MeasuredNodes, Report, Subject, bench, plot,
+    BenchOptions, BenchReport, Measure, MeasuredNodes, MeasurementSubject, bench, plot,
 };
 use chiaro_render::{Gpu, Renderer};
 
@@ -126,11 +126,11 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
 
 fn write_plot(
     path: &Path,
-    report: &Report,
+    report: &BenchReport,
     title: &str,
     measure: Measure,
     outputs: &mut Outputs,
 ) -> Result<(), Diagnostic> {
-    let svg = plot::svg(report, |subject| *subject == Subject::Whole, title, measure);
+    let svg = plot::svg(report, |subject| *subject == MeasurementSubject::Whole, title, measure);
     outputs.write(path, OutputKind::DRAWING, svg.as_bytes())
 }

@@ -8,9 +8,9 @@ use serde_json::json;
 use super::open::{check_nodes_folder, library_for};
 use super::output::{Output, once};
 use super::scene;
-use crate::compile::{Live, Options, TypedSource, check as check_look, compile_typed};
-use crate::diag::{Diagnostic, Severity, Warned, has_errors};
-use crate::document::{Document, Loaded, Look, Scene, Value};
+use crate::compile::{CompileOptions, Live, TypedSource, check as check_look, compile_typed};
+use crate::diag::{Diagnostic, Severity, WithWarnings, has_errors};
+use crate::document::{Document, LoadedDocument, Look, Scene, Value};
 use crate::figures::count;
 use crate::files::{self, WalkBounds};
 use crate::frame::{Assets, Rig, SHORTEN, missing_uvs, scene_setup, too_deep};
@@ -147,7 +147,7 @@ impl Checker<'_> {
         }
     }
 
-    fn look(&mut self, path: &Path, loaded: &Loaded<Look>, library: &Library) {
+    fn look(&mut self, path: &Path, loaded: &LoadedDocument<Look>, library: &Library) {
         if !self.looks.insert(path.to_path_buf()) {
             return;
         }
@@ -156,9 +156,9 @@ impl Checker<'_> {
         let mut found = Vec::new();
         let folder = path.parent().unwrap_or(Path::new(""));
         match check_look(look, library, None) {
-            Ok(Warned { value: typed, warnings }) => {
+            Ok(WithWarnings { value: typed, warnings }) => {
                 missing_images(&typed, folder, &mut self.assets, &mut found);
-                let options = Options { live: Live::Exposed, ..Options::default() };
+                let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
                 match compile_typed(&typed, &options) {
                     Ok(compiled) => {
                         let too_deep = too_deep(&compiled);
@@ -183,7 +183,7 @@ impl Checker<'_> {
         self.problems.extend(found);
     }
 
-    fn scene(&mut self, path: &Path, loaded: &Loaded<Scene>, library: &Library) {
+    fn scene(&mut self, path: &Path, loaded: &LoadedDocument<Scene>, library: &Library) {
         self.problems.extend(loaded.diagnostics.iter().cloned());
         let Some(scene) = &loaded.value else { return };
         let folder = path.parent().unwrap_or(Path::new(""));

@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use super::open::{check_nodes_folder, library_for, open_look};
 use super::output::Output;
 use super::{samples, tier};
-use crate::compile::{Options, check};
+use crate::compile::{CompileOptions, check};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Node, Tier, Value};
 use crate::frame::{Assets, eval_batches};
@@ -89,13 +89,13 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     output.diagnostics(&library.problems);
     let mut setup = open_look(&arguments.look, output)?;
     if let Some(tier) = arguments.tier {
-        tier::run_everywhere(&mut setup.look, &mut library, tier);
+        tier::set_every_tier(&mut setup.look, &mut library, tier);
     }
     let samples = samples::read(&arguments.at)?;
-    let options = Options {
+    let options = CompileOptions {
         root: arguments.output.as_deref().map(parse_output),
         unspecialized: arguments.unspecialized,
-        ..Options::default()
+        ..CompileOptions::default()
     };
     // Warnings are told even without a sample to run, and only once for many samples.
     let located = |mut problems: Vec<Diagnostic>| {

@@ -80,7 +80,8 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
         let shown = exported.value.iter().find(|file| file.name == own);
         output
             .result(String::from_utf8_lossy(shown.map_or(&[][..], |file| &file.bytes)).trim_end());
-        let is_other = |file: &&export::File| file.name != own && file.name.ends_with(".wgsl");
+        let is_other =
+            |file: &&export::ExportFile| file.name != own && file.name.ends_with(".wgsl");
         let others: Vec<_> =
             exported.value.iter().filter(is_other).map(|file| file.name.as_str()).collect();
         if !others.is_empty() {

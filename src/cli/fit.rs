@@ -14,7 +14,7 @@ use crate::document::{Document, Look};
 use crate::files::{Disk, OutputKind, Outputs};
 use crate::frame::{Assets, DEFAULT_MESH, Setup, SetupLook, default_setup, image_bytes, open};
 use chiaro_laboratory::fit::{
-    FitOptions, FittedLook, Keep, Report, Target, fit_layers, fit_look, picture_of,
+    FitOptions, FitReport, FitTarget, FittedLook, KeptParts, fit_layers, fit_look, picture_of,
 };
 
 const EXAMPLES: &str = "\
@@ -128,9 +128,9 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     let bytes = image_bytes(&Disk, Path::new(""), &named).map_err(|problem| {
         one(problem.hint("--target names the painted picture: check its spelling and its folder"))
     })?;
-    let target = Target::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
+    let target = FitTarget::from_png(&bytes).map_err(|problem| one(problem.in_file(named)))?;
     let keeps = |kept| arguments.keep.contains(&kept);
-    let keep = Keep {
+    let keep = KeptParts {
         lights: keeps(KeepArgument::Lights),
         profiles: keeps(KeepArgument::Profiles),
         colors: keeps(KeepArgument::Colors),
@@ -229,7 +229,7 @@ fn add(
 }
 
 /// The report for people, with errors in steps of an eight-bit channel.
-fn told(report: &Report) -> String {
+fn told(report: &FitReport) -> String {
     let steps = |error: f64| format!("{:.2}/255", 255.0 * error);
     let mut lines = vec![format!(
         "RMS error {}, before {}, over {} of {} painted pixels",

@@ -7,7 +7,7 @@ use super::output::{Output, once};
 use super::render::{Size, parse_samples};
 use super::target::{OutputPath, outputs};
 use crate::diag::{Diagnostic, has_errors};
-use chiaro_laboratory::gallery::{Options, build, check, list};
+use chiaro_laboratory::gallery::{GalleryOptions, build, check, list};
 use chiaro_render::Gpu;
 
 const EXAMPLES: &str = "\
@@ -80,7 +80,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         .for_each(|path| outputs.reads(path));
     check(&list, folder, &outputs)?;
     let gpu = Gpu::headless().await.map_err(|error| vec![error.into()])?;
-    let options = Options {
+    let options = GalleryOptions {
         size: arguments.size.0,
         samples: arguments.samples,
         rounds: arguments.rounds as usize,

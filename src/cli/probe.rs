@@ -11,7 +11,7 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Assets, PlanOptions, Planner, open};
 use crate::progress::Progress;
-use crate::reference::{Options, WireValue, probe_wires};
+use crate::reference::{ReferenceOptions, WireValue, probe_wires};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diag
     output.diagnostics(&warnings);
     let options = PlanOptions { size: arguments.size.0, samples: 1, time: arguments.time };
     let plan = Planner::for_truth(assets).plan(&setup, &library, &Live::All, &options)?.value;
-    let wires = probe_wires(&plan, arguments.at, &Options::default(), &Progress::new())
+    let wires = probe_wires(&plan, arguments.at, &ReferenceOptions::default(), &Progress::new())
         .map_err(|one| vec![one])?;
     let Some(wires) = wires else {
         let message = format!("nothing is drawn at {},{}", arguments.at[0], arguments.at[1]);

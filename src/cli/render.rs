@@ -78,7 +78,7 @@ pub(super) struct Arguments {
     /// Who draws: the GPU (or software that stands for one), or the reference in f64, which is slow
     /// and exact; without this the GPU, or where there is none the reference
     #[arg(long, value_enum)]
-    on: Option<On>,
+    on: Option<ExecutorChoice>,
     /// Draw as while the look is edited: every value is a uniform, and nothing is folded
     #[arg(long)]
     live: bool,
@@ -92,7 +92,7 @@ pub(super) struct Arguments {
 
 /// Who draws.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-enum On {
+enum ExecutorChoice {
     Gpu,
     Reference,
 }
@@ -147,7 +147,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         setup
             .looks
             .iter_mut()
-            .for_each(|worn| tier::run_everywhere(&mut worn.look, &mut library, tier));
+            .for_each(|worn| tier::set_every_tier(&mut worn.look, &mut library, tier));
     }
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
@@ -197,9 +197,12 @@ fn usual_size(camera: &Camera) -> [u32; 2] {
 }
 
 /// The executor: a GPU if there is one and the reference was not asked for, else the reference.
-async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, Diagnostic> {
+async fn executor(
+    on: Option<ExecutorChoice>,
+    output: &Output,
+) -> Result<Box<dyn Executor>, Diagnostic> {
     #[cfg(feature = "gpu")]
-    if on != Some(On::Reference) {
+    if on != Some(ExecutorChoice::Reference) {
         match Gpu::headless().await {
             Ok(gpu) => return Ok(gpu.executor()),
             Err(error) if on.is_none() => output.message(&format!(
@@ -209,14 +212,14 @@ async fn executor(on: Option<On>, output: &Output) -> Result<Box<dyn Executor>, 
         }
     }
     #[cfg(not(feature = "gpu"))]
-    if on == Some(On::Gpu) {
+    if on == Some(ExecutorChoice::Gpu) {
         let problem =
             Diagnostic::error("no-gpu", "this chiaro was built without the `gpu` feature");
         return Err(problem.hint("leave --on out, or build it with the feature"));
     }
     #[cfg(not(feature = "gpu"))]
     let _ = output;
-    Ok(Box::new(if on == Some(On::Reference) {
+    Ok(Box::new(if on == Some(ExecutorChoice::Reference) {
         Reference::of_truth()
     } else {
         Reference::default()

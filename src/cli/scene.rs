@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::compile::check as check_look;
-use crate::diag::{Diagnostic, Warned, has_errors};
-use crate::document::{Loaded, Look, Object, Scene};
+use crate::diag::{Diagnostic, WithWarnings, has_errors};
+use crate::document::{LoadedDocument, Look, Object, Scene};
 use crate::frame::{Setup, check_exposed_value};
 use crate::library::Library;
 
 /// The looks that objects of a scene name, by that name; missing files are left out.
-pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, Loaded<Look>> {
+pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, LoadedDocument<Look>> {
     let names = scene.objects.values().flat_map(|object| object.looks.values());
     let mut looks = BTreeMap::new();
     for name in names {
@@ -25,7 +25,7 @@ pub(super) fn looks(scene: &Scene, folder: &Path) -> BTreeMap<String, Loaded<Loo
 /// Problems of the values that objects set: those that their looks cannot take, or do not expose.
 pub(super) fn value_problems(
     scene: &Scene,
-    looks: &BTreeMap<String, Loaded<Look>>,
+    looks: &BTreeMap<String, LoadedDocument<Look>>,
     library: &Library,
 ) -> Vec<Diagnostic> {
     let mut found = Vec::new();
@@ -76,7 +76,7 @@ fn wrong_values(
     library: &Library,
 ) -> Vec<Diagnostic> {
     let mut found = Vec::new();
-    let Some((look, Warned { value: typed, .. })) =
+    let Some((look, WithWarnings { value: typed, .. })) =
         look.and_then(|look| Some((look, check_look(look, library, None).ok()?)))
     else {
         return found;
@@ -96,7 +96,10 @@ fn wrong_values(
 }
 
 /// Problems of values that an object sets and that none of its looks exposes.
-fn unknown_values(scene: &Scene, looks: &BTreeMap<String, Loaded<Look>>) -> Vec<Diagnostic> {
+fn unknown_values(
+    scene: &Scene,
+    looks: &BTreeMap<String, LoadedDocument<Look>>,
+) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for (index, (id, object)) in scene.objects.iter().enumerate() {
         let worn = object.looks.values().filter_map(|look| looks.get(look)?.value.as_ref());

@@ -17,7 +17,7 @@ pub(super) fn parse(text: &str) -> Result<Tier, String> {
 
 /// Sets the tier of every node, also of nodes that have a tier of their own, and of those inside
 /// groups, the library's included.
-pub(super) fn run_everywhere(look: &mut Look, library: &mut Library, tier: Tier) {
+pub(super) fn set_every_tier(look: &mut Look, library: &mut Library, tier: Tier) {
     look.set_every_tier(tier);
     for group in library.groups.values_mut() {
         if group.definition.graph.nodes.values().any(|node| node.tier.is_some()) {

@@ -12,7 +12,7 @@ use crate::document::{Document, Look};
 use crate::files::{OutputKind, Outputs};
 use crate::frame::{Assets, PlanOptions, Setup, open};
 use chiaro_laboratory::accuracy::report::tier_word;
-use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, TuneReport, is_beaten, tune};
+use chiaro_laboratory::accuracy::tune::{Goal, TuneOptions, TuneReport, is_dominated, tune};
 use chiaro_laboratory::accuracy::{Measure, Variant};
 use chiaro_render::{Gpu, Renderer};
 
@@ -125,7 +125,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
         plan: PlanOptions { size: arguments.size.0, samples: 1, time: 0.0 },
         error_side: arguments.error_size,
         rounds: arguments.rounds as usize,
-        stations: arguments.views as usize,
+        viewpoints: arguments.views as usize,
     };
     let tuned = output
         .watch_async("tuning", async |progress| {
@@ -166,7 +166,7 @@ fn missed(tuned: &TuneReport, meshes: &[String]) -> Diagnostic {
         measure.meaning(),
         measure.of(&tuned.error_exact),
         worst.error,
-        worst.station.told(),
+        worst.viewpoint.told(),
     );
     let figures = &tuned.error_exact;
     let hint = if measure == Measure::Max {
@@ -227,14 +227,14 @@ fn report(tuned: &TuneReport) -> String {
     lines.push(format!("  error means {}: {}", tuned.measure.word(), tuned.measure.meaning()));
     let [x, y] = tuned.worst.pixel;
     if tuned.worst.error > 0.0 {
-        let (side, station) = (tuned.worst.side, tuned.worst.station.told());
+        let (side, viewpoint) = (tuned.worst.side, tuned.worst.viewpoint.told());
         lines.push(format!(
-            "  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {station}",
+            "  the worst pixel, off by {:.1e}: {x},{y} of {side}x{side}, {viewpoint}",
             tuned.worst.error
         ));
     }
     for (index, candidate) in tuned.candidates.iter().enumerate() {
-        let better = tuned.candidates.iter().find(|other| is_beaten(candidate, other));
+        let better = tuned.candidates.iter().find(|other| is_dominated(candidate, other));
         let state = match (tuned.chosen.contains(&index), candidate.saves.low > 0.0, better) {
             (true, ..) => "chosen".to_owned(),
             (_, false, _) => "cannot be told apart from exact in time: stays exact".to_owned(),

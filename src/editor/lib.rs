@@ -42,7 +42,7 @@ pub use crate::state::safety::places::Places;
 pub use crate::state::scene::OpenScene;
 pub use crate::state::session::Session;
 pub use crate::state::settings::{self, Settings};
-pub use crate::tools::fitting::Fitting;
+pub use crate::tools::fitting::FitTool;
 pub use crate::tools::probe::Probe;
 pub use crate::tools::wipe::Wipe;
 pub use app::App;

@@ -14,28 +14,28 @@ use crate::clock::Clock;
 /// Environment variable that asks for milestones.
 pub const VARIABLE: &str = "CHIARO_MILESTONES";
 
-struct Teller {
+struct Reporter {
     since_start: Clock,
-    told: Mutex<BTreeSet<&'static str>>,
+    reported: Mutex<BTreeSet<&'static str>>,
 }
 
 /// Reporter of milestones; `None` where they are not asked for.
-static TELLER: LazyLock<Option<Teller>> = LazyLock::new(|| {
+static REPORTER: LazyLock<Option<Reporter>> = LazyLock::new(|| {
     let is_wanted = std::env::var_os(VARIABLE).is_some_and(|value| !value.is_empty());
-    is_wanted.then(|| Teller { since_start: Clock::start(), told: Mutex::default() })
+    is_wanted.then(|| Reporter { since_start: Clock::start(), reported: Mutex::default() })
 });
 
 /// True if milestones are reported.
-pub fn are_told() -> bool {
-    TELLER.is_some()
+pub fn is_enabled() -> bool {
+    REPORTER.is_some()
 }
 
 /// Reports that the program reached a milestone; the first one reported starts the clock. Only the
 /// first time of each milestone is reported.
 pub fn reached(milestone: &'static str) {
-    let Some(teller) = &*TELLER else { return };
+    let Some(teller) = &*REPORTER else { return };
     let seconds = teller.since_start.seconds();
-    if teller.told.lock().unwrap_or_else(PoisonError::into_inner).insert(milestone) {
+    if teller.reported.lock().unwrap_or_else(PoisonError::into_inner).insert(milestone) {
         let line = serde_json::json!({ "milestone": milestone, "seconds": seconds });
         // A write fails where nobody listens any more, and is then not needed.
         let _ = writeln!(std::io::stderr(), "{line}");

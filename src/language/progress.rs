@@ -19,10 +19,10 @@ const FRACTIONS: u64 = 1 << 20;
 /// Handle to long work: its progress, and whether it is still wanted. Clones are handles to the
 /// same work.
 #[derive(Clone, Default)]
-pub struct Progress(Arc<Work>);
+pub struct Progress(Arc<ProgressCounters>);
 
 #[derive(Default)]
-struct Work {
+struct ProgressCounters {
     /// Number of fractions of steps that are done.
     done: AtomicU64,
     /// Number of steps that are laid out.
@@ -61,7 +61,10 @@ impl Progress {
     /// Work of which nothing is done, with an observer that is called at every step, from whatever
     /// thread made the step. The observer may stop the work.
     pub fn observed(observer: impl Fn(&Self) + Send + Sync + 'static) -> Self {
-        Self(Arc::new(Work { observer: Some(Box::new(observer)), ..Work::default() }))
+        Self(Arc::new(ProgressCounters {
+            observer: Some(Box::new(observer)),
+            ..ProgressCounters::default()
+        }))
     }
 
     /// Work of which nothing is done, with an observer that is called with every other percent that
@@ -80,7 +83,7 @@ impl Progress {
     #[must_use]
     pub fn part(&self, steps: u64) -> Self {
         let share_of = ShareOf { whole: self.clone(), steps, counted: AtomicU64::new(0) };
-        Self(Arc::new(Work { share_of: Some(share_of), ..Work::default() }))
+        Self(Arc::new(ProgressCounters { share_of: Some(share_of), ..ProgressCounters::default() }))
     }
 
     /// True if both are handles to the same work.
@@ -110,9 +113,9 @@ impl Progress {
     /// Fails once the work was stopped.
     ///
     /// # Errors
-    /// [`Stopped`], where the work was stopped.
-    pub fn check(&self) -> Result<(), Stopped> {
-        if self.is_stopped() { Err(Stopped) } else { Ok(()) }
+    /// [`Interruption`], where the work was stopped.
+    pub fn check(&self) -> Result<(), Interruption> {
+        if self.is_stopped() { Err(Interruption) } else { Ok(()) }
     }
 
     /// Number of steps that are done, and of all steps as far as is known: 0 before the work is
@@ -152,8 +155,8 @@ impl Progress {
     /// Counts a step, even one that was not laid out, and fails where the work was stopped.
     ///
     /// # Errors
-    /// [`Stopped`], where the work was stopped.
-    pub fn step(&self) -> Result<(), Stopped> {
+    /// [`Interruption`], where the work was stopped.
+    pub fn step(&self) -> Result<(), Interruption> {
         let done = self.0.done.load(Ordering::Relaxed) / FRACTIONS + 1;
         self.0.total.fetch_max(done, Ordering::Relaxed);
         self.add(1);
@@ -163,8 +166,8 @@ impl Progress {
     /// Counts the rest of a part, and fails where the work was stopped.
     ///
     /// # Errors
-    /// [`Stopped`], where the work was stopped.
-    pub fn finish(&self) -> Result<(), Stopped> {
+    /// [`Interruption`], where the work was stopped.
+    pub fn finish(&self) -> Result<(), Interruption> {
         if let Some(share_of) = &self.0.share_of {
             share_of.reach(share_of.steps.saturating_mul(FRACTIONS));
         }
@@ -200,9 +203,9 @@ impl ShareOf {
 /// Error of work that was stopped before it was done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("it was stopped before it was done")]
-pub struct Stopped;
+pub struct Interruption;
 
-impl Stopped {
+impl Interruption {
     /// Code of the diagnostic.
     pub const CODE: &'static str = "stopped";
 
@@ -213,14 +216,14 @@ impl Stopped {
     }
 }
 
-impl From<Stopped> for Diagnostic {
-    fn from(stopped: Stopped) -> Self {
-        Self::error(Stopped::CODE, stopped.to_string())
+impl From<Interruption> for Diagnostic {
+    fn from(stopped: Interruption) -> Self {
+        Self::error(Interruption::CODE, stopped.to_string())
     }
 }
 
-impl From<Stopped> for Vec<Diagnostic> {
-    fn from(stopped: Stopped) -> Self {
+impl From<Interruption> for Vec<Diagnostic> {
+    fn from(stopped: Interruption) -> Self {
         vec![stopped.into()]
     }
 }
@@ -271,10 +274,10 @@ mod tests {
             }
         });
         assert_eq!(progress.step(), Ok(()));
-        assert_eq!(progress.step(), Err(Stopped));
-        assert_eq!(progress.clone().check(), Err(Stopped));
-        let problem = Diagnostic::from(Stopped);
-        assert!(Stopped::is_among(&[problem]) && !Stopped::is_among(&[]));
+        assert_eq!(progress.step(), Err(Interruption));
+        assert_eq!(progress.clone().check(), Err(Interruption));
+        let problem = Diagnostic::from(Interruption);
+        assert!(Interruption::is_among(&[problem]) && !Interruption::is_among(&[]));
     }
 
     #[test]
@@ -296,7 +299,7 @@ mod tests {
         assert_eq!((whole.share(), whole.steps()), (1.0, [3, 3]));
         let of_part = part.part(1);
         whole.stop();
-        assert_eq!(of_part.finish(), Err(Stopped));
+        assert_eq!(of_part.finish(), Err(Interruption));
         assert!(part.is_stopped() && !Progress::new().is_stopped());
     }
 

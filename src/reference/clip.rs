@@ -7,7 +7,7 @@
 
 /// A corner of the clipped part of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Corner {
+pub(super) struct ClippedCorner {
     /// Position in clip space.
     pub(super) clip: [f64; 4],
     /// Weights of the whole triangle's corners, whose sum is 1.
@@ -46,15 +46,15 @@ pub(super) fn outcode(clip: [f64; 4]) -> u8 {
 
 /// The clipped part of a triangle: a convex polygon.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Polygon {
-    corners: [Corner; MOST],
+pub(super) struct ClippedPolygon {
+    corners: [ClippedCorner; MOST],
     count: usize,
 }
 
-impl Polygon {
+impl ClippedPolygon {
     /// A whole triangle.
     pub(super) fn new(clip: [[f64; 4]; 3]) -> Self {
-        let mut polygon = Self { corners: [Corner::default(); MOST], count: 3 };
+        let mut polygon = Self { corners: [ClippedCorner::default(); MOST], count: 3 };
         for (i, clip) in clip.into_iter().enumerate() {
             polygon.corners[i].clip = clip;
             polygon.corners[i].weights[i] = 1.0;
@@ -63,11 +63,11 @@ impl Polygon {
     }
 
     /// The polygon's corners in order; none if nothing is left.
-    pub(super) fn corners(&self) -> &[Corner] {
+    pub(super) fn corners(&self) -> &[ClippedCorner] {
         &self.corners[..self.count]
     }
 
-    fn push(&mut self, corner: Corner) {
+    fn push(&mut self, corner: ClippedCorner) {
         if let Some(place) = self.corners.get_mut(self.count) {
             *place = corner;
             self.count += 1;
@@ -83,7 +83,7 @@ impl Polygon {
     }
 
     fn clipped_at(&self, plane: u32) -> Self {
-        let mut kept = Self { corners: [Corner::default(); MOST], count: 0 };
+        let mut kept = Self { corners: [ClippedCorner::default(); MOST], count: 0 };
         let corners = self.corners();
         for (i, &here) in corners.iter().enumerate() {
             let next = corners[(i + 1) % corners.len()];
@@ -104,9 +104,9 @@ impl Polygon {
     }
 }
 
-fn between(a: Corner, b: Corner, share: f64) -> Corner {
+fn between(a: ClippedCorner, b: ClippedCorner, share: f64) -> ClippedCorner {
     let mix = |a: f64, b: f64| a + share * (b - a);
-    Corner {
+    ClippedCorner {
         clip: std::array::from_fn(|i| mix(a.clip[i], b.clip[i])),
         weights: std::array::from_fn(|i| mix(a.weights[i], b.weights[i])),
     }
@@ -122,7 +122,7 @@ mod tests {
         let codes = clip.map(outcode);
         assert_eq!((codes[0], codes[1]), (0, 0));
         assert!(codes[2] & 0b101 == 0b101, "{codes:?}");
-        let polygon = Polygon::new(clip).clipped(codes[0] | codes[1] | codes[2]);
+        let polygon = ClippedPolygon::new(clip).clipped(codes[0] | codes[1] | codes[2]);
         assert_eq!(polygon.corners().len(), 4);
         for corner in polygon.corners() {
             assert!(corner.clip[2] >= -1e-12 && corner.clip[3] > 0.0, "{corner:?}");
@@ -138,7 +138,7 @@ mod tests {
     fn both_sides_of_an_edge_are_cut_at_the_same_bits() {
         let (a, b) = ([0.1, 0.7, 0.3, 1.9], [-0.3, 0.2, -0.4, 1.1]);
         let cut = |clip: [[f64; 4]; 3]| {
-            let polygon = Polygon::new(clip).clipped(1);
+            let polygon = ClippedPolygon::new(clip).clipped(1);
             let corners: Vec<_> =
                 polygon.corners().iter().map(|corner| corner.clip.map(f64::to_bits)).collect();
             corners

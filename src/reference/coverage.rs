@@ -37,7 +37,7 @@ impl Pixels {
 
 /// Function of an edge: `x` and `y` are its increments from pixel to pixel.
 #[derive(Clone, Copy, Debug, Default)]
-struct Edge {
+struct EdgeFunction {
     x: i128,
     y: i128,
     /// Value at the upper left corner of pixel (0, 0).
@@ -52,7 +52,7 @@ struct Edge {
 /// The three edges of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edges {
-    edges: [Edge; 3],
+    edges: [EdgeFunction; 3],
     /// Bits of all samples of a quad.
     full: u16,
     samples: usize,
@@ -67,7 +67,8 @@ impl Edges {
             (0..positions.len()).for_each(|sample| full |= bit(lane, sample));
         }
         let [a, b, c] = triangle.corners.map(|corner| corner.at);
-        let edges = [[a, b], [b, c], [c, a]].map(|[from, to]| Edge::new(from, to, bits, positions));
+        let edges =
+            [[a, b], [b, c], [c, a]].map(|[from, to]| EdgeFunction::new(from, to, bits, positions));
         Self { edges, full, samples: positions.len() }
     }
 
@@ -149,7 +150,7 @@ fn inside(x: u32, y: u32, pixels: Pixels, samples: usize) -> u16 {
     mask
 }
 
-impl Edge {
+impl EdgeFunction {
     fn new(from: [i64; 2], to: [i64; 2], bits: u32, positions: &[[i64; 2]]) -> Self {
         let (dx, dy) = (i128::from(to[0] - from[0]), i128::from(to[1] - from[1]));
         // y points down: the inside of a clockwise triangle is below a top edge, which runs to the

@@ -6,7 +6,7 @@ use super::shader::LANES;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{BindingKind, CompiledShader, EvalBatch, Image, SAMPLES_PER_ROW, Uniform};
-use crate::interp::{self, Bindings, Bound, Precision, Program, ResourceKind, Value};
+use crate::interp::{self, Bindings, BoundProgram, Precision, Program, ResourceKind, Value};
 use crate::progress::Progress;
 
 /// The root's value at each sample of a batch, in the batch's order: up to four numbers, by the
@@ -34,7 +34,7 @@ impl Evaluator {
         let program = Program::compile(
             &shader.valid.module,
             "fs_main",
-            interp::Options::stage(&shader.wgsl),
+            interp::FunctionOptions::stage(&shader.wgsl),
         )?;
         let mut bindings = Bindings::new();
         let mut samples = None;
@@ -96,7 +96,11 @@ impl Evaluator {
     }
 }
 
-fn run(bound: &Bound<'_>, count: usize, progress: &Progress) -> Result<Vec<[f64; 4]>, Diagnostic> {
+fn run(
+    bound: &BoundProgram<'_>,
+    count: usize,
+    progress: &Progress,
+) -> Result<Vec<[f64; 4]>, Diagnostic> {
     let program = bound.program();
     let mut lanes = bound.lanes()?;
     let [position] = program.inputs() else {

@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use super::fullscreen::shade_all;
 use super::geometry::Triangles;
-use super::options::{ImageRounding, Options};
+use super::options::{ImageRounding, ReferenceOptions};
 use super::picture::ReferencePicture;
-use super::raster::{check_size, rasterise};
+use super::raster::{check_size, rasterize};
 use super::setup::Sides;
 use super::shader::Shader;
 use super::texels::Texels;
-use super::tile::Target;
+use super::tile::PassTarget;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassId, PassImage, Stage, TexelFormat};
 use crate::progress::Progress;
 
 /// Factory of the shaders for a frame plan.
-pub trait Shaders {
+pub trait ShaderFactory {
     /// The shader of a draw in a pass that draws meshes: the draw's [module](Draw::module) of the
     /// pass's stage, which may read the images of earlier passes.
     ///
@@ -44,8 +44,8 @@ pub trait Shaders {
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic>;
 }
 
-/// Images of the passes so far, for later ones to read, rounded as [`Options::images`] says. Each
-/// image has as many channels as its format.
+/// Images of the passes so far, for later ones to read, rounded as [`ReferenceOptions::images`]
+/// says. Each image has as many channels as its format.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PassImages(BTreeMap<PassImage, Texels>);
 
@@ -93,12 +93,12 @@ fn channels(pass: PassId) -> usize {
 /// Draws the picture of `plan`.
 ///
 /// # Errors
-/// As [`rasterise`], and `reference-plan` if a pass comes before a pass that it reads, or if no
+/// As [`rasterize`], and `reference-plan` if a pass comes before a pass that it reads, or if no
 /// pass draws the picture.
 pub fn execute(
     plan: &FramePlan,
-    shaders: &dyn Shaders,
-    options: &Options,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<ReferencePicture, Diagnostic> {
     check_size(plan.size, plan.samples)?;
@@ -135,8 +135,8 @@ pub fn execute(
 pub fn execute_screens(
     plan: &FramePlan,
     images: &mut PassImages,
-    shaders: &dyn Shaders,
-    options: &Options,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<(), Diagnostic> {
     let screens = || plan.passes.iter().map(|pass| pass.id).filter(|id| id.is_screen());
@@ -154,8 +154,8 @@ fn screen(
     plan: &FramePlan,
     pass: PassId,
     images: &PassImages,
-    shaders: &dyn Shaders,
-    options: &Options,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<Texels, Diagnostic> {
     let shader = shaders.screen(plan, pass, images)?;
@@ -167,8 +167,8 @@ fn draw(
     plan: &FramePlan,
     (pass, stage): (PassId, Stage),
     images: &PassImages,
-    shaders: &dyn Shaders,
-    options: &Options,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<super::raster::Raster, Diagnostic> {
     let made = |draw| shaders.draw(plan, draw, pass, images);
@@ -184,9 +184,9 @@ fn draw(
     let triangles: Vec<_> = triangles.collect();
     let (target, samples) = if pass.writes_picture() {
         let [r, g, b, a] = plan.backdrop.unwrap_or([0.0; 4]);
-        (Target::Picture([r * a, g * a, b * a, a]), plan.samples)
+        (PassTarget::Picture([r * a, g * a, b * a, a]), plan.samples)
     } else {
-        (Target::Numbers(channels(pass)), 1)
+        (PassTarget::Numbers(channels(pass)), 1)
     };
-    rasterise(plan.size, samples, &target, &triangles, options, progress)
+    rasterize(plan.size, samples, &target, &triangles, options, progress)
 }

@@ -3,11 +3,11 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::geometry::Grid;
-use super::options::Options;
+use super::geometry::TileGrid;
+use super::options::ReferenceOptions;
 use super::pool;
 use super::raster::check_size;
-use super::shader::{FragmentStage, QuadBatch, Shaded, Shader};
+use super::shader::{FragmentStage, QuadBatch, Shader, ShaderOutputs};
 use super::texels::Texels;
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
@@ -16,22 +16,22 @@ use crate::progress::Progress;
 /// vertex stage is not run. Discarded pixels stay 0.
 ///
 /// # Errors
-/// As [`rasterise`](super::rasterise).
+/// As [`rasterize`](super::rasterize).
 pub fn shade_all(
     size: [u32; 2],
     channels: usize,
     shader: &dyn Shader,
-    options: &Options,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<Texels, Diagnostic> {
     check_size(size, 1)?;
-    let grid = Grid::new(size, options);
+    let grid = TileGrid::new(size, options);
     let image = Mutex::new(Texels::new(size, channels));
     progress.begin(grid.tiles() as u64);
     let state = || Band {
         stage: shader.fragments(),
         batch: QuadBatch::new(0),
-        shaded: Shaded::new(channels),
+        shaded: ShaderOutputs::new(channels),
         quads: Vec::new(),
         pixels: Vec::new(),
     };
@@ -57,7 +57,7 @@ pub fn shade_all(
 struct Band<'a> {
     stage: Box<dyn FragmentStage + 'a>,
     batch: QuadBatch,
-    shaded: Shaded,
+    shaded: ShaderOutputs,
     /// Upper left pixel of each quad of the batch.
     quads: Vec<[u32; 2]>,
     /// Finished pixels of a tile.

@@ -10,10 +10,12 @@
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-use super::executor::{PassImages, Shaders, execute};
+use super::executor::{PassImages, ShaderFactory, execute};
 use super::modules::Modules;
-use super::options::Options;
-use super::shader::{FragmentStage, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage};
+use super::options::ReferenceOptions;
+use super::shader::{
+    FragmentStage, LANES, QUADS, QuadBatch, Shader, ShaderOutputs, Varying, VertexStage,
+};
 use super::texels::Coverage;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, FramePlan, PassId};
@@ -32,7 +34,7 @@ struct Quad {
 
 /// The nearest fragment of a pixel so far.
 #[derive(Clone, Debug)]
-struct Nearest {
+struct NearestFragment {
     depth: f64,
     lane: usize,
     quad: Quad,
@@ -40,7 +42,7 @@ struct Nearest {
 
 /// A pixel that was gathered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seen {
+pub struct GatheredPixel {
     /// Column and row of the pixel.
     pub pixel: [u32; 2],
     /// Index of the draw on top, in the plan.
@@ -49,7 +51,7 @@ pub struct Seen {
     lane: usize,
 }
 
-impl Seen {
+impl GatheredPixel {
     /// Index of the pixel's quad: pixels of one quad and one triangle have the same.
     pub fn quad(&self) -> usize {
         self.quad
@@ -58,21 +60,21 @@ impl Seen {
 
 /// Fragments of chosen pixels, with everything that shading them needs.
 #[derive(Debug)]
-pub struct Gathered {
+pub struct GatheredFragments {
     plan: FramePlan,
     modules: Modules,
     /// Bindings of each draw; `None` if no fragment of the draw was gathered.
     bindings: Vec<Option<Bindings>>,
     quads: Vec<Quad>,
     /// The gathered pixels by row and column; chosen pixels that nothing covers are not among them.
-    pub seen: Vec<Seen>,
+    pub seen: Vec<GatheredPixel>,
     /// Coverage of each pixel, rows from the top.
     pub coverage: Vec<Coverage>,
 }
 
 /// Some of the gathered pixels, in batches.
 #[derive(Clone, Debug)]
-pub struct Sheet {
+pub struct PixelSheet {
     batches: Vec<SheetBatch>,
     count: usize,
 }
@@ -85,14 +87,14 @@ struct SheetBatch {
     wanted: Vec<(usize, usize)>,
 }
 
-impl Sheet {
+impl PixelSheet {
     /// Number of pixels in the sheet.
     pub fn count(&self) -> usize {
         self.count
     }
 }
 
-impl Gathered {
+impl GatheredFragments {
     /// Draws `plan` and keeps the fragments of the pixels that `is_chosen` accepts, by column and
     /// row.
     ///
@@ -101,7 +103,7 @@ impl Gathered {
     pub fn new(
         plan: FramePlan,
         is_chosen: &(dyn Fn([u32; 2]) -> bool + Sync),
-        options: &Options,
+        options: &ReferenceOptions,
         progress: &Progress,
     ) -> Result<Self, Diagnostic> {
         let modules = Modules::new(&plan, Precision::F64)?;
@@ -119,7 +121,7 @@ impl Gathered {
         let mut quads: Vec<Quad> = Vec::new();
         let mut places: BTreeMap<[u32; 2], Vec<usize>> = BTreeMap::new();
         let mut seen = Vec::with_capacity(nearest.len());
-        for ([row, column], Nearest { lane, quad, .. }) in nearest {
+        for ([row, column], NearestFragment { lane, quad, .. }) in nearest {
             // Pixels of one quad and one triangle share the quad's inputs.
             let alike = places.entry([row / 2, column / 2]).or_default();
             let found = alike.iter().copied().find(|&index| quads[index] == quad);
@@ -129,7 +131,7 @@ impl Gathered {
                 alike.push(quads.len() - 1);
                 quads.len() - 1
             });
-            seen.push(Seen { pixel: [column, row], draw, quad: index, lane });
+            seen.push(GatheredPixel { pixel: [column, row], draw, quad: index, lane });
         }
         Ok(Self { plan, modules, bindings, quads, seen, coverage })
     }
@@ -140,10 +142,10 @@ impl Gathered {
     }
 
     /// Some of the pixels, by their indices in [`seen`](Self::seen), ready to be shaded together.
-    pub fn sheet(&self, chosen: &[usize]) -> Sheet {
+    pub fn sheet(&self, chosen: &[usize]) -> PixelSheet {
         let mut by_quad: BTreeMap<(usize, usize), Vec<(usize, usize)>> = BTreeMap::new();
         for (place, &index) in chosen.iter().enumerate() {
-            let Seen { draw, quad, lane, .. } = self.seen[index];
+            let GatheredPixel { draw, quad, lane, .. } = self.seen[index];
             by_quad.entry((draw, quad)).or_default().push((lane, place));
         }
         let mut batches: Vec<SheetBatch> = Vec::new();
@@ -169,7 +171,7 @@ impl Gathered {
             }
             last.wanted.extend(wanted.into_iter().map(|(lane, place)| (first + lane, place)));
         }
-        Sheet { batches, count: chosen.len() }
+        PixelSheet { batches, count: chosen.len() }
     }
 
     /// The colors of a sheet's pixels, straight RGBA, with `numbers` in the looks' uniforms: the
@@ -177,9 +179,13 @@ impl Gathered {
     ///
     /// # Errors
     /// Shaders that do not end.
-    pub fn shade(&self, sheet: &Sheet, numbers: &[Vec<f64>]) -> Result<Vec<[f64; 4]>, Diagnostic> {
+    pub fn shade(
+        &self,
+        sheet: &PixelSheet,
+        numbers: &[Vec<f64>],
+    ) -> Result<Vec<[f64; 4]>, Diagnostic> {
         let mut colors = vec![[0.0; 4]; sheet.count];
-        let mut shaded = Shaded::new(4);
+        let mut shaded = ShaderOutputs::new(4);
         for batches in sheet.batches.chunk_by(|a, b| a.draw == b.draw) {
             let number = batches[0].draw;
             let (draw, Some(bindings)) = (&self.plan.draws[number], &self.bindings[number]) else {
@@ -205,10 +211,10 @@ struct Recorder<'m> {
     is_chosen: &'m (dyn Fn([u32; 2]) -> bool + Sync),
     bindings: Mutex<Vec<Option<Bindings>>>,
     /// The nearest fragment of each chosen pixel, by row and column.
-    nearest: Mutex<BTreeMap<[u32; 2], Nearest>>,
+    nearest: Mutex<BTreeMap<[u32; 2], NearestFragment>>,
 }
 
-impl Shaders for Recorder<'_> {
+impl ShaderFactory for Recorder<'_> {
     fn draw<'a>(
         &'a self,
         plan: &'a FramePlan,
@@ -222,7 +228,7 @@ impl Shaders for Recorder<'_> {
         let bindings = self.modules.bindings_of(plan, draw, images)?;
         self.bindings.lock().unwrap_or_else(PoisonError::into_inner)[number] = Some(bindings);
         let discards = draw.look.wgsl.contains("discard");
-        Ok(Box::new(Recorded { inner, number, discards, recorder: self }))
+        Ok(Box::new(RecordingShader { inner, number, discards, recorder: self }))
     }
 
     fn screen<'a>(
@@ -235,14 +241,14 @@ impl Shaders for Recorder<'_> {
     }
 }
 
-struct Recorded<'a> {
+struct RecordingShader<'a> {
     inner: Box<dyn Shader + 'a>,
     number: usize,
     discards: bool,
     recorder: &'a Recorder<'a>,
 }
 
-impl Shader for Recorded<'_> {
+impl Shader for RecordingShader<'_> {
     fn varyings(&self) -> &[Varying] {
         self.inner.varyings()
     }
@@ -269,7 +275,7 @@ struct RecordedStage<'a> {
 }
 
 impl FragmentStage for RecordedStage<'_> {
-    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
+    fn shade(&mut self, batch: &QuadBatch, out: &mut ShaderOutputs) -> Result<(), Diagnostic> {
         if let Some(inner) = &mut self.inner {
             inner.shade(batch, out)?;
         }
@@ -305,6 +311,6 @@ impl RecordedStage<'_> {
                 .map(|component| of_lanes(batch.varying(component)))
                 .collect(),
         };
-        nearest.insert([row, column], Nearest { depth, lane: lane & 3, quad });
+        nearest.insert([row, column], NearestFragment { depth, lane: lane & 3, quad });
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::coverage::Pixels;
-use super::options::Options;
+use super::options::ReferenceOptions;
 use super::pool;
 use super::setup::{Screen, Sides};
 use super::shader::Shader;
@@ -45,7 +45,7 @@ impl<'a> Geometry<'a> {
     pub(super) fn new(
         draw: u32,
         triangles: Triangles<'a>,
-        options: &Options,
+        options: &ReferenceOptions,
         progress: &Progress,
     ) -> Result<Self, Diagnostic> {
         let indices = triangles.indices;
@@ -102,7 +102,7 @@ impl<'a> Geometry<'a> {
     }
 
     /// Sorts a range of triangles into tiles.
-    pub(super) fn bin(&self, numbers: Range<u32>, grid: &Grid) -> Vec<[u32; 2]> {
+    pub(super) fn bin(&self, numbers: Range<u32>, grid: &TileGrid) -> Vec<[u32; 2]> {
         let mut bins = Vec::new();
         for number in numbers {
             let fan = grid.screen.triangles(self.triangle(number).0, self.triangles.sides);
@@ -120,7 +120,7 @@ impl<'a> Geometry<'a> {
 
 /// The tiles of the picture.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Grid {
+pub(super) struct TileGrid {
     pub(super) screen: Screen,
     /// Side of a tile, in pixels.
     pub(super) side: u32,
@@ -128,8 +128,8 @@ pub(super) struct Grid {
     pub(super) count: [u32; 2],
 }
 
-impl Grid {
-    pub(super) fn new(size: [u32; 2], options: &Options) -> Self {
+impl TileGrid {
+    pub(super) fn new(size: [u32; 2], options: &ReferenceOptions) -> Self {
         let side = options.tile();
         let screen = Screen { size, bits: options.snap.bits() };
         Self { screen, side, count: size.map(|pixels| pixels.div_ceil(side)) }

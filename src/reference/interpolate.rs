@@ -8,7 +8,7 @@ use super::setup::Triangle;
 /// All weights are computed from the first corner, never from the corner of a tile, so that a
 /// pixel's values depend on the triangle alone.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Surface {
+pub(super) struct TrianglePlane {
     /// Position of the first corner, in pixels.
     origin: [f64; 2],
     /// Increments, for a pixel to the right and one down, of the weights of the second and third
@@ -23,7 +23,7 @@ pub(super) struct Surface {
 
 /// A point on a surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Point {
+pub(super) struct TrianglePoint {
     /// `z` of `@builtin(position)`.
     pub(super) depth: f64,
     /// `w` of `@builtin(position)`.
@@ -32,7 +32,7 @@ pub(super) struct Point {
     shares: [f64; 2],
 }
 
-impl Surface {
+impl TrianglePlane {
     /// The surface of `triangle`, whose coverage is decided on a grid of 2 to `bits` steps a pixel.
     pub(super) fn new(triangle: &Triangle, bits: u32) -> Self {
         let [a, b, c] = triangle.corners;
@@ -64,7 +64,7 @@ impl Surface {
     }
 
     /// The point of the surface at a point of the screen, in pixels from the upper left.
-    pub(super) fn point(&self, x: f64, y: f64) -> Point {
+    pub(super) fn point(&self, x: f64, y: f64) -> TrianglePoint {
         let [second, third] = self.screen_weights(x, y);
         let over_w = [
             (1.0 - second - third) * self.inverse_w[0],
@@ -75,7 +75,7 @@ impl Surface {
         let share = |corner: usize| {
             (0..3).map(|i| over_w[i] * self.weights[i][corner]).sum::<f64>() / inverse_w
         };
-        Point { depth: self.depth(x, y), inverse_w, shares: [share(1), share(2)] }
+        TrianglePoint { depth: self.depth(x, y), inverse_w, shares: [share(1), share(2)] }
     }
 }
 
@@ -97,7 +97,7 @@ fn places(triangle: &Triangle, bits: u32) -> ([[f64; 2]; 3], f64) {
     }
 }
 
-impl Point {
+impl TrianglePoint {
     /// The interpolated value of a number that is `corners` at the corners.
     pub(super) fn mix(&self, [first, second, third]: [f64; 3]) -> f64 {
         // Differences keep a number that is the same at all corners exactly.

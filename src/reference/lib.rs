@@ -7,16 +7,16 @@
 //! 2x2 quads, and `tile` keeps depth and color of every sample. `fullscreen` shades all pixels of
 //! an image.
 //!
-//! [`Gathered`] keeps the fragments of chosen pixels, to shade them again with other values of a
-//! look.
+//! [`GatheredFragments`] keeps the fragments of chosen pixels, to shade them again with other
+//! values of a look.
 //!
-//! The rasterizer knows no WGSL: shaders stand behind the traits [`Shader`] and [`Shaders`].
+//! The rasterizer knows no WGSL: shaders stand behind the traits [`Shader`] and [`ShaderFactory`].
 //!
 //! # Agreement with a GPU, and differences
 //! Clip space, viewport, culling, the top-left rule, sample positions, the depth test (less) and
 //! blending are WebGPU's. Fragments are shaded once, at the pixel's middle, for all samples that
 //! they cover; helpers of a quad lie on the triangle's plane. Positions, depths, varyings and
-//! images are f64 and are never rounded, except for the grid ([`Snap`]) that coverage alone is
+//! images are f64 and are never rounded, except for the grid ([`SnapGrid`]) that coverage alone is
 //! decided on, and for images if [`ImageRounding`] asks for it. A fragment that its shader discards
 //! leaves no depth; fragments that are hidden already are not shaded, which does not change the
 //! picture, as depths only ever fall.
@@ -53,20 +53,21 @@ mod tiles;
 mod uniform;
 
 pub use eval::evaluate;
-pub use executor::{PassImages, Shaders, execute, execute_screens};
+pub use executor::{PassImages, ShaderFactory, execute, execute_screens};
 pub use fullscreen::shade_all;
-pub use gather::{Gathered, Seen, Sheet};
+pub use gather::{GatheredFragments, GatheredPixel, PixelSheet};
 pub use geometry::Triangles;
 pub use modules::Modules;
-pub use options::{ImageRounding, Options, Snap};
+pub use options::{ImageRounding, ReferenceOptions, SnapGrid};
 pub use picture::ReferencePicture;
-pub use probe::{Probed, ProbedValue, WireValue, probe, probe_wires};
-pub use raster::{MAX_SAMPLES, MAX_SIDE, Raster, rasterise};
+pub use probe::{ProbedFragment, ProbedValue, WireValue, probe, probe_wires};
+pub use raster::{MAX_SAMPLES, MAX_SIDE, Raster, rasterize};
 pub use reference::Reference;
 pub use setup::Sides;
 pub use shader::{
-    FragmentStage, Interpolation, LANES, QUADS, QuadBatch, Shaded, Shader, Varying, VertexStage,
+    FragmentStage, LANES, QUADS, QuadBatch, Shader, ShaderOutputs, Varying, VaryingInterpolation,
+    VertexStage,
 };
 pub use texels::{Coverage, Texels};
-pub use tile::Target;
+pub use tile::PassTarget;
 pub use tiles::{BakedLook, TILE_SAMPLES, bake_look, bake_look_sampled};

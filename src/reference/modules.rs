@@ -5,35 +5,36 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
-use super::executor::{PassImages, Shaders};
-use super::probe::Watch;
+use super::executor::{PassImages, ShaderFactory};
+use super::probe::PixelWatch;
 use super::shader::{
-    FragmentStage, Interpolation, LANES, QuadBatch, Shaded, Shader, Varying, VertexStage,
+    FragmentStage, LANES, QuadBatch, Shader, ShaderOutputs, Varying, VaryingInterpolation,
+    VertexStage,
 };
 use super::texels::Texels;
 use super::uniform;
 use crate::diag::Diagnostic;
 use crate::frame::{
-    Attribute, BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
-    ScreenModule, ScreenResource,
+    BindingKind, CompiledShader, Draw, FramePlan, Image, ImageShape, ImageUse, PassId,
+    ScreenModule, ScreenResource, VertexAttribute,
 };
 use crate::interp::{
-    self, Address, Bindings, Bound, Filter, Lanes, Level, Port, Precision, Program, ResourceKind,
-    Sampler, Texture, TextureDimension,
+    self, AddressMode, Bindings, BoundProgram, Filter, LanePort, Lanes, Precision, Program,
+    ResourceKind, Sampler, Texture, TextureDimension, TextureLevel,
 };
-use crate::wgsl::Valid;
+use crate::wgsl::ValidModule;
 use chiaro_scene::geometry::Mesh;
 
 /// Both stages of a module.
 #[derive(Debug)]
-struct Stages {
+struct ModulePrograms {
     vertex: Program,
     fragment: Program,
 }
 
-impl Stages {
-    fn compile(valid: &Valid, source: &str, observe: bool) -> Result<Self, Diagnostic> {
-        let options = interp::Options { observe, ..interp::Options::stage(source) };
+impl ModulePrograms {
+    fn compile(valid: &ValidModule, source: &str, observe: bool) -> Result<Self, Diagnostic> {
+        let options = interp::FunctionOptions { observe, ..interp::FunctionOptions::stage(source) };
         let stage = |name| Program::compile(&valid.module, name, options);
         Ok(Self { vertex: stage("vs_main")?, fragment: stage("fs_main")? })
     }
@@ -45,12 +46,12 @@ pub struct Modules {
     precision: Precision,
     /// Modules of looks by the address of their shader; the shader is kept alive, so that no other
     /// can take its address.
-    looks: HashMap<usize, (Arc<CompiledShader>, Stages)>,
+    looks: HashMap<usize, (Arc<CompiledShader>, ModulePrograms)>,
     /// Modules of passes over the whole picture.
-    screens: HashMap<PassId, (ScreenModule, Stages)>,
+    screens: HashMap<PassId, (ScreenModule, ModulePrograms)>,
     images: HashMap<(u64, bool), Texture>,
     /// Pixel whose fragments are watched, if any.
-    watch: Option<Watch>,
+    watch: Option<PixelWatch>,
 }
 
 impl Modules {
@@ -69,7 +70,7 @@ impl Modules {
     pub(super) fn watching(
         plan: &FramePlan,
         precision: Precision,
-        watch: Watch,
+        watch: PixelWatch,
     ) -> Result<Self, Diagnostic> {
         Self::with(plan, precision, Some(watch))
     }
@@ -77,7 +78,7 @@ impl Modules {
     fn with(
         plan: &FramePlan,
         precision: Precision,
-        watch: Option<Watch>,
+        watch: Option<PixelWatch>,
     ) -> Result<Self, Diagnostic> {
         let mut modules = Self {
             precision,
@@ -100,7 +101,7 @@ impl Modules {
         }
         for pass in plan.passes.iter().map(|pass| pass.id) {
             if let Some(module) = ScreenModule::of(pass).map_err(first)? {
-                let stages = Stages::compile(&module.valid, &module.text, false)?;
+                let stages = ModulePrograms::compile(&module.valid, &module.text, false)?;
                 modules.screens.insert(pass, (module, stages));
             }
         }
@@ -108,19 +109,20 @@ impl Modules {
     }
 
     /// The values that were probed at the watched pixel.
-    pub(super) fn into_found(self) -> Option<super::probe::Probed> {
-        self.watch.and_then(Watch::into_found)
+    pub(super) fn into_found(self) -> Option<super::probe::ProbedFragment> {
+        self.watch.and_then(PixelWatch::into_found)
     }
 
     fn add(&mut self, shader: &Arc<CompiledShader>) -> Result<(), Diagnostic> {
         if let Entry::Vacant(place) = self.looks.entry(address(shader)) {
-            let stages = Stages::compile(&shader.valid, &shader.wgsl, self.watch.is_some())?;
+            let stages =
+                ModulePrograms::compile(&shader.valid, &shader.wgsl, self.watch.is_some())?;
             place.insert((shader.clone(), stages));
         }
         Ok(())
     }
 
-    fn stages(&self, shader: &Arc<CompiledShader>) -> Result<&Stages, Diagnostic> {
+    fn stages(&self, shader: &Arc<CompiledShader>) -> Result<&ModulePrograms, Diagnostic> {
         self.looks
             .get(&address(shader))
             .map(|(_, stages)| stages)
@@ -151,7 +153,7 @@ impl Modules {
         {
             buffer(&mut bindings, stages, binding.binding, numbers);
         }
-        Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))
+        BoundModule::new(stages, &bindings, self.precision, Some(&draw.mesh))
     }
 
     fn bindings_for(
@@ -213,7 +215,7 @@ fn missing(what: &str) -> Diagnostic {
     Diagnostic::error("reference-plan", format!("the plan lacks {what}"))
 }
 
-impl Shaders for Modules {
+impl ShaderFactory for Modules {
     fn draw<'a>(
         &'a self,
         plan: &'a FramePlan,
@@ -225,7 +227,7 @@ impl Shaders for Modules {
         let shader = draw.module(stage).ok_or_else(|| missing("a module of a draw"))?;
         let stages = self.stages(shader)?;
         let bindings = self.bindings_for(plan, draw, shader, images)?;
-        let mut bindable = Bindable::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
+        let mut bindable = BoundModule::new(stages, &bindings, self.precision, Some(&draw.mesh))?;
         let place = plan.draws.iter().position(|other| std::ptr::eq(other, draw));
         bindable.watch = self.watch.as_ref().zip(place).filter(|_| pass.writes_picture());
         Ok(Box::new(bindable))
@@ -252,7 +254,7 @@ impl Shaders for Modules {
                 }
             }
         }
-        Ok(Box::new(Bindable::new(stages, &bindings, self.precision, None)?))
+        Ok(Box::new(BoundModule::new(stages, &bindings, self.precision, None)?))
     }
 }
 
@@ -266,7 +268,7 @@ fn misplaced(pass: PassId, read: PassId) -> Diagnostic {
 }
 
 /// Binds a buffer in the shape that either stage asks for.
-fn buffer(bindings: &mut Bindings, stages: &Stages, binding: u32, numbers: &[f64]) {
+fn buffer(bindings: &mut Bindings, stages: &ModulePrograms, binding: u32, numbers: &[f64]) {
     let resources = stages.vertex.resources().iter().chain(stages.fragment.resources());
     for resource in resources.filter(|resource| (resource.group, resource.binding) == (0, binding))
     {
@@ -293,7 +295,7 @@ fn texture(texels: &Texels) -> Result<Texture, Diagnostic> {
     });
     Texture::new(
         TextureDimension::D2,
-        vec![Level::f64([texels.size[0], texels.size[1], 1], pixels.collect())],
+        vec![TextureLevel::f64([texels.size[0], texels.size[1], 1], pixels.collect())],
     )
 }
 
@@ -304,7 +306,7 @@ pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diag
     if !is_decoded {
         return Texture::new(
             TextureDimension::D2,
-            vec![Level::rgba8(size, image.rgba().into_owned())],
+            vec![TextureLevel::rgba8(size, image.rgba().into_owned())],
         );
     }
     let color = |byte: u8| crate::document::srgb_to_linear(f64::from(byte) / 255.0);
@@ -312,31 +314,31 @@ pub(super) fn texture_of(image: &Image, used: &ImageUse) -> Result<Texture, Diag
     let texels = rgba.chunks_exact(4).map(|texel| {
         [color(texel[0]), color(texel[1]), color(texel[2]), f64::from(texel[3]) / 255.0]
     });
-    Texture::new(TextureDimension::D2, vec![Level::f64(size, texels.collect())])
+    Texture::new(TextureDimension::D2, vec![TextureLevel::f64(size, texels.collect())])
 }
 
 pub(super) fn sampler_of(used: &ImageUse) -> Sampler {
     let address = match used.wrap.as_str() {
-        "clamp" => Address::ClampToEdge,
-        "mirror" => Address::MirrorRepeat,
-        _ => Address::Repeat,
+        "clamp" => AddressMode::ClampToEdge,
+        "mirror" => AddressMode::MirrorRepeat,
+        _ => AddressMode::Repeat,
     };
     Sampler::new(address, if used.filter == "nearest" { Filter::Nearest } else { Filter::Linear })
 }
 
 /// A module with all its bindings.
-struct Bindable<'a> {
-    vertex: Bound<'a>,
-    fragment: Bound<'a>,
+struct BoundModule<'a> {
+    vertex: BoundProgram<'a>,
+    fragment: BoundProgram<'a>,
     varyings: Vec<Varying>,
     mesh: Option<&'a Mesh>,
     /// The watch, with the index of the draw.
-    watch: Option<(&'a Watch, usize)>,
+    watch: Option<(&'a PixelWatch, usize)>,
 }
 
-impl<'a> Bindable<'a> {
+impl<'a> BoundModule<'a> {
     fn new(
-        stages: &'a Stages,
+        stages: &'a ModulePrograms,
         bindings: &Bindings,
         precision: Precision,
         mesh: Option<&'a Arc<Mesh>>,
@@ -361,22 +363,22 @@ fn first(problems: Vec<Diagnostic>) -> Diagnostic {
     problems.into_iter().next().unwrap_or_else(|| missing("what a module reads"))
 }
 
-fn by_location(ports: &[Port]) -> Vec<&Port> {
-    let mut ports: Vec<&Port> = ports.iter().filter(|port| port.location().is_some()).collect();
+fn by_location(ports: &[LanePort]) -> Vec<&LanePort> {
+    let mut ports: Vec<&LanePort> = ports.iter().filter(|port| port.location().is_some()).collect();
     ports.sort_by_key(|port| port.location());
     ports
 }
 
-fn interpolation(port: &Port) -> Interpolation {
+fn interpolation(port: &LanePort) -> VaryingInterpolation {
     match &port.binding {
         Some(naga::Binding::Location {
             interpolation: Some(naga::Interpolation::Flat), ..
-        }) => Interpolation::Flat,
-        _ => Interpolation::Perspective,
+        }) => VaryingInterpolation::Flat,
+        _ => VaryingInterpolation::Perspective,
     }
 }
 
-impl Shader for Bindable<'_> {
+impl Shader for BoundModule<'_> {
     fn varyings(&self) -> &[Varying] {
         &self.varyings
     }
@@ -391,7 +393,7 @@ impl Shader for Bindable<'_> {
 }
 
 struct Vertices<'a> {
-    shader: &'a Bindable<'a>,
+    shader: &'a BoundModule<'a>,
     lanes: Option<Lanes<'a>>,
 }
 
@@ -408,7 +410,7 @@ impl VertexStage for Vertices<'_> {
             .iter()
             .find(|port| matches!(port.builtin(), Some(naga::BuiltIn::Position { .. })));
         let clip = clip.ok_or_else(|| missing("the position of a vertex"))?;
-        let written: Vec<&Port> =
+        let written: Vec<&LanePort> =
             std::iter::once(clip).chain(by_location(program.outputs())).collect();
         let stride: usize = written.iter().map(|port| port.size).sum();
         let mut row = [0.0; LANES];
@@ -438,28 +440,28 @@ impl VertexStage for Vertices<'_> {
 
 /// A component of a vertex's attribute, as the mesh holds it.
 fn attribute(mesh: &Mesh, location: Option<u32>, vertex: usize, component: usize) -> f64 {
-    let Some(attribute) = location.and_then(|at| Attribute::ALL.get(at as usize)) else {
+    let Some(attribute) = location.and_then(|at| VertexAttribute::ALL.get(at as usize)) else {
         return 0.0;
     };
     let component_of = |numbers: Option<&[f32]>| {
         numbers.and_then(|n| n.get(component)).copied().map_or(0.0, f64::from)
     };
     component_of(match attribute {
-        Attribute::Position => mesh.positions.get(vertex).map(|v| v.as_slice()),
-        Attribute::Normal => mesh.normals.get(vertex).map(|v| v.as_slice()),
-        Attribute::Tangent => mesh.tangents.get(vertex).map(|v| v.as_slice()),
-        Attribute::Uv => mesh.uvs.get(vertex).map(|v| v.as_slice()),
-        Attribute::Color => mesh.colors.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Position => mesh.positions.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Normal => mesh.normals.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Tangent => mesh.tangents.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Uv => mesh.uvs.get(vertex).map(|v| v.as_slice()),
+        VertexAttribute::Color => mesh.colors.get(vertex).map(|v| v.as_slice()),
     })
 }
 
 struct Fragments<'a> {
-    shader: &'a Bindable<'a>,
+    shader: &'a BoundModule<'a>,
     lanes: Option<Lanes<'a>>,
 }
 
 impl FragmentStage for Fragments<'_> {
-    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
+    fn shade(&mut self, batch: &QuadBatch, out: &mut ShaderOutputs) -> Result<(), Diagnostic> {
         let program = self.shader.fragment.program();
         let lanes = match &mut self.lanes {
             Some(lanes) => lanes,

@@ -12,7 +12,7 @@ use super::coverage::Pixels;
 /// plane through the unrounded corners, which the grid does not move: pixels that a triangle covers
 /// only by rounding are beside its edge by up to a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Snap {
+pub enum SnapGrid {
     /// Steps of 2^-32 of a pixel, which is finer than any error that f32 leaves: the truth.
     #[default]
     None,
@@ -21,7 +21,7 @@ pub enum Snap {
     Subpixel(u32),
 }
 
-impl Snap {
+impl SnapGrid {
     /// Binary logarithm of the number of steps in a pixel.
     pub(super) fn bits(self) -> u32 {
         match self {
@@ -68,9 +68,9 @@ impl ImageRounding {
 /// Options of the caller. Only [`snap`](Self::snap) and [`images`](Self::images) change the
 /// picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct ReferenceOptions {
     /// Grid of screen positions.
-    pub snap: Snap,
+    pub snap: SnapGrid,
     /// Rounding of the passes' images.
     pub images: ImageRounding,
     /// Number of threads; at least 1.
@@ -86,11 +86,11 @@ pub struct Options {
     pub budget: usize,
 }
 
-impl Default for Options {
+impl Default for ReferenceOptions {
     fn default() -> Self {
         let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         Self {
-            snap: Snap::default(),
+            snap: SnapGrid::default(),
             images: ImageRounding::default(),
             threads,
             tile: 64,
@@ -100,7 +100,7 @@ impl Default for Options {
     }
 }
 
-impl Options {
+impl ReferenceOptions {
     /// The options with a region that is wider by `pixels` on all sides.
     pub(super) fn widened(&self, pixels: u32) -> Self {
         let wider = |[left, top, right, bottom]: [u32; 4]| {

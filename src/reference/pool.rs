@@ -15,7 +15,7 @@ use crate::threads;
 /// `progress` was stopped.
 #[expect(
     clippy::disallowed_methods,
-    reason = "the one place that starts threads: pictures of a known size, cancelled by a flag"
+    reason = "the one place that starts threads: pictures of a known size, canceled by a flag"
 )]
 pub(super) fn run<S, T: Send>(
     threads: usize,

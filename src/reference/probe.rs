@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use super::executor::execute;
 use super::modules::Modules;
-use super::options::Options;
+use super::options::ReferenceOptions;
 use super::shader::QuadBatch;
 use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
@@ -26,7 +26,7 @@ pub struct ProbedValue {
 
 /// Values that the visible fragment of a pixel computed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Probed {
+pub struct ProbedFragment {
     /// Index of the draw in the plan.
     pub draw: usize,
     /// Depth, from 0 (near) to 1 (far).
@@ -37,12 +37,12 @@ pub struct Probed {
 
 /// Watch on a pixel that keeps the values of its nearest fragment.
 #[derive(Debug)]
-pub(super) struct Watch {
+pub(super) struct PixelWatch {
     pixel: [u32; 2],
-    found: Mutex<Option<Probed>>,
+    found: Mutex<Option<ProbedFragment>>,
 }
 
-impl Watch {
+impl PixelWatch {
     /// Keeps the values of a batch that was just run if it has a fragment at the pixel that is
     /// nearer than all before.
     pub(super) fn look(
@@ -75,7 +75,7 @@ impl Watch {
                 .collect();
             // The source computes from top to bottom: functions stand before those that call them.
             values.sort_by_key(|value| value.span.start);
-            *found = Some(Probed { draw, depth, values });
+            *found = Some(ProbedFragment { draw, depth, values });
         }
     }
 }
@@ -90,9 +90,9 @@ pub fn probe(
     plan: &FramePlan,
     pixel: [u32; 2],
     precision: Precision,
-    options: &Options,
+    options: &ReferenceOptions,
     progress: &Progress,
-) -> Result<Option<Probed>, Diagnostic> {
+) -> Result<Option<ProbedFragment>, Diagnostic> {
     if pixel[0] >= plan.size[0] || pixel[1] >= plan.size[1] {
         let message = format!(
             "there is no pixel {},{} in {}x{}",
@@ -101,9 +101,10 @@ pub fn probe(
         return Err(Diagnostic::error("reference-plan", message)
             .hint("columns and rows are counted from 0"));
     }
-    let modules = Modules::watching(plan, precision, Watch { pixel, found: Mutex::new(None) })?;
+    let modules =
+        Modules::watching(plan, precision, PixelWatch { pixel, found: Mutex::new(None) })?;
     let [x, y] = pixel;
-    let options = Options { region: Some([x, y, x + 1, y + 1]), ..*options };
+    let options = ReferenceOptions { region: Some([x, y, x + 1, y + 1]), ..*options };
     execute(plan, &modules, &options, progress)?;
     Ok(modules.into_found())
 }
@@ -148,7 +149,7 @@ impl WireValue {
 pub fn probe_wires(
     plan: &FramePlan,
     pixel: [u32; 2],
-    options: &Options,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<Option<Vec<WireValue>>, Diagnostic> {
     let both = [Precision::F32, Precision::F64]
@@ -172,9 +173,9 @@ pub fn probe_wires(
     Ok(Some(wires.collect()))
 }
 
-impl Watch {
+impl PixelWatch {
     /// The values of the nearest fragment at the pixel.
-    pub(super) fn into_found(self) -> Option<Probed> {
+    pub(super) fn into_found(self) -> Option<ProbedFragment> {
         self.found.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 }

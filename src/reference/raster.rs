@@ -6,21 +6,22 @@
 //!
 //! # Memory
 //! The picture takes 8 bytes a channel and 20 for coverage and depth of each pixel; a thread takes
-//! one tile of samples. Shaded vertices and lists of triangles grow until [`Options::budget`]; then
-//! they are drawn, and the samples of all tiles are kept (16 bytes, and 8 a channel) until the rest
-//! has come. Thus at most the vertices of one draw and one list for each thread exceed the budget.
+//! one tile of samples. Shaded vertices and lists of triangles grow until
+//! [`ReferenceOptions::budget`]; then they are drawn, and the samples of all tiles are kept (16
+//! bytes, and 8 a channel) until the rest has come. Thus at most the vertices of one draw and one
+//! list for each thread exceed the budget.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::coverage::Edges;
-use super::geometry::{Geometry, Grid, TRIANGLES, Triangles};
-use super::interpolate::Surface;
-use super::options::Options;
+use super::geometry::{Geometry, TRIANGLES, TileGrid, Triangles};
+use super::interpolate::TrianglePlane;
+use super::options::ReferenceOptions;
 use super::pool;
 use super::shade::{Batcher, Quad};
 use super::texels::{Coverage, Texels};
-use super::tile::{Target, TileSamples};
+use super::tile::{PassTarget, TileSamples};
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
@@ -44,20 +45,20 @@ pub struct Raster {
 }
 
 /// Some triangles of a draw, sorted into tiles.
-struct Piece<'a> {
+struct BinnedTriangles<'a> {
     geometry: Arc<Geometry<'a>>,
     /// Pairs of tile and triangle, in order.
     bins: Vec<[u32; 2]>,
 }
 
 /// A pass that is being drawn.
-struct Work<'a> {
-    grid: Grid,
+struct RasterPass<'a> {
+    grid: TileGrid,
     samples: u32,
-    target: &'a Target,
-    options: &'a Options,
+    target: &'a PassTarget,
+    options: &'a ReferenceOptions,
     progress: &'a Progress,
-    pieces: Vec<Piece<'a>>,
+    pieces: Vec<BinnedTriangles<'a>>,
     /// Samples of tiles that were drawn in part.
     kept: Vec<Mutex<Option<TileSamples>>>,
     raster: Mutex<Raster>,
@@ -71,16 +72,16 @@ struct Work<'a> {
 /// - `reference-samples`: a pixel has neither 1 nor 4 samples.
 /// - `stopped`: `progress` was stopped.
 /// - Errors of the shaders.
-pub fn rasterise(
+pub fn rasterize(
     size: [u32; 2],
     samples: u32,
-    target: &Target,
+    target: &PassTarget,
     draws: &[Triangles<'_>],
-    options: &Options,
+    options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<Raster, Diagnostic> {
     check_size(size, samples)?;
-    let grid = Grid::new(size, options);
+    let grid = TileGrid::new(size, options);
     let count = size[0] as usize * size[1] as usize;
     let raster = Raster {
         texels: Texels::new(size, target.channels()),
@@ -90,7 +91,7 @@ pub fn rasterise(
     let kept = (0..grid.tiles()).map(|_| Mutex::new(None)).collect();
     let raster = Mutex::new(raster);
     let mut work =
-        Work { grid, samples, target, options, progress, pieces: Vec::new(), kept, raster };
+        RasterPass { grid, samples, target, options, progress, pieces: Vec::new(), kept, raster };
     let mut bytes = 0;
     for (number, triangles) in (0..).zip(draws) {
         work.gather(number, *triangles, &mut bytes)?;
@@ -117,7 +118,7 @@ pub(super) fn check_size(size: [u32; 2], samples: u32) -> Result<(), Diagnostic>
         .hint("use a smaller picture, or one sample a pixel"))
 }
 
-impl<'a> Work<'a> {
+impl<'a> RasterPass<'a> {
     /// Shades a draw's vertices and sorts its triangles; draws whenever the lists have grown to the
     /// budget.
     fn gather(
@@ -139,8 +140,9 @@ impl<'a> Work<'a> {
             };
             let lists = pool::run(wave, wave.min(pieces - begin), self.progress, || (), bin)?;
             *bytes += lists.iter().map(|bins| bins.len() * 8).sum::<usize>();
-            self.pieces
-                .extend(lists.into_iter().map(|bins| Piece { geometry: geometry.clone(), bins }));
+            self.pieces.extend(
+                lists.into_iter().map(|bins| BinnedTriangles { geometry: geometry.clone(), bins }),
+            );
             if *bytes > self.options.budget {
                 self.draw(false)?;
                 // The vertices stay in memory as long as the draw has more triangles.
@@ -175,7 +177,7 @@ impl<'a> Work<'a> {
         is_last: bool,
     ) -> Result<(), Diagnostic> {
         let held = || self.kept[tile].lock().unwrap_or_else(PoisonError::into_inner);
-        let mine = |piece: &'w Piece<'a>| {
+        let mine = |piece: &'w BinnedTriangles<'a>| {
             let begin = piece.bins.partition_point(|bin| (bin[0] as usize) < tile);
             let end = piece.bins.partition_point(|bin| (bin[0] as usize) <= tile);
             (&piece.geometry, &piece.bins[begin..end])
@@ -225,7 +227,7 @@ impl<'a> Work<'a> {
         let pixels = tile.pixels().and(least, most).and_then(|pixels| self.options.wanted(pixels));
         let Some(pixels) = pixels else { return Ok(()) };
         for triangle in fan.triangles() {
-            let surface = Surface::new(&triangle, bits);
+            let surface = TrianglePlane::new(&triangle, bits);
             Edges::new(&triangle, bits, self.samples).quads(pixels, |x, y, covered| {
                 let owner = [geometry.draw, number];
                 let is_front = triangle.is_front;
@@ -245,7 +247,7 @@ struct Worker<'a> {
 }
 
 impl<'a> Worker<'a> {
-    fn batch(&mut self, geometry: &'a Geometry<'_>, target: &Target) -> &mut Batcher<'a> {
+    fn batch(&mut self, geometry: &'a Geometry<'_>, target: &PassTarget) -> &mut Batcher<'a> {
         // All batches are empty here, as a tile flushes the batch of a draw before the next draw.
         if self.batches.len() >= BATCHES && !self.batches.contains_key(&geometry.draw) {
             self.batches.clear();

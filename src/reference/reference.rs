@@ -2,7 +2,7 @@
 
 use super::executor::execute;
 use super::modules::Modules;
-use super::options::Options;
+use super::options::ReferenceOptions;
 use crate::frame::{Executor, FramePlan, PictureFuture, PlanStyle};
 use crate::interp::Precision;
 use crate::progress::Progress;
@@ -11,7 +11,7 @@ use crate::progress::Progress;
 #[derive(Clone, Debug, Default)]
 pub struct Reference {
     /// Options of the pictures.
-    pub options: Options,
+    pub options: ReferenceOptions,
     /// Style of the plans that are drawn: specialized where the reference stands in for a GPU.
     pub style: PlanStyle,
 }

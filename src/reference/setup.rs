@@ -1,7 +1,7 @@
 //! Triangle setup: from corners in clip space to triangles on the screen's grid, their orientation
 //! and culling.
 
-use super::clip::{Corner, GUARD, LEAST_W, Polygon, outcode};
+use super::clip::{ClippedCorner, ClippedPolygon, GUARD, LEAST_W, outcode};
 
 /// The picture's size, and the grid within a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -42,7 +42,7 @@ pub(super) struct Triangle {
 }
 
 impl Screen {
-    fn place(self, corner: &Corner) -> ScreenCorner {
+    fn place(self, corner: &ClippedCorner) -> ScreenCorner {
         let [x, y, z, w] = corner.clip;
         // Clipping leaves nothing beyond either limit except by rounding, which matters only if w
         // is next to 0.
@@ -72,8 +72,8 @@ impl Screen {
             return fan;
         }
         let polygon = match codes[0] | codes[1] | codes[2] {
-            0 => Polygon::new(clip),
-            outside => Polygon::new(clip).clipped(outside),
+            0 => ClippedPolygon::new(clip),
+            outside => ClippedPolygon::new(clip).clipped(outside),
         };
         for (place, corner) in fan.corners.iter_mut().zip(polygon.corners()) {
             *place = Some(self.place(corner));

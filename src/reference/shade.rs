@@ -2,9 +2,11 @@
 //! drawn in their order.
 
 use super::coverage::sample_positions;
-use super::interpolate::{Point, Surface};
-use super::shader::{FragmentStage, Interpolation, QUADS, QuadBatch, Shaded, Varying};
-use super::tile::{Pending, Target, TileSamples};
+use super::interpolate::{TrianglePlane, TrianglePoint};
+use super::shader::{
+    FragmentStage, QUADS, QuadBatch, ShaderOutputs, Varying, VaryingInterpolation,
+};
+use super::tile::{PassTarget, PendingQuad, TileSamples};
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
@@ -12,10 +14,10 @@ use crate::progress::Progress;
 pub(super) struct Batcher<'a> {
     stage: Box<dyn FragmentStage + 'a>,
     /// Interpolation of each number of the varyings.
-    interpolation: Vec<Interpolation>,
+    interpolation: Vec<VaryingInterpolation>,
     batch: QuadBatch,
-    shaded: Shaded,
-    pending: Vec<Pending>,
+    shaded: ShaderOutputs,
+    pending: Vec<PendingQuad>,
 }
 
 /// A covered quad of a triangle.
@@ -24,7 +26,7 @@ pub(super) struct Quad<'a> {
     pub(super) covered: u16,
     pub(super) is_front: bool,
     pub(super) owner: [u32; 2],
-    pub(super) surface: &'a Surface,
+    pub(super) surface: &'a TrianglePlane,
     /// All numbers of the varyings, at each corner of the whole triangle.
     pub(super) varyings: [&'a [f64]; 3],
 }
@@ -43,7 +45,7 @@ impl<'a> Batcher<'a> {
             stage,
             interpolation,
             batch,
-            shaded: Shaded::new(channels),
+            shaded: ShaderOutputs::new(channels),
             pending: Vec::with_capacity(QUADS),
         }
     }
@@ -54,11 +56,15 @@ impl<'a> Batcher<'a> {
         quad: &Quad<'_>,
         tile: &mut TileSamples,
         samples: u32,
-        target: &Target,
+        target: &PassTarget,
         progress: &Progress,
     ) -> Result<(), Diagnostic> {
-        let mut pending =
-            Pending { at: quad.at, covered: quad.covered, depths: [1.0; 16], owner: quad.owner };
+        let mut pending = PendingQuad {
+            at: quad.at,
+            covered: quad.covered,
+            depths: [1.0; 16],
+            owner: quad.owner,
+        };
         let [left, top] = quad.at.map(f64::from);
         for lane in 0..4 {
             if quad.covered >> (4 * lane) & 0xF == 0 {
@@ -84,7 +90,7 @@ impl<'a> Batcher<'a> {
             .filter(|lane| covered >> (4 * lane) & 0xF != 0)
             .fold(0, |live, lane| live | 1 << lane);
         let first = self.batch.begin(live, quad.is_front);
-        let points: [Point; 4] = std::array::from_fn(|lane| {
+        let points: [TrianglePoint; 4] = std::array::from_fn(|lane| {
             let x = f64::from(quad.at[0] + (lane as u32 & 1)) + 0.5;
             let y = f64::from(quad.at[1] + (lane as u32 >> 1)) + 0.5;
             let point = quad.surface.point(x, y);
@@ -95,8 +101,8 @@ impl<'a> Batcher<'a> {
             let corners = quad.varyings.map(|numbers| numbers[component]);
             for (lane, point) in points.iter().enumerate() {
                 let number = match interpolation {
-                    Interpolation::Perspective => point.mix(corners),
-                    Interpolation::Flat => corners[0],
+                    VaryingInterpolation::Perspective => point.mix(corners),
+                    VaryingInterpolation::Flat => corners[0],
                 };
                 self.batch.set_varying(component, first + lane, number);
             }
@@ -107,7 +113,7 @@ impl<'a> Batcher<'a> {
     pub(super) fn flush(
         &mut self,
         tile: &mut TileSamples,
-        target: &Target,
+        target: &PassTarget,
         progress: &Progress,
     ) -> Result<(), Diagnostic> {
         if self.pending.is_empty() {

@@ -13,7 +13,7 @@ pub const LANES: usize = 4 * QUADS;
 
 /// Interpolation of a varying from the corners of a triangle to its pixels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Interpolation {
+pub enum VaryingInterpolation {
     /// Linear on the surface, and so perspective-correct on the screen.
     #[default]
     Perspective,
@@ -27,7 +27,7 @@ pub struct Varying {
     /// Number of components: 1 to 4.
     pub components: usize,
     /// Interpolation of the components.
-    pub interpolation: Interpolation,
+    pub interpolation: VaryingInterpolation,
 }
 
 /// The shader of one draw.
@@ -58,7 +58,7 @@ pub trait FragmentStage {
     ///
     /// # Errors
     /// Shaders that do not end.
-    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic>;
+    fn shade(&mut self, batch: &QuadBatch, out: &mut ShaderOutputs) -> Result<(), Diagnostic>;
 }
 
 /// Up to [`QUADS`] quads of 2x2 fragments of one draw, component by component.
@@ -140,14 +140,14 @@ impl QuadBatch {
 
 /// Outputs of the fragments of a batch.
 #[derive(Clone, Debug)]
-pub struct Shaded {
+pub struct ShaderOutputs {
     channels: usize,
     values: Vec<f64>,
     /// Lanes that were discarded, by bit.
     pub discarded: u64,
 }
 
-impl Shaded {
+impl ShaderOutputs {
     /// Outputs of `channels` numbers a fragment: those of the color targets, in the order of their
     /// locations.
     pub(super) fn new(channels: usize) -> Self {

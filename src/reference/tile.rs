@@ -2,12 +2,12 @@
 
 use super::coverage::{Pixels, bit};
 use super::raster::Raster;
-use super::shader::Shaded;
+use super::shader::ShaderOutputs;
 use super::texels::{Coverage, NOTHING};
 
 /// Image that a pass draws into.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Target {
+pub enum PassTarget {
     /// A picture that is cleared to this premultiplied color; straight colors are blended over it,
     /// and samples averaged.
     Picture([f64; 4]),
@@ -15,7 +15,7 @@ pub enum Target {
     Numbers(usize),
 }
 
-impl Target {
+impl PassTarget {
     /// Number of channels of a fragment.
     pub(super) fn channels(&self) -> usize {
         match self {
@@ -27,7 +27,7 @@ impl Target {
 
 /// A quad whose colors are being shaded.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pending {
+pub(super) struct PendingQuad {
     /// Upper left pixel.
     pub(super) at: [u32; 2],
     pub(super) covered: u16,
@@ -51,7 +51,7 @@ pub(super) struct TileSamples {
 
 impl TileSamples {
     /// Memory for tiles of up to `side` by `side` pixels.
-    pub(super) fn new(side: u32, samples: u32, target: &Target) -> Self {
+    pub(super) fn new(side: u32, samples: u32, target: &PassTarget) -> Self {
         let (count, channels) = ((side * side * samples) as usize, target.channels());
         Self {
             pixels: Pixels { begin: [0; 2], end: [0; 2] },
@@ -65,15 +65,15 @@ impl TileSamples {
     }
 
     /// Clears the tile for `pixels`: depths to the far plane, colors to those of `target`.
-    pub(super) fn clear(&mut self, pixels: Pixels, target: &Target) {
+    pub(super) fn clear(&mut self, pixels: Pixels, target: &PassTarget) {
         self.pixels = pixels;
         self.depths.fill(1.0);
         self.owners.fill(NOTHING);
         match target {
-            Target::Picture(background) => {
+            PassTarget::Picture(background) => {
                 self.colors.chunks_exact_mut(4).for_each(|color| color.copy_from_slice(background));
             }
-            Target::Numbers(_) => self.colors.fill(0.0),
+            PassTarget::Numbers(_) => self.colors.fill(0.0),
         }
     }
 
@@ -90,7 +90,7 @@ impl TileSamples {
 
     /// The samples that are in front of the drawn ones; earlier quads of the same batch may still
     /// hide them.
-    pub(super) fn in_front(&self, pending: &Pending) -> u16 {
+    pub(super) fn in_front(&self, pending: &PendingQuad) -> u16 {
         let mut covered = 0;
         for corner in (0..4).filter(|corner| pending.covered >> (4 * corner) & 0xF != 0) {
             let first = self.corner(pending, corner);
@@ -108,17 +108,17 @@ impl TileSamples {
     }
 
     /// Index of the first sample of one of a quad's four pixels.
-    fn corner(&self, pending: &Pending, corner: usize) -> usize {
+    fn corner(&self, pending: &PendingQuad, corner: usize) -> usize {
         self.index(pending.at[0] + (corner as u32 & 1), pending.at[1] + (corner as u32 >> 1))
     }
 
     /// Draws a quad whose colors are in the lanes from `lane`.
     pub(super) fn draw(
         &mut self,
-        pending: &Pending,
+        pending: &PendingQuad,
         lane: usize,
-        shaded: &Shaded,
-        target: &Target,
+        shaded: &ShaderOutputs,
+        target: &PassTarget,
     ) {
         for corner in 0..4 {
             let covered = pending.covered >> (4 * corner) & 0xF;
@@ -162,17 +162,17 @@ impl TileSamples {
 }
 
 /// Writes the color of a fragment into one sample of a target.
-fn write(sample: &mut [f64], fragment: impl Fn(usize) -> f64, target: &Target) {
+fn write(sample: &mut [f64], fragment: impl Fn(usize) -> f64, target: &PassTarget) {
     match target {
         // Straight color is blended over premultiplied.
-        Target::Picture(_) => {
+        PassTarget::Picture(_) => {
             let alpha = fragment(3);
             for (channel, number) in sample.iter_mut().enumerate() {
                 let factor = if channel == 3 { 1.0 } else { alpha };
                 *number = fragment(channel) * factor + *number * (1.0 - alpha);
             }
         }
-        Target::Numbers(_) => {
+        PassTarget::Numbers(_) => {
             sample.iter_mut().enumerate().for_each(|(channel, number)| *number = fragment(channel));
         }
     }

@@ -85,7 +85,7 @@ pub fn bake_look_sampled(
     let look = Evaluable::new(setup, library, &mut assets.clone())?;
     let evaluator = Evaluator::new(&look.shader, &look.images).map_err(one)?;
     let is_linear = setup.look.color_space == ColorSpace::Linear;
-    let baking = Baking { look, evaluator, samples, is_linear, progress };
+    let baking = LookBaker { look, evaluator, samples, is_linear, progress };
     let painted = addresses.par_iter().map(|address| {
         let view = TileView::new(setup, &grid, light, *address);
         baking.tile(&view, grid.size).map(|(tile, halves)| (*address, Arc::new(tile), halves))
@@ -103,7 +103,7 @@ fn texels_at_once(samples: u32) -> usize {
 }
 
 /// A look that is being baked.
-struct Baking<'a> {
+struct LookBaker<'a> {
     look: Evaluable<'a>,
     evaluator: Evaluator,
     samples: u32,
@@ -111,7 +111,7 @@ struct Baking<'a> {
     progress: &'a Progress,
 }
 
-impl Baking<'_> {
+impl LookBaker<'_> {
     /// A sample's tile, and the sum of the squared differences between half of its samples and all
     /// of them.
     fn tile(&self, view: &TileView, size: [u32; 2]) -> Result<(Tile, f64), Diagnostic> {

@@ -8,7 +8,7 @@ use super::store::{Store, UploadCounts};
 use super::target::PICTURE;
 use crate::diag::Diagnostic;
 use crate::frame::FramePlan;
-use crate::hcbtf::Coding;
+use crate::hcbtf::TexelCoding;
 use crate::{hcbtf, milestones};
 
 /// A device of our own or of a window, with its store of uploaded resources.
@@ -32,7 +32,7 @@ pub struct Gpu {
 ///
 /// Fields are dropped in their order, and the error scope that was pushed last must be popped
 /// first: a function that returned early would end the program otherwise.
-pub(super) struct Guard {
+pub(super) struct ErrorGuard {
     validation: wgpu::ErrorScopeGuard,
     memory: wgpu::ErrorScopeGuard,
     problem: Arc<Mutex<Option<RenderError>>>,
@@ -147,7 +147,7 @@ impl Gpu {
     pub fn warnings(&self, plan: &FramePlan) -> Vec<Diagnostic> {
         let images = plan.draws.iter().flat_map(|draw| &draw.images);
         let blocks = images
-            .filter(|image| image.coding == Coding::Bc7)
+            .filter(|image| image.coding == TexelCoding::Bc7)
             .map(|image| (image.hash, image.bytes.len()));
         let decoded: usize =
             blocks.collect::<HashMap<_, _>>().into_values().map(|bytes| 4 * bytes).sum();
@@ -186,8 +186,8 @@ impl Gpu {
     }
 
     /// Begins to catch errors of the device.
-    pub(super) fn guard(&self) -> Guard {
-        Guard {
+    pub(super) fn guard(&self) -> ErrorGuard {
+        ErrorGuard {
             memory: self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory),
             validation: self.device.push_error_scope(wgpu::ErrorFilter::Validation),
             problem: self.problem.clone(),
@@ -221,7 +221,7 @@ fn from_wgpu(error: wgpu::Error) -> RenderError {
     }
 }
 
-impl Guard {
+impl ErrorGuard {
     /// Stops catching errors, and returns the first one.
     pub(super) async fn finish(self) -> Result<(), RenderError> {
         let validation = self.validation.pop().await;

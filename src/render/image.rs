@@ -10,7 +10,7 @@ use super::error::RenderError;
 use super::gpu::Gpu;
 use crate::compile::{ImageShape, ImageUse};
 use crate::frame::Image;
-use crate::hcbtf::Coding;
+use crate::hcbtf::TexelCoding;
 
 #[derive(Debug)]
 struct ImageTexture {
@@ -46,12 +46,12 @@ struct ImageTable {
 }
 
 /// An image with its sampler, ready to be bound.
-pub(super) struct Bindable {
+pub(super) struct SampledImage {
     view: wgpu::TextureView,
     sampler: wgpu::Sampler,
 }
 
-impl Bindable {
+impl SampledImage {
     pub(super) fn texture(&self) -> wgpu::BindingResource<'_> {
         wgpu::BindingResource::TextureView(&self.view)
     }
@@ -87,10 +87,10 @@ impl Images {
         gpu: &Gpu,
         images: &[Arc<Image>],
         needs: &[ImageUse],
-    ) -> Result<Vec<Bindable>, RenderError> {
+    ) -> Result<Vec<SampledImage>, RenderError> {
         let mut table = self.lock();
         let bindable = |(image, wanted): (&Arc<Image>, &ImageUse)| {
-            Ok(Bindable {
+            Ok(SampledImage {
                 view: table.texture(gpu, image, wanted)?,
                 sampler: table.sampler(gpu, wanted),
             })
@@ -141,7 +141,7 @@ impl ImageTable {
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
             format: match image.coding {
-                Coding::Bc7 if gpu.has_blocks() => wgpu::TextureFormat::Bc7RgbaUnorm,
+                TexelCoding::Bc7 if gpu.has_blocks() => wgpu::TextureFormat::Bc7RgbaUnorm,
                 _ if wanted.is_decoded && wanted.shape == ImageShape::Flat => {
                     wgpu::TextureFormat::Rgba8UnormSrgb
                 }
@@ -186,7 +186,7 @@ impl ImageTable {
         let size = known.texture.size();
         let is_alike = [size.width, size.height] == image.size
             && size.depth_or_array_layers == image.layers
-            && image.coding == Coding::Rgba8;
+            && image.coding == TexelCoding::Rgba8;
         if !is_alike || known.is_in_use() {
             return None;
         }

@@ -7,14 +7,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use wgpu::util::DeviceExt as _;
 
 use super::gpu::Gpu;
-use crate::compile::Attribute;
+use crate::compile::VertexAttribute;
 use crate::geometry::Mesh;
 
 /// Buffers of a mesh.
 #[derive(Debug)]
 struct MeshBuffers {
     mesh: Weak<Mesh>,
-    attributes: HashMap<Attribute, wgpu::Buffer>,
+    attributes: HashMap<VertexAttribute, wgpu::Buffer>,
     indices: wgpu::Buffer,
 }
 
@@ -39,7 +39,7 @@ impl Meshes {
     }
 
     /// Uploads the indices and the attributes of a mesh that are not on the GPU yet.
-    pub(super) fn prepare(&self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[Attribute]) {
+    pub(super) fn prepare(&self, gpu: &Gpu, mesh: &Arc<Mesh>, attributes: &[VertexAttribute]) {
         let buffer = |label: &str, contents: &[u8], usage: wgpu::BufferUsages| {
             gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
                 label: Some(label),
@@ -68,11 +68,11 @@ impl Meshes {
         });
         for &attribute in attributes {
             let contents: &[u8] = match attribute {
-                Attribute::Position => bytemuck::cast_slice(&mesh.positions),
-                Attribute::Normal => bytemuck::cast_slice(&mesh.normals),
-                Attribute::Tangent => bytemuck::cast_slice(&mesh.tangents),
-                Attribute::Uv => bytemuck::cast_slice(&mesh.uvs),
-                Attribute::Color => bytemuck::cast_slice(&mesh.colors),
+                VertexAttribute::Position => bytemuck::cast_slice(&mesh.positions),
+                VertexAttribute::Normal => bytemuck::cast_slice(&mesh.normals),
+                VertexAttribute::Tangent => bytemuck::cast_slice(&mesh.tangents),
+                VertexAttribute::Uv => bytemuck::cast_slice(&mesh.uvs),
+                VertexAttribute::Color => bytemuck::cast_slice(&mesh.colors),
             };
             let made = || buffer(attribute.name(), contents, wgpu::BufferUsages::VERTEX);
             buffers.attributes.entry(attribute).or_insert_with(made);
@@ -84,7 +84,7 @@ impl Meshes {
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         mesh: &Arc<Mesh>,
-        attributes: &[Attribute],
+        attributes: &[VertexAttribute],
     ) {
         let table = self.lock();
         let Some(buffers) = table.known.get(&(Arc::as_ptr(mesh) as usize)) else { return };

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use super::error::RenderError;
 use super::gpu::Gpu;
 use super::target::{DEPTH, format_of};
-use crate::compile::{Attribute, BindingKind, CompiledShader, Stage};
+use crate::compile::{BindingKind, CompiledShader, Stage, VertexAttribute};
 use crate::frame::{PassId, PassOutput, TexelFormat, stack_of};
 
 /// Stack that any thread has to spare, in bytes; the smallest of our threads have 2 MiB.
@@ -18,7 +18,7 @@ const SMALL_STACK: usize = 1 << 20;
 const MOST: usize = 192;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-struct Key {
+struct PipelineKey {
     wgsl: String,
     samples: u32,
     sides: Sides,
@@ -38,7 +38,7 @@ pub(super) struct Sides {
 pub(super) struct LookPipeline {
     pub(super) pipeline: wgpu::RenderPipeline,
     pub(super) layout: wgpu::BindGroupLayout,
-    pub(super) attributes: Vec<Attribute>,
+    pub(super) attributes: Vec<VertexAttribute>,
 }
 
 /// Recently used pipelines. Clones share them.
@@ -47,17 +47,17 @@ pub(super) struct Pipelines(Arc<Mutex<PipelineTable>>);
 
 /// A pipeline that exists, or is being created by the thread that holds the lock: a module is
 /// compiled once, and only threads that draw with it wait for it.
-type Slot = Arc<Mutex<Option<LookPipeline>>>;
+type PipelineSlot = Arc<Mutex<Option<LookPipeline>>>;
 
 #[derive(Debug, Default)]
 struct PipelineTable {
-    known: HashMap<Key, (Slot, u64)>,
+    known: HashMap<PipelineKey, (PipelineSlot, u64)>,
     /// Number of requests so far: the pipeline whose request is oldest is dropped first.
     clock: u64,
 }
 
 impl PipelineTable {
-    fn slot(&mut self, key: Key) -> Slot {
+    fn slot(&mut self, key: PipelineKey) -> PipelineSlot {
         self.clock += 1;
         let clock = self.clock;
         if !self.known.contains_key(&key) && self.known.len() >= MOST {
@@ -88,7 +88,7 @@ impl Pipelines {
         samples: u32,
         sides: Sides,
     ) -> Result<LookPipeline, RenderError> {
-        let key = Key { wgsl: shader.wgsl.clone(), samples, sides, picture: gpu.picture };
+        let key = PipelineKey { wgsl: shader.wgsl.clone(), samples, sides, picture: gpu.picture };
         let slot = self.0.lock().unwrap_or_else(PoisonError::into_inner).slot(key);
         let mut slot = slot.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(pipeline) = &*slot {
@@ -211,11 +211,11 @@ fn blended(format: wgpu::TextureFormat) -> Option<wgpu::ColorTargetState> {
     Some(wgpu::ColorTargetState { format, blend: Some(blend), write_mask: wgpu::ColorWrites::ALL })
 }
 
-fn vertex_attribute(attribute: Attribute) -> wgpu::VertexAttribute {
+fn vertex_attribute(attribute: VertexAttribute) -> wgpu::VertexAttribute {
     let format = match attribute {
-        Attribute::Position | Attribute::Normal => wgpu::VertexFormat::Float32x3,
-        Attribute::Tangent | Attribute::Color => wgpu::VertexFormat::Float32x4,
-        Attribute::Uv => wgpu::VertexFormat::Float32x2,
+        VertexAttribute::Position | VertexAttribute::Normal => wgpu::VertexFormat::Float32x3,
+        VertexAttribute::Tangent | VertexAttribute::Color => wgpu::VertexFormat::Float32x4,
+        VertexAttribute::Uv => wgpu::VertexFormat::Float32x2,
     };
     wgpu::VertexAttribute { format, offset: 0, shader_location: attribute.location() }
 }

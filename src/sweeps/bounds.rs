@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DQuat, DVec3};
 
 use super::case::Case;
-use super::slot::{Kind, Numbers, Slot, is_stretch};
+use super::slot::{InputSlot, Numbers, SlotKind, is_stretch};
 use crate::document::Tier;
 use crate::library::Library;
 
@@ -16,7 +16,7 @@ pub const DEFAULT: f64 = 2e-6;
 
 /// Way of comparing a result with the truth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judging {
+pub enum ErrorMetric {
     /// Distance from the truth.
     Plain,
     /// Distance from the span of all true results for inputs within four units in the last place of
@@ -39,7 +39,7 @@ pub struct Exception {
     /// Bound of the exact tier.
     pub bound: f64,
     /// Way of judging the node's results.
-    pub judging: Judging,
+    pub judging: ErrorMetric,
     /// True if the size of the inputs counts into the output's range.
     pub of_inputs: bool,
     /// True if inputs are varied by units in the last place of the largest input (at least 1), and
@@ -62,7 +62,7 @@ const fn on(node: &'static str, word: &'static str) -> Exception {
         node,
         word,
         bound: DEFAULT,
-        judging: Judging::Plain,
+        judging: ErrorMetric::Plain,
         of_inputs: false,
         together: false,
         finest: 0.0,
@@ -73,11 +73,11 @@ const fn on(node: &'static str, word: &'static str) -> Exception {
 
 impl Exception {
     const fn steep(self, reason: &'static str) -> Self {
-        Self { judging: Judging::Steep, reason, ..self }
+        Self { judging: ErrorMetric::Steep, reason, ..self }
     }
 
     const fn steps(self, reason: &'static str) -> Self {
-        Self { judging: Judging::Steps, reason, ..self }
+        Self { judging: ErrorMetric::Steps, reason, ..self }
     }
 
     const fn within(self, reach: f64) -> Self {
@@ -305,8 +305,8 @@ pub fn moves_together(case: &Case) -> bool {
 }
 
 /// Way of judging a case.
-pub fn judging(case: &Case) -> Judging {
-    exception_of(case).map_or(Judging::Plain, |exception| exception.judging)
+pub fn judging(case: &Case) -> ErrorMetric {
+    exception_of(case).map_or(ErrorMetric::Plain, |exception| exception.judging)
 }
 
 /// Bound of a case's exact tier, relative to the output's range.
@@ -325,26 +325,26 @@ pub fn bound(case: &Case, library: &Library) -> f64 {
 }
 
 /// True if a bound applies to a sample; otherwise the result only has to be finite.
-pub fn is_stated(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
+pub fn is_stated(case: &Case, slots: &[InputSlot], numbers: &Numbers) -> bool {
     let (finest, reach) =
         exception_of(case).map_or((0.0, ALL), |exception| (exception.finest, exception.reach));
-    let is_in_reach = |(slot, numbers): (&Slot, &Vec<f64>)| {
-        if slot.kind == Kind::Direction {
+    let is_in_reach = |(slot, numbers): (&InputSlot, &Vec<f64>)| {
+        if slot.kind == SlotKind::Direction {
             // At 1e-30 the last digit decides whether a vector is too short to have a direction.
             let largest = numbers.iter().map(|x| x.abs()).fold(0.0, f64::max);
             return !(0.999e-30..1.001e-30).contains(&largest);
         }
-        if slot.kind == Kind::Stretch && !is_stretch(numbers) {
+        if slot.kind == SlotKind::Stretch && !is_stretch(numbers) {
             return false;
         }
-        matches!(slot.kind, Kind::Kappa | Kind::Whole { .. })
+        matches!(slot.kind, SlotKind::Kappa | SlotKind::Whole { .. })
             || numbers.iter().all(|x| *x == 0.0 || (finest..=reach).contains(&x.abs()))
     };
     slots.iter().zip(numbers).all(is_in_reach) && is_of_tier(case, slots, numbers)
 }
 
 /// True if the file of a cheaper tier states a bound for a sample.
-fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
+fn is_of_tier(case: &Case, slots: &[InputSlot], numbers: &Numbers) -> bool {
     if case.node == "litsphere" {
         return has_rim(case, slots, numbers);
     }
@@ -364,7 +364,7 @@ fn is_of_tier(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
 /// from its offset ends infinitely steep, as the square root does at 0; and near an offset of pi
 /// the cosine of half the offset is so small that its error is large beside it. A palette's
 /// softness divides distances in Oklab, and their rounding error.
-pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
+pub fn slack(case: &Case, slots: &[InputSlot], numbers: &Numbers) -> f64 {
     if case.choice("by") == "blended" {
         let softness = slots
             .iter()
@@ -389,7 +389,7 @@ pub fn slack(case: &Case, slots: &[Slot], numbers: &Numbers) -> f64 {
 pub const STEEP_FOOT: f64 = 5e-4;
 
 /// A profile's offset, and its fall-off and cut-off measured from there, in order.
-fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]> {
+fn profile_of(case: &Case, slots: &[InputSlot], numbers: &Numbers) -> Option<[f64; 3]> {
     let at = |name: &str| {
         slots.iter().position(|slot| slot.name == name).map_or(0.0, |index| numbers[index][0])
     };
@@ -402,7 +402,7 @@ fn profile_of(case: &Case, slots: &[Slot], numbers: &Numbers) -> Option<[f64; 3]
 
 /// True unless a normal, as a LitSphere sees it, points straight away from the viewer, where no
 /// side of the rim is nearer.
-fn has_rim(case: &Case, slots: &[Slot], numbers: &Numbers) -> bool {
+fn has_rim(case: &Case, slots: &[InputSlot], numbers: &Numbers) -> bool {
     let of =
         |name: &str| slots.iter().position(|slot| slot.name == name).map(|index| &numbers[index]);
     let [Some(normal), Some(view), Some(camera)] = ["normal", "view", "camera"].map(of) else {

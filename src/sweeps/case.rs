@@ -7,14 +7,14 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value as Json, json};
 
-use super::slot::{Kind, Place, Slot};
+use super::slot::{InputSlot, SlotKind, SlotTarget};
 use crate::diag::Diagnostic;
 use crate::document::{Directions, Grid, Hcbtf, LightField, LightQuantity, Look, Tier, Tile};
 use crate::frame::SetupLook;
 use crate::hcbtf;
 use crate::library::{
-    Context, ContextSample, Fallback, Input, Library, NodeDef, Parameter, Special, SurfacePart,
-    Type,
+    ArgumentSource, Context, ContextSample, Fallback, Input, Library, NodeDef, SurfacePart,
+    Treatment, Type,
 };
 
 /// The largest number that f32 holds.
@@ -135,11 +135,11 @@ pub struct Root {
 
 /// A look with the node alone, every number of it fed from a slot.
 #[derive(Clone, Debug)]
-pub struct Bench {
+pub struct NodeBench {
     /// Case that is measured.
     pub case: Case,
     /// Inputs of the node.
-    pub slots: Vec<Slot>,
+    pub slots: Vec<InputSlot>,
     /// The look, in the case's tier.
     pub look: SetupLook,
     /// The look, in the exact tier.
@@ -249,14 +249,14 @@ fn is_direction(name: &str) -> bool {
 struct Builder<'a> {
     def: &'a NodeDef,
     case: &'a Case,
-    slots: Vec<Slot>,
+    slots: Vec<InputSlot>,
     nodes: Vec<Json>,
     wires: Vec<Json>,
     exposed: Vec<Json>,
     values: Map<String, Json>,
 }
 
-impl Bench {
+impl NodeBench {
     /// The bench of a case; images come from `folder`.
     ///
     /// # Errors
@@ -302,7 +302,7 @@ impl Builder<'_> {
             |ty: &Option<Type>| ty.as_ref().is_some_and(|ty| ty.to_string() == self.case.width);
         if let Some(variant) = self.def.variants.iter().find(|variant| is_it(&variant.width)) {
             for parameter in &variant.parameters {
-                if let Parameter::Input(index, ty) = parameter {
+                if let ArgumentSource::Input(index, ty) = parameter {
                     types[*index] = ty.clone();
                 }
             }
@@ -321,7 +321,7 @@ impl Builder<'_> {
             let input = &self.def.inputs[index];
             let name = input.name.to_string();
             // Inputs of the Output other than the color belong to other passes.
-            let is_other = self.def.special == Special::Output && name != "color";
+            let is_other = self.def.special == Treatment::Output && name != "color";
             if input.hidden || is_other || input.fallback == Fallback::Context(Context::KAPPA) {
                 continue;
             }
@@ -372,25 +372,37 @@ impl Builder<'_> {
     }
 
     fn light_slots(&mut self, word: &str) {
-        let number = |min, max| Kind::Number { min, max, is_angle: false };
+        let number = |min, max| SlotKind::Number { min, max, is_angle: false };
         match word {
             "directional" => {
-                self.slot("light_direction", Place::LightDirection, Kind::Direction, 3, MOST_LIGHT);
+                self.slot(
+                    "light_direction",
+                    SlotTarget::LightDirection,
+                    SlotKind::Direction,
+                    3,
+                    MOST_LIGHT,
+                );
             }
             _ => {
                 self.slot(
                     "light_position",
-                    Place::LightPosition,
+                    SlotTarget::LightPosition,
                     number(None, None),
                     3,
                     MOST_LIGHT,
                 );
             }
         }
-        self.slot("light_color", Place::LightColor, number(Some(0.0), Some(1.0)), 3, MOST_COLOR);
+        self.slot(
+            "light_color",
+            SlotTarget::LightColor,
+            number(Some(0.0), Some(1.0)),
+            3,
+            MOST_COLOR,
+        );
         self.slot(
             "light_intensity",
-            Place::LightIntensity,
+            SlotTarget::LightIntensity,
             number(Some(0.0), Some(4.0)),
             1,
             MOST_COLOR,
@@ -398,10 +410,10 @@ impl Builder<'_> {
     }
 
     fn feed_light(&mut self, name: &str) {
-        let number = |min, max| Kind::Number { min, max, is_angle: false };
+        let number = |min, max| SlotKind::Number { min, max, is_angle: false };
         let parts = [
-            ("direction", Kind::Unit, 3),
-            ("own_direction", Kind::Unit, 3),
+            ("direction", SlotKind::Unit, 3),
+            ("own_direction", SlotKind::Unit, 3),
             ("color", number(Some(0.0), Some(1.0)), 3),
             ("intensity", number(Some(0.0), Some(4.0)), 1),
         ];
@@ -411,17 +423,15 @@ impl Builder<'_> {
         for (part, kind, width) in parts {
             let exposed = format!("{name}_{part}");
             self.exposed.push(json!({"name": exposed, "target": format!("{id}.{part}")}));
-            self.slot(&exposed, Place::Value, kind, width, MOST_COLOR);
+            self.slot(&exposed, SlotTarget::Value, kind, width, MOST_COLOR);
         }
     }
 
-    fn slot(&mut self, name: &str, place: Place, kind: Kind, width: usize, most: f64) {
-        if self
-            .slots
-            .iter()
-            .all(|slot| slot.place == Place::Value && place == Place::Value || slot.place != place)
-        {
-            self.slots.push(Slot { name: name.to_owned(), place, kind, width, most });
+    fn slot(&mut self, name: &str, place: SlotTarget, kind: SlotKind, width: usize, most: f64) {
+        if self.slots.iter().all(|slot| {
+            slot.place == SlotTarget::Value && place == SlotTarget::Value || slot.place != place
+        }) {
+            self.slots.push(InputSlot { name: name.to_owned(), place, kind, width, most });
         }
     }
 
@@ -437,8 +447,8 @@ impl Builder<'_> {
                 self.part(part);
             }
             if let ContextSample::Own { default, range: (min, max) } = sample {
-                let kind = Kind::Number { min, max, is_angle: false };
-                let place = Place::Context(context);
+                let kind = SlotKind::Number { min, max, is_angle: false };
+                let place = SlotTarget::Context(context);
                 self.slot(context.word(), place, kind, default.len(), MOST_PLACE);
             }
         }
@@ -446,26 +456,26 @@ impl Builder<'_> {
 
     /// Adds a slot for a part of the surface.
     fn part(&mut self, part: SurfacePart) {
-        let number = Kind::Number { min: None, max: None, is_angle: false };
-        let clock = Kind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
+        let number = SlotKind::Number { min: None, max: None, is_angle: false };
+        let clock = SlotKind::Number { min: Some(0.0), max: Some(100.0), is_angle: false };
         let (name, kind, width, most) = match part {
-            SurfacePart::Normal => ("surface_normal", Kind::Unit, 3, 1.0),
-            SurfacePart::Tangent => ("surface_tangent", Kind::Unit, 3, 1.0),
-            SurfacePart::View => ("view", Kind::Unit, 3, 1.0),
+            SurfacePart::Normal => ("surface_normal", SlotKind::Unit, 3, 1.0),
+            SurfacePart::Tangent => ("surface_tangent", SlotKind::Unit, 3, 1.0),
+            SurfacePart::View => ("view", SlotKind::Unit, 3, 1.0),
             SurfacePart::Position => ("surface_position", number, 3, MOST_PLACE),
-            SurfacePart::Camera => ("camera", Kind::Rotation, 4, 1.0),
+            SurfacePart::Camera => ("camera", SlotKind::Rotation, 4, 1.0),
             SurfacePart::Uv => ("uv", number, 2, MOST),
-            SurfacePart::VertexColor => ("vertex_color", Kind::Color, 4, MOST_COLOR),
-            SurfacePart::Kappa => ("kappa", Kind::Kappa, 1, MOST),
+            SurfacePart::VertexColor => ("vertex_color", SlotKind::Color, 4, MOST_COLOR),
+            SurfacePart::Kappa => ("kappa", SlotKind::Kappa, 1, MOST),
             SurfacePart::Time => ("time", clock, 1, MOST_LIGHT),
         };
-        self.slot(name, Place::Part(part), kind, width, most);
+        self.slot(name, SlotTarget::Part(part), kind, width, most);
     }
 
     fn roots(&mut self) -> Vec<Root> {
         match self.def.special {
-            Special::Output => return vec![Root { output: None }],
-            Special::Light => {
+            Treatment::Output => return vec![Root { output: None }],
+            Treatment::Light => {
                 self.nodes.push(json!({"id": "parts", "kind": "light_parts"}));
                 self.wires.push(json!({"from": "node", "to": "parts.light"}));
                 let root =
@@ -483,12 +493,12 @@ impl Builder<'_> {
         let node =
             json!({"id": "node", "kind": self.def.kind, "values": self.values, "tier": tier});
         nodes.push(node);
-        if self.def.special != Special::Output {
+        if self.def.special != Treatment::Output {
             nodes.push(json!({"id": "shown", "kind": "color_value"}));
             nodes.push(json!({"id": "output", "kind": "output"}));
         }
         let mut wires = self.wires.clone();
-        if self.def.special != Special::Output {
+        if self.def.special != Treatment::Output {
             wires.push(json!({"from": "shown", "to": "output.color"}));
         }
         let light = self.light();
@@ -526,7 +536,7 @@ impl Builder<'_> {
     }
 
     fn light_word(&self) -> &str {
-        let is_light = self.def.special == Special::Light;
+        let is_light = self.def.special == Treatment::Light;
         let word = self.case.choices.get("light").filter(|_| is_light);
         word.map_or("directional", String::as_str)
     }
@@ -539,21 +549,23 @@ fn context_of(input: &Input) -> Option<Context> {
     }
 }
 
-fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> Slot {
+fn value_slot(input: &Input, ty: &Type, name: &str, most: f64) -> InputSlot {
     let is_angle = input.unit == "rad";
     let (kind, width) = match ty {
         Type::Int => {
-            (Kind::Whole { min: input.min.unwrap_or(-20.0), max: input.max.unwrap_or(20.0) }, 1)
+            (SlotKind::Whole { min: input.min.unwrap_or(-20.0), max: input.max.unwrap_or(20.0) }, 1)
         }
-        Type::Bool => (Kind::Switch, 1),
-        Type::Color => (Kind::Color, 4),
-        Type::Composite => (Kind::Composite, 4),
-        Type::Angle => (Kind::HalfAngle, 2),
-        Type::Vec3 if is_direction(name) => (Kind::Direction, 3),
-        Type::Vec3 if name == "stretch" => (Kind::Stretch, 3),
-        _ => (Kind::Number { min: input.min, max: input.max, is_angle }, ty.width().unwrap_or(1)),
+        Type::Bool => (SlotKind::Switch, 1),
+        Type::Color => (SlotKind::Color, 4),
+        Type::Composite => (SlotKind::Composite, 4),
+        Type::Angle => (SlotKind::HalfAngle, 2),
+        Type::Vec3 if is_direction(name) => (SlotKind::Direction, 3),
+        Type::Vec3 if name == "stretch" => (SlotKind::Stretch, 3),
+        _ => {
+            (SlotKind::Number { min: input.min, max: input.max, is_angle }, ty.width().unwrap_or(1))
+        }
     };
-    Slot { name: name.to_owned(), place: Place::Value, kind, width, most }
+    InputSlot { name: name.to_owned(), place: SlotTarget::Value, kind, width, most }
 }
 
 /// File name of the picture that image nodes are given.

@@ -1,11 +1,11 @@
 //! Sweeps: the largest distance of every node from the truth, over all its inputs.
 //!
-//! [`Case::of`] lists the ways of using a node: choices, widths, tiers. A [`Bench`] is a look with
-//! the node alone, every number of it fed from a slot; a [`Lab`] runs the bench on the GPU and in
-//! f64, with the same f32-rounded inputs, spread evenly over the documented ranges and concentrated
-//! at the edges of arithmetic. For nodes where rounding of the input itself decides, [`bounds`]
-//! says so, and the result is compared with all true results within four units in the last place.
-//! [`search`] climbs from the worst samples to worse ones and keeps them.
+//! [`Case::of`] lists the ways of using a node: choices, widths, tiers. A [`NodeBench`] is a look
+//! with the node alone, every number of it fed from a slot; a [`Laboratory`] runs the bench on the
+//! GPU and in f64, with the same f32-rounded inputs, spread evenly over the documented ranges and
+//! concentrated at the edges of arithmetic. For nodes where rounding of the input itself decides,
+//! [`bounds`] says so, and the result is compared with all true results within four units in the
+//! last place. [`search`] climbs from the worst samples to worse ones and keeps them.
 
 use chiaro_compiler::{compile, document, library};
 use chiaro_files as files;
@@ -28,11 +28,11 @@ pub mod slot;
 pub mod stability;
 pub mod survey;
 
-pub use bounds::{Judging, bound, judging};
-pub use case::{Bench, Case};
+pub use bounds::{ErrorMetric, bound, judging};
+pub use case::{Case, NodeBench};
 pub use looks::{LookBound, LookEffort, LookFigures, looks_in, measure_look};
-pub use measure::{CaseFigures, Effort, Finding, Lab};
+pub use measure::{CaseFigures, Effort, Finding, Laboratory};
 pub use report::AccuracyReport;
-pub use search::{Worst, climb};
+pub use search::{WorstInput, climb};
 pub use stability::{StabilityEffort, StabilityFigures, measure_stability};
 pub use survey::{Survey, survey};

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::accuracy::error::VISIBLE;
 use crate::accuracy::viewpoint::viewpoints;
-use crate::accuracy::{Colors, ErrorFigures, MeasureError, Variant, truth::Truth};
+use crate::accuracy::{ErrorFigures, MeasureError, PremultipliedPicture, Variant, truth::Truth};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
@@ -107,7 +107,7 @@ pub struct LookEffort {
     /// Tiers that are compared.
     pub tiers: Vec<Tier>,
     /// Number of viewpoints: views, each with its lights and time.
-    pub stations: usize,
+    pub viewpoints: usize,
     /// Distances of the camera, as factors of the document's; viewpoints take turns with the
     /// distances.
     pub distances: Vec<f64>,
@@ -143,13 +143,13 @@ impl LookEffort {
         Self { meshes, tiers, distances, rows: Some(LARGE_ROWS), ..Self::of(2, &[4096]) }
     }
 
-    fn of(stations: usize, sides: &[u32]) -> Self {
+    fn of(viewpoints: usize, sides: &[u32]) -> Self {
         let tiers = vec![Tier::Exact, Tier::Balanced, Tier::Fast];
         let distances = DISTANCES.to_vec();
         Self {
             meshes: MESHES.to_vec(),
             tiers,
-            stations,
+            viewpoints,
             distances,
             sides: sides.to_vec(),
             rows: None,
@@ -163,7 +163,7 @@ impl LookEffort {
 
     /// Number of truths that are rendered for a look.
     pub fn truths(&self) -> usize {
-        self.meshes.len() * (self.stations + self.sides.len()).saturating_sub(1)
+        self.meshes.len() * (self.viewpoints + self.sides.len()).saturating_sub(1)
     }
 }
 
@@ -259,7 +259,7 @@ pub fn content(
 /// [precisely](crate::render::Gpu::precise).
 ///
 /// # Errors
-/// Problems of the look, errors of the GPU, or `Stopped` if `progress` was stopped.
+/// Problems of the look, errors of the GPU, or `Interruption` if `progress` was stopped.
 pub async fn measure_look(
     path: &Path,
     library: &Library,
@@ -283,16 +283,16 @@ pub async fn measure_look(
         }
         let mut truths = Planner::for_truth(Assets::default());
         let mut planners: Vec<Planner> = effort.tiers.iter().map(|_| Planner::default()).collect();
-        for (index, station) in viewpoints(&setup, effort.stations).iter().enumerate() {
+        for (index, viewpoint) in viewpoints(&setup, effort.viewpoints).iter().enumerate() {
             let sides = if index == 0 {
                 effort.sides.clone()
             } else {
                 vec![effort.sides[index % effort.sides.len()]]
             };
             let distance = effort.distances[index % effort.distances.len()];
-            let seen = at_distance(station.of(&setup), distance);
+            let seen = at_distance(viewpoint.of(&setup), distance);
             for side in sides {
-                let options = PlanOptions { size: [side; 2], samples: 1, time: station.time };
+                let options = PlanOptions { size: [side; 2], samples: 1, time: viewpoint.time };
                 let exact = Variant::Looks(Tier::Exact).of(&seen);
                 let rows = effort.rows.unwrap_or(side).min(side);
                 let rows = (side - rows) / 2..(side + rows) / 2;
@@ -308,7 +308,9 @@ pub async fn measure_look(
                     let drawn = Variant::Looks(tier).of(&seen);
                     let plan =
                         planners[number].plan(&drawn, library, &Live::Keyed, &options)?.value;
-                    let got = Colors::from(&precise.picture(&plan, &Progress::new()).await?);
+                    let got = PremultipliedPicture::from(
+                        &precise.picture(&plan, &Progress::new()).await?,
+                    );
                     // Settling renders further truths, which only a bound on single pixels calls
                     // for.
                     if bounds[number].max.is_some() {

@@ -3,12 +3,12 @@
 
 use serde::Serialize;
 
-use super::bounds::{Judging, bound, counts_inputs, is_stated, judging, moves_together, slack};
-use super::case::{Bench, Case, Root, feeders, write_textures};
-use super::random::{Even, Random};
-use super::slot::{Kind, Numbers, Place, Slot, held, next, relate};
+use super::bounds::{ErrorMetric, bound, counts_inputs, is_stated, judging, moves_together, slack};
+use super::case::{Case, NodeBench, Root, feeders, write_textures};
+use super::random::{EvenPoints, Random};
+use super::slot::{InputSlot, Numbers, SlotKind, SlotTarget, held, next, relate};
 use crate::accuracy::MeasureError;
-use crate::compile::{Live, Options};
+use crate::compile::{CompileOptions, Live};
 use crate::diag::Diagnostic;
 use crate::document::Value;
 use crate::frame::{Assets, EvalBatch, EvalSample, LightOverride, SetupLook, eval_batches};
@@ -20,7 +20,7 @@ use crate::render::Renderer;
 use crate::wgsl::code;
 
 /// Laboratory: the library, the GPU and the assets that all measurements share.
-pub struct Lab<'a> {
+pub struct Laboratory<'a> {
     /// The library, with the feeder nodes.
     pub library: Library,
     /// Renderer on the GPU.
@@ -105,7 +105,7 @@ const AROUND: [(usize, f64); 3] = [(0, 0.25), (120, 1.0), (1500, 1.0)];
 /// Number of the worst samples that are kept.
 const KEPT: usize = 6;
 
-impl<'a> Lab<'a> {
+impl<'a> Laboratory<'a> {
     /// A laboratory on the GPU of `renderer`.
     ///
     /// # Errors
@@ -123,8 +123,8 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// A case that the library does not have.
-    pub fn bench(&self, case: &Case) -> Result<Bench, Vec<Diagnostic>> {
-        Bench::new(case, &self.library, self.folder.path())
+    pub fn bench(&self, case: &Case) -> Result<NodeBench, Vec<Diagnostic>> {
+        NodeBench::new(case, &self.library, self.folder.path())
     }
 
     fn batches(
@@ -138,7 +138,12 @@ impl<'a> Lab<'a> {
             .output
             .as_ref()
             .map(|(node, port)| (NodePath::parse(node), PortName::from(port.as_str())));
-        let options = Options { root, live: Live::Exposed, unspecialized, ..Options::default() };
+        let options = CompileOptions {
+            root,
+            live: Live::Exposed,
+            unspecialized,
+            ..CompileOptions::default()
+        };
         eval_batches(look, &self.library, samples, &options, &mut self.assets)
     }
 
@@ -148,7 +153,7 @@ impl<'a> Lab<'a> {
     /// Errors of the compiler or the GPU.
     pub async fn run(
         &mut self,
-        bench: &Bench,
+        bench: &NodeBench,
         all: &[Numbers],
     ) -> Result<Vec<Vec<f64>>, MeasureError> {
         let samples: Vec<EvalSample> =
@@ -171,7 +176,11 @@ impl<'a> Lab<'a> {
     ///
     /// # Errors
     /// Errors of the compiler or the interpreter.
-    pub fn truth(&mut self, bench: &Bench, all: &[Numbers]) -> Result<Vec<Vec<f64>>, MeasureError> {
+    pub fn truth(
+        &mut self,
+        bench: &NodeBench,
+        all: &[Numbers],
+    ) -> Result<Vec<Vec<f64>>, MeasureError> {
         let samples: Vec<EvalSample> =
             all.iter().map(|numbers| sample(&bench.slots, numbers)).collect();
         let mut rows = vec![Vec::new(); samples.len()];
@@ -213,7 +222,7 @@ impl<'a> Lab<'a> {
     /// Errors of the compiler.
     pub fn content_of(
         &mut self,
-        bench: &Bench,
+        bench: &NodeBench,
         all: &[Numbers],
         sink: &mut dyn FnMut(&[u8]),
     ) -> Result<(), Vec<Diagnostic>> {
@@ -235,7 +244,7 @@ impl<'a> Lab<'a> {
 
     /// True if the GPU runs a case without specialization: `prepare`, if the node has one, then
     /// runs in the fragment stage.
-    fn is_unspecialized(&self, bench: &Bench) -> bool {
+    fn is_unspecialized(&self, bench: &NodeBench) -> bool {
         let has_prepare =
             self.library.nodes.get(&bench.case.node).is_some_and(|def| def.prepare.is_some());
         !has_prepare || bench.case.prepared_in_fragment
@@ -267,7 +276,7 @@ impl<'a> Lab<'a> {
     /// Errors of the compiler, the GPU or the interpreter.
     pub async fn compare(
         &mut self,
-        bench: &Bench,
+        bench: &NodeBench,
         samples: &[Numbers],
     ) -> Result<Vec<Finding>, MeasureError> {
         let got = self.run(bench, samples).await?;
@@ -289,7 +298,7 @@ impl<'a> Lab<'a> {
                 && is_stated(&bench.case, &bench.slots, &finding.numbers)
         };
         self.flush(bench, &|finding| is_above(finding, 0.25 * most), &mut findings)?;
-        if judging != Judging::Plain {
+        if judging != ErrorMetric::Plain {
             for (more, share) in AROUND {
                 let slack = |finding: &Finding| slack(&bench.case, &bench.slots, &finding.numbers);
                 let is_open = |&index: &usize| {
@@ -315,7 +324,7 @@ impl<'a> Lab<'a> {
     /// denormals of a few more numbers: a result is right if it is right with either.
     fn flush(
         &mut self,
-        bench: &Bench,
+        bench: &NodeBench,
         doubtful: &dyn Fn(&Finding) -> bool,
         findings: &mut [Finding],
     ) -> Result<(), MeasureError> {
@@ -350,8 +359,8 @@ impl<'a> Lab<'a> {
     /// ones.
     fn judge(
         &mut self,
-        bench: &Bench,
-        judging: Judging,
+        bench: &NodeBench,
+        judging: ErrorMetric,
         indices: &[usize],
         more: usize,
         findings: &mut [Finding],
@@ -361,7 +370,7 @@ impl<'a> Lab<'a> {
         let mut counts = Vec::new();
         for &index in indices {
             let before = around.len();
-            neighbours(&bench.slots, &findings[index].numbers, together, more, &mut around);
+            neighbors(&bench.slots, &findings[index].numbers, together, more, &mut around);
             counts.push(around.len() - before);
         }
         let truths = self.truth(bench, &around)?;
@@ -373,7 +382,7 @@ impl<'a> Lab<'a> {
             set.push(&finding.truth);
             let least = least_range(&bench.case, &finding.numbers);
             let error = match judging {
-                Judging::Steps => nearest(&finding.got, &set, least),
+                ErrorMetric::Steps => nearest(&finding.got, &set, least),
                 _ => beyond(&finding.got, &set, least),
             };
             finding.error = finding.error.min(error);
@@ -382,7 +391,7 @@ impl<'a> Lab<'a> {
         Ok(())
     }
 
-    fn sum_up(&self, bench: &Bench, findings: Vec<Finding>) -> CaseFigures {
+    fn sum_up(&self, bench: &NodeBench, findings: Vec<Finding>) -> CaseFigures {
         let bound = bound(&bench.case, &self.library);
         let mut measured = CaseFigures {
             case: bench.case.clone(),
@@ -436,7 +445,7 @@ impl<'a> Lab<'a> {
     }
 }
 
-impl std::fmt::Debug for Lab<'_> {
+impl std::fmt::Debug for Laboratory<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "a laboratory of {} nodes", self.library.nodes.len())
     }
@@ -455,10 +464,10 @@ fn collect(batch: &EvalBatch, values: impl Iterator<Item = [f64; 4]>, rows: &mut
 }
 
 /// Samples of a bench: spread evenly within the documented ranges, then at the edges of arithmetic.
-fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
+fn samples(bench: &NodeBench, effort: &Effort) -> Vec<Numbers> {
     let mut random = Random::of(&bench.case.name());
     let widths: Vec<usize> = bench.slots.iter().map(|slot| slot.width).collect();
-    let even = Even::new(widths.iter().sum());
+    let even = EvenPoints::new(widths.iter().sum());
     let ordinary = |index: usize| -> Numbers {
         let mut shares = even.point(index).into_iter();
         bench
@@ -493,8 +502,8 @@ fn samples(bench: &Bench, effort: &Effort) -> Vec<Numbers> {
 /// whose numbers are moved at random by up to four units. Numbers of a direction move by units of
 /// its largest number; if `together`, all move by units of the largest number of the sample, which
 /// is at least 1.
-fn neighbours(
-    slots: &[Slot],
+fn neighbors(
+    slots: &[InputSlot],
     numbers: &Numbers,
     together: bool,
     more: usize,
@@ -505,12 +514,12 @@ fn neighbours(
     // A turned angle has as many digits as pi, not as many as itself.
     let is_turned =
         slots.iter().zip(numbers).any(|(slot, numbers)| slot.name == "shift" && numbers[0] != 0.0);
-    let moved = |slot: &Slot, numbers: &[f64], place: usize, steps: i32| {
+    let moved = |slot: &InputSlot, numbers: &[f64], place: usize, steps: i32| {
         let x = numbers[place];
         let whole = match slot.kind {
             _ if together => all,
-            Kind::Unit | Kind::Direction => largest(numbers),
-            Kind::HalfAngle if is_turned => largest(numbers),
+            SlotKind::Unit | SlotKind::Direction => largest(numbers),
+            SlotKind::HalfAngle if is_turned => largest(numbers),
             _ => return next(x, steps),
         };
         let unit = next(whole, 1) - whole;
@@ -615,26 +624,26 @@ fn nearest(got: &[f64], set: &[&[f64]], least: f64) -> f64 {
 }
 
 /// A sample with these numbers in its slots.
-pub fn sample(slots: &[Slot], all: &Numbers) -> EvalSample {
+pub fn sample(slots: &[InputSlot], all: &Numbers) -> EvalSample {
     let mut sample = EvalSample::default();
     let mut light = LightOverride::default();
     let vec3 = |numbers: &[f64]| glam::DVec3::from_slice(numbers);
     for (slot, numbers) in slots.iter().zip(all) {
         match slot.place {
-            Place::Value => {
+            SlotTarget::Value => {
                 let value = match (slot.kind, numbers.as_slice()) {
-                    (Kind::Switch, [x]) => Value::Bool(*x > 0.5),
+                    (SlotKind::Switch, [x]) => Value::Bool(*x > 0.5),
                     (_, [x]) => Value::Number(*x),
                     (_, more) => Value::Vector(more.to_vec()),
                 };
                 sample.values.insert(slot.name.as_str().into(), value);
             }
-            Place::Part(part) => set_part(&mut sample, part, numbers),
-            Place::Context(context) => drop(sample.contexts.insert(context, numbers.clone())),
-            Place::LightDirection => light.direction = Some(vec3(numbers)),
-            Place::LightPosition => light.position = Some(vec3(numbers)),
-            Place::LightColor => light.color = Some(vec3(numbers)),
-            Place::LightIntensity => light.intensity = Some(numbers[0]),
+            SlotTarget::Part(part) => set_part(&mut sample, part, numbers),
+            SlotTarget::Context(context) => drop(sample.contexts.insert(context, numbers.clone())),
+            SlotTarget::LightDirection => light.direction = Some(vec3(numbers)),
+            SlotTarget::LightPosition => light.position = Some(vec3(numbers)),
+            SlotTarget::LightColor => light.color = Some(vec3(numbers)),
+            SlotTarget::LightIntensity => light.intensity = Some(numbers[0]),
         }
     }
     if light != LightOverride::default() {
@@ -669,7 +678,7 @@ fn set_part(sample: &mut EvalSample, part: SurfacePart, numbers: &[f64]) {
 }
 
 /// Description of a sample and its result.
-pub(super) fn words(bench: &Bench, finding: &Finding) -> String {
+pub(super) fn words(bench: &NodeBench, finding: &Finding) -> String {
     let fed: Vec<String> = bench
         .slots
         .iter()

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 /// One row: a label, points with their colors, and a bound.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Row {
+pub struct PlotRow {
     /// Label of the row.
     pub label: String,
     /// Numbers with their colors; the last is drawn on top.
@@ -22,7 +22,7 @@ const ROW: f64 = 17.0;
 const LEAST: f64 = 1e-8;
 
 /// Draws rows under a title, with a legend of colors.
-pub fn svg(title: &str, axis: &str, rows: &[Row], legend: &[(&str, &str)]) -> String {
+pub fn svg(title: &str, axis: &str, rows: &[PlotRow], legend: &[(&str, &str)]) -> String {
     let numbers =
         || rows.iter().flat_map(|row| row.points.iter().map(|point| point.0).chain(row.bound));
     let low = numbers().fold(1e-4, |low: f64, x| low.min(x.max(LEAST))).log10().floor();
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn points_stand_where_their_decades_are() {
         let points = vec![(1e-6, "blue"), (1e-4, "red"), (0.0, "green")];
-        let rows = [Row { label: "a".into(), points, bound: Some(1.0) }];
+        let rows = [PlotRow { label: "a".into(), points, bound: Some(1.0) }];
         let svg = svg("Title", "axis", &rows, &[("one", "blue")]);
         let x_of = |color: &str| {
             let line = svg

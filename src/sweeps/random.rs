@@ -74,11 +74,11 @@ pub fn direction(height: f64, turn: f64) -> DVec3 {
 /// Points that fill a cube of any dimension evenly: multiples of powers of the generalized golden
 /// ratio (Roberts 2018).
 #[derive(Clone, Debug)]
-pub struct Even {
+pub struct EvenPoints {
     steps: Vec<f64>,
 }
 
-impl Even {
+impl EvenPoints {
     /// Points in a cube of this many dimensions.
     pub fn new(dimensions: usize) -> Self {
         // The root above 1 of x^(d + 1) = x + 1, by iteration, which converges from anywhere above
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn even_points_leave_no_gap() {
-        let even = Even::new(2);
+        let even = EvenPoints::new(2);
         let mut cells = [0; 64];
         for index in 0..640 {
             let point = even.point(index);

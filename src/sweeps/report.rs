@@ -5,10 +5,10 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::bounds::{EXCEPTIONS, Judging, STEEP_FOOT};
+use super::bounds::{EXCEPTIONS, ErrorMetric, STEEP_FOOT};
 use super::looks::LookFigures;
 use super::measure::CaseFigures;
-use super::search::Worst;
+use super::search::WorstInput;
 use super::stability::StabilityFigures;
 use super::{pictures, plot, stability};
 use crate::diag::Diagnostic;
@@ -32,7 +32,7 @@ pub struct AccuracyReport {
     pub stability: Vec<StabilityFigures>,
     /// The worst inputs of nodes, to be kept in `tests/worst`.
     #[serde(skip)]
-    pub worst: Vec<Worst>,
+    pub worst: Vec<WorstInput>,
 }
 
 impl AccuracyReport {
@@ -235,10 +235,10 @@ impl AccuracyReport {
             } else {
                 format!("{}, {}", one.case.node, tier(one))
             };
-            plot::Row { label, points: vec![(worst, color)], bound: Some(bound) }
+            plot::PlotRow { label, points: vec![(worst, color)], bound: Some(bound) }
         };
-        let nodes: Vec<plot::Row> = self.groups().iter().map(node).collect();
-        let look = |one: &LookFigures| plot::Row {
+        let nodes: Vec<plot::PlotRow> = self.groups().iter().map(node).collect();
+        let look = |one: &LookFigures| plot::PlotRow {
             label: one.look.clone(),
             points: vec![
                 (one.error.edge_max, "#b9b4a9"),
@@ -248,7 +248,7 @@ impl AccuracyReport {
             bound: one.bound.max,
         };
         let exact = self.looks.iter().filter(|one| one.tier == Tier::Exact);
-        let looks: Vec<plot::Row> = exact.map(look).collect();
+        let looks: Vec<plot::PlotRow> = exact.map(look).collect();
         let turning = |one: &StabilityFigures| {
             let kinds =
                 [(one.silhouettes, "#b9b4a9"), (one.edges, "#c0583f"), (one.smooth, "#35618f")];
@@ -257,9 +257,9 @@ impl AccuracyReport {
                 .filter(|(flicker, _)| flicker.count > 0)
                 .map(|(flicker, color)| (flicker.max, *color));
             let label = format!("{}, {}", one.look, one.mesh);
-            plot::Row { label, points: points.collect(), bound: Some(stability::ON_EDGES) }
+            plot::PlotRow { label, points: points.collect(), bound: Some(stability::ON_EDGES) }
         };
-        let stability: Vec<plot::Row> = self.stability.iter().map(turning).collect();
+        let stability: Vec<plot::PlotRow> = self.stability.iter().map(turning).collect();
         let tiers = [("exact", "#35618f"), ("balanced", "#4f8f5b"), ("fast", "#c0583f")];
         let parts = [("largest", "#35618f"), ("RMS", "#4f8f5b"), ("at edges", "#b9b4a9")];
         let kinds = [
@@ -338,9 +338,9 @@ fn exceptions_part(text: &mut String) {
     );
     for e in EXCEPTIONS {
         let judged = match e.judging {
-            Judging::Plain => "plain",
-            Judging::Steep => "steep",
-            Judging::Steps => "steps",
+            ErrorMetric::Plain => "plain",
+            ErrorMetric::Steep => "steep",
+            ErrorMetric::Steps => "steps",
         };
         let range = if e.of_inputs { ", inputs count into the range" } else { "" };
         let together = if e.together { ", moved by units of the largest input" } else { "" };

@@ -7,8 +7,8 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::bounds::is_stated;
-use super::case::{Bench, Case};
-use super::measure::{CaseFigures, Finding, Lab, told};
+use super::case::{Case, NodeBench};
+use super::measure::{CaseFigures, Finding, Laboratory, told};
 use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::MeasureError;
@@ -26,8 +26,8 @@ const CHILDREN: usize = 40;
 /// # Errors
 /// Errors of the compiler, the GPU or the interpreter.
 pub async fn climb(
-    lab: &mut Lab<'_>,
-    bench: &Bench,
+    lab: &mut Laboratory<'_>,
+    bench: &NodeBench,
     measured: &mut CaseFigures,
     rounds: usize,
 ) -> Result<(), MeasureError> {
@@ -59,7 +59,7 @@ pub async fn climb(
     Ok(())
 }
 
-fn child(bench: &Bench, parent: &Numbers, random: &mut Random) -> Numbers {
+fn child(bench: &NodeBench, parent: &Numbers, random: &mut Random) -> Numbers {
     let mut numbers = parent.clone();
     let share = random.pick(&[0.15, 0.5, 1.0]);
     let sure = random.index(bench.slots.len());
@@ -78,12 +78,12 @@ fn child(bench: &Bench, parent: &Numbers, random: &mut Random) -> Numbers {
 
 /// One of the worst inputs, as `tests/worst` stores it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Worst {
+pub struct WorstInput {
     /// Case of the node.
     #[serde(flatten)]
     pub case: Case,
     /// Numbers that the node was fed with, by slot; NaN and infinities as words.
-    pub inputs: indexmap::IndexMap<String, Vec<Word>>,
+    pub inputs: indexmap::IndexMap<String, Vec<NumberOrWord>>,
     /// Error when the input was found, relative to the output's range.
     pub error: f64,
 }
@@ -91,20 +91,20 @@ pub struct Worst {
 /// A number, or a word for one that JSON has no number for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
-pub enum Word {
+pub enum NumberOrWord {
     /// A finite number.
     Number(f64),
     /// `inf`, `-inf` or `nan`.
     Word(String),
 }
 
-impl From<f64> for Word {
+impl From<f64> for NumberOrWord {
     fn from(x: f64) -> Self {
         if x.is_finite() { Self::Number(x) } else { Self::Word(told(&[x]).to_lowercase()) }
     }
 }
 
-impl Word {
+impl NumberOrWord {
     fn number(&self) -> f64 {
         match self {
             Self::Number(x) => *x,
@@ -113,11 +113,11 @@ impl Word {
     }
 }
 
-impl Worst {
+impl WorstInput {
     /// The input of a bench's finding.
-    pub fn new(bench: &Bench, finding: &Finding) -> Self {
-        let input = |(slot, numbers): (&super::slot::Slot, &Vec<f64>)| {
-            (slot.name.clone(), numbers.iter().copied().map(Word::from).collect())
+    pub fn new(bench: &NodeBench, finding: &Finding) -> Self {
+        let input = |(slot, numbers): (&super::slot::InputSlot, &Vec<f64>)| {
+            (slot.name.clone(), numbers.iter().copied().map(NumberOrWord::from).collect())
         };
         let error = format!("{:.2e}", finding.error).parse().unwrap_or(finding.error);
         Self {
@@ -131,12 +131,12 @@ impl Worst {
     ///
     /// # Errors
     /// An input that is missing or has another width.
-    pub fn numbers(&self, bench: &Bench) -> Result<Numbers, Diagnostic> {
-        let of = |slot: &super::slot::Slot| {
+    pub fn numbers(&self, bench: &NodeBench) -> Result<Numbers, Diagnostic> {
+        let of = |slot: &super::slot::InputSlot| {
             let numbers = self
                 .inputs
                 .get(&slot.name)
-                .map(|words| words.iter().map(Word::number).collect::<Vec<_>>());
+                .map(|words| words.iter().map(NumberOrWord::number).collect::<Vec<_>>());
             let wrong = || {
                 Diagnostic::error(
                     "worst-input",
@@ -157,7 +157,7 @@ impl Worst {
 /// Lists of worst inputs, as a kind of output file.
 const WORST: OutputKind<'static> = OutputKind {
     name: "a list of worst inputs",
-    is_own: &|text| serde_json::from_slice::<Vec<Worst>>(text).is_ok(),
+    is_own: &|text| serde_json::from_slice::<Vec<WorstInput>>(text).is_ok(),
     has_seal: false,
 };
 
@@ -174,8 +174,12 @@ pub fn check(folder: &Path, library: &Library, outputs: &Outputs) -> Result<(), 
 ///
 /// # Errors
 /// Errors of the file system, and files of others in the way.
-pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), Vec<Diagnostic>> {
-    let mut by_node: std::collections::BTreeMap<&str, Vec<&Worst>> =
+pub fn write(
+    folder: &Path,
+    all: &[WorstInput],
+    outputs: &mut Outputs,
+) -> Result<(), Vec<Diagnostic>> {
+    let mut by_node: std::collections::BTreeMap<&str, Vec<&WorstInput>> =
         std::collections::BTreeMap::new();
     for worst in all {
         by_node.entry(&worst.case.node).or_default().push(worst);
@@ -199,7 +203,7 @@ pub fn write(folder: &Path, all: &[Worst], outputs: &mut Outputs) -> Result<(), 
 ///
 /// # Errors
 /// A file that cannot be read, or is no list of worst inputs.
-pub fn read(path: &Path) -> Result<Vec<Worst>, Diagnostic> {
+pub fn read(path: &Path) -> Result<Vec<WorstInput>, Diagnostic> {
     let told =
         |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());
     let text = read_text(path).map_err(|problem| told(problem.message))?;

@@ -13,7 +13,7 @@ pub type Numbers = Vec<Vec<f64>>;
 
 /// Destination of a slot's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum SlotTarget {
     /// The exposed parameter of the slot's name.
     Value,
     /// A part of the surface; the camera's rotation as a quaternion of any length.
@@ -32,7 +32,7 @@ pub enum Place {
 
 /// Kind of a slot's numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
+pub enum SlotKind {
     /// Any numbers, within a documented range if the input has one.
     Number {
         /// Documented minimum.
@@ -72,13 +72,13 @@ pub enum Kind {
 
 /// One input of a node.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Slot {
+pub struct InputSlot {
     /// Name of the input, or word for the context.
     pub name: String,
     /// Destination of the numbers.
-    pub place: Place,
+    pub place: SlotTarget,
     /// Kind of the numbers.
-    pub kind: Kind,
+    pub kind: SlotKind,
     /// Number of numbers.
     pub width: usize,
     /// Largest absolute value of any number.
@@ -159,11 +159,11 @@ const ANGLES: [f64; 20] = [
     100.0,
 ];
 
-impl Slot {
+impl InputSlot {
     /// Numbers within the documented range, from shares of 1 (one share for each number).
     pub fn ordinary(&self, shares: &[f64]) -> Vec<f64> {
         let numbers: Vec<f64> = match self.kind {
-            Kind::Number { min, max, is_angle } => {
+            SlotKind::Number { min, max, is_angle } => {
                 let (low, high) = match (min, max, is_angle) {
                     (Some(low), Some(high), _) => (low, high),
                     (Some(low), None, _) => (low, low + 4.0),
@@ -173,25 +173,25 @@ impl Slot {
                 };
                 shares.iter().map(|share| low + (high - low) * share).collect()
             }
-            Kind::Whole { min, max } => {
+            SlotKind::Whole { min, max } => {
                 vec![(min + (max - min + 1.0) * shares[0]).floor().min(max)]
             }
-            Kind::Switch => vec![f64::from(u8::from(shares[0] >= 0.5))],
-            Kind::Color => shares.to_vec(),
-            Kind::Composite => {
+            SlotKind::Switch => vec![f64::from(u8::from(shares[0] >= 0.5))],
+            SlotKind::Color => shares.to_vec(),
+            SlotKind::Composite => {
                 let alpha = (1.5 * shares[3]).min(1.0);
                 vec![alpha * shares[0], alpha * shares[1], alpha * shares[2], alpha]
             }
-            Kind::Unit => direction(shares[0], shares[1]).to_array().to_vec(),
-            Kind::Direction => {
+            SlotKind::Unit => direction(shares[0], shares[1]).to_array().to_vec(),
+            SlotKind::Direction => {
                 let length = if shares[2] < 0.5 { 1.0 } else { 0.5 + shares[2] };
                 (length * direction(shares[0], shares[1])).to_array().to_vec()
             }
-            Kind::Rotation => rotation([shares[0], shares[1], shares[2]]),
-            Kind::HalfAngle => half_angle(PI * shares[0]),
-            Kind::Kappa => vec![120.0 * shares[0] - 60.0],
+            SlotKind::Rotation => rotation([shares[0], shares[1], shares[2]]),
+            SlotKind::HalfAngle => half_angle(PI * shares[0]),
+            SlotKind::Kappa => vec![120.0 * shares[0] - 60.0],
             // Rims stretch places by up to eight times.
-            Kind::Stretch => {
+            SlotKind::Stretch => {
                 stretch((4.0 * shares[0] - 2.0).exp2(), (3.0 * shares[1]).exp2(), PI * shares[2])
             }
         };
@@ -203,7 +203,7 @@ impl Slot {
         let most = self.most;
         let mut edge = |random: &mut Random| random.pick(&EDGES).clamp(-most, most);
         let numbers: Vec<f64> = match self.kind {
-            Kind::Number { min, max, is_angle } => {
+            SlotKind::Number { min, max, is_angle } => {
                 let one = edge(random);
                 let is_same = random.chance(0.3);
                 (0..self.width)
@@ -216,7 +216,7 @@ impl Slot {
                     })
                     .collect()
             }
-            Kind::Whole { min, max } => {
+            SlotKind::Whole { min, max } => {
                 vec![random.pick(&[
                     min,
                     max,
@@ -227,16 +227,16 @@ impl Slot {
                     16_777_216.0,
                 ])]
             }
-            Kind::Switch => vec![f64::from(u8::from(random.chance(0.5)))],
-            Kind::Color | Kind::Composite => {
+            SlotKind::Switch => vec![f64::from(u8::from(random.chance(0.5)))],
+            SlotKind::Color | SlotKind::Composite => {
                 let is_wild = random.chance(0.3);
                 let flat = [0.0, 1.0, 0.5, 0.25, 1e-7, 1.0 - 6e-8, 1e-40];
                 (0..self.width)
                     .map(|_| if is_wild { edge(random) } else { random.pick(&flat) })
                     .collect()
             }
-            Kind::Unit => special_direction(random).to_array().to_vec(),
-            Kind::Direction => {
+            SlotKind::Unit => special_direction(random).to_array().to_vec(),
+            SlotKind::Direction => {
                 let v = special_direction(random);
                 let length = random.pick(&[
                     1.0,
@@ -255,7 +255,7 @@ impl Slot {
                 ]);
                 (length * v).to_array().map(|x| x.clamp(-most, most)).to_vec()
             }
-            Kind::Rotation => {
+            SlotKind::Rotation => {
                 let half_turn = std::f64::consts::FRAC_1_SQRT_2;
                 let rotations = [
                     [0.0, 0.0, 0.0, 1.0],
@@ -265,8 +265,8 @@ impl Slot {
                 ];
                 random.pick(&rotations).to_vec()
             }
-            Kind::HalfAngle => half_angle(random.pick(&ANGLES).clamp(0.0, PI)),
-            Kind::Kappa => vec![random.pick(&[
+            SlotKind::HalfAngle => half_angle(random.pick(&ANGLES).clamp(0.0, PI)),
+            SlotKind::Kappa => vec![random.pick(&[
                 0.0,
                 -0.0,
                 1e-40,
@@ -281,11 +281,11 @@ impl Slot {
                 -f64::INFINITY,
                 f64::NAN,
             ])],
-            Kind::Stretch if random.chance(0.5) => {
+            SlotKind::Stretch if random.chance(0.5) => {
                 let size = random.pick(&[1e-10, 1e-3, 0.5, 1.0, 2.0, 1e3, 1e10]);
                 stretch(size, random.pick(&[1.0, 1.0 + 1e-6, 8.0, 30.0, 1e4]), random.pick(&ANGLES))
             }
-            Kind::Stretch => (0..3).map(|_| edge(random)).collect(),
+            SlotKind::Stretch => (0..3).map(|_| edge(random)).collect(),
         };
         numbers.into_iter().map(held).collect()
     }
@@ -296,8 +296,8 @@ impl Slot {
         let one = random.index(from.len());
         let is_one = random.chance(0.5);
         let moved: Vec<f64> = match self.kind {
-            Kind::Switch => vec![f64::from(u8::from(random.chance(0.5)))],
-            Kind::Whole { min, max } => {
+            SlotKind::Switch => vec![f64::from(u8::from(random.chance(0.5)))],
+            SlotKind::Whole { min, max } => {
                 vec![(from[0] + random.pick(&[-1.0, 1.0, 0.0])).clamp(min, max)]
             }
             _ => {
@@ -311,12 +311,14 @@ impl Slot {
             }
         };
         let numbers = match self.kind {
-            Kind::Unit => unit(&moved),
-            Kind::HalfAngle => half_angle((2.0 * moved[0].atan2(moved[1])).clamp(0.0, PI)),
-            Kind::Color | Kind::Composite if from.iter().all(|x| (0.0..=1.0).contains(x)) => {
+            SlotKind::Unit => unit(&moved),
+            SlotKind::HalfAngle => half_angle((2.0 * moved[0].atan2(moved[1])).clamp(0.0, PI)),
+            SlotKind::Color | SlotKind::Composite
+                if from.iter().all(|x| (0.0..=1.0).contains(x)) =>
+            {
                 moved.iter().map(|x| x.clamp(0.0, 1.0)).collect()
             }
-            Kind::Number { min, max, .. } => {
+            SlotKind::Number { min, max, .. } => {
                 let is_inside =
                     |x: &f64| min.is_none_or(|min| *x >= min) && max.is_none_or(|max| *x <= max);
                 let keep = |x: &f64| x.clamp(min.unwrap_or(-f64::MAX), max.unwrap_or(f64::MAX));
@@ -333,22 +335,24 @@ impl Slot {
 
     /// True if numbers of this kind may move by a unit in the last place and still be of the kind.
     pub fn is_continuous(&self) -> bool {
-        !matches!(self.kind, Kind::Switch | Kind::Whole { .. })
+        !matches!(self.kind, SlotKind::Switch | SlotKind::Whole { .. })
     }
 
     /// True if the numbers lie within the documented range.
     pub fn is_ordinary(&self, numbers: &[f64]) -> bool {
         match self.kind {
-            Kind::Number { min, max, .. } => {
+            SlotKind::Number { min, max, .. } => {
                 let (low, high) = (min.unwrap_or(-100.0), max.unwrap_or(100.0));
                 numbers.iter().all(|x| (held(low)..=held(high)).contains(x))
             }
-            Kind::Whole { min, max } => (min..=max).contains(&numbers[0]),
-            Kind::Color | Kind::Composite => numbers.iter().all(|x| (0.0..=1.0).contains(x)),
-            Kind::Direction => (1e-3..=1e3).contains(&DVec3::from_slice(numbers).length()),
-            Kind::Kappa => numbers[0].abs() <= 1e4,
-            Kind::Stretch => numbers.iter().all(|x| x.abs() <= 2e3) && is_stretch(numbers),
-            Kind::Switch | Kind::Unit | Kind::Rotation | Kind::HalfAngle => true,
+            SlotKind::Whole { min, max } => (min..=max).contains(&numbers[0]),
+            SlotKind::Color | SlotKind::Composite => {
+                numbers.iter().all(|x| (0.0..=1.0).contains(x))
+            }
+            SlotKind::Direction => (1e-3..=1e3).contains(&DVec3::from_slice(numbers).length()),
+            SlotKind::Kappa => numbers[0].abs() <= 1e4,
+            SlotKind::Stretch => numbers.iter().all(|x| x.abs() <= 2e3) && is_stretch(numbers),
+            SlotKind::Switch | SlotKind::Unit | SlotKind::Rotation | SlotKind::HalfAngle => true,
         }
     }
 }
@@ -434,9 +438,10 @@ pub fn next(x: f64, steps: i32) -> f64 {
 }
 
 /// Makes the numbers of slots equal, opposite, or nearly so.
-pub fn relate(slots: &[Slot], numbers: &mut Numbers, random: &mut Random) {
-    let is_vector =
-        |slot: &Slot| matches!(slot.kind, Kind::Unit | Kind::Direction) || slot.width == 3;
+pub fn relate(slots: &[InputSlot], numbers: &mut Numbers, random: &mut Random) {
+    let is_vector = |slot: &InputSlot| {
+        matches!(slot.kind, SlotKind::Unit | SlotKind::Direction) || slot.width == 3
+    };
     let a = random.index(slots.len());
     let like: Vec<usize> = (0..slots.len())
         .filter(|&b| {
@@ -445,7 +450,9 @@ pub fn relate(slots: &[Slot], numbers: &mut Numbers, random: &mut Random) {
                 && is_vector(&slots[b]) == is_vector(&slots[a])
         })
         .filter(|&b| {
-            slots[a].is_continuous() && slots[b].is_continuous() && slots[b].kind != Kind::HalfAngle
+            slots[a].is_continuous()
+                && slots[b].is_continuous()
+                && slots[b].kind != SlotKind::HalfAngle
         })
         .collect();
     if like.is_empty() {
@@ -456,7 +463,7 @@ pub fn relate(slots: &[Slot], numbers: &mut Numbers, random: &mut Random) {
     if is_vector(&slots[a]) {
         let from = DVec3::from_slice(&numbers[a]);
         let near = random.sign() * (from + apart * from.length() * random.direction());
-        let near = if slots[b].kind == Kind::Unit {
+        let near = if slots[b].kind == SlotKind::Unit {
             near.try_normalize().unwrap_or(DVec3::Z)
         } else {
             near
@@ -480,7 +487,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neighbours_are_the_next_numbers() {
+    fn neighbors_are_the_next_numbers() {
         assert_eq!(next(1.0, 1), f64::from(1.0_f32.next_up()));
         assert_eq!(next(-1.0, 1), f64::from((-1.0_f32).next_up()));
         assert_eq!(next(1.0, -2), f64::from(1.0_f32.next_down().next_down()));
@@ -492,24 +499,24 @@ mod tests {
     fn every_number_is_one_that_f32_holds() {
         let mut random = Random::new(3);
         let kinds = [
-            Kind::Number { min: Some(0.0), max: Some(PI), is_angle: true },
-            Kind::Unit,
-            Kind::Direction,
-            Kind::HalfAngle,
-            Kind::Rotation,
-            Kind::Color,
-            Kind::Stretch,
+            SlotKind::Number { min: Some(0.0), max: Some(PI), is_angle: true },
+            SlotKind::Unit,
+            SlotKind::Direction,
+            SlotKind::HalfAngle,
+            SlotKind::Rotation,
+            SlotKind::Color,
+            SlotKind::Stretch,
         ];
         for kind in kinds {
             let width = match kind {
-                Kind::Number { .. } => 1,
-                Kind::HalfAngle => 2,
-                Kind::Color | Kind::Rotation => 4,
+                SlotKind::Number { .. } => 1,
+                SlotKind::HalfAngle => 2,
+                SlotKind::Color | SlotKind::Rotation => 4,
                 _ => 3,
             };
-            let slot = Slot {
+            let slot = InputSlot {
                 name: "x".into(),
-                place: Place::Value,
+                place: SlotTarget::Value,
                 kind,
                 width,
                 most: f64::from(f32::MAX),
@@ -527,7 +534,7 @@ mod tests {
                     );
                 }
                 assert!(
-                    slot.is_ordinary(&ordinary) || matches!(kind, Kind::Number { .. }),
+                    slot.is_ordinary(&ordinary) || matches!(kind, SlotKind::Number { .. }),
                     "{kind:?} {ordinary:?}"
                 );
             }

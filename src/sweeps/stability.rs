@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::looks::EDGE_SHARE;
 use crate::accuracy::error::VISIBLE;
-use crate::accuracy::{Colors, MeasureError, truth::Truth};
+use crate::accuracy::{MeasureError, PremultipliedPicture, truth::Truth};
 use crate::compile::Live;
 use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
@@ -99,7 +99,7 @@ impl StabilityFigures {
 }
 
 /// One frame: the GPU's picture and the truth, premultiplied, and the pixels on outlines.
-struct Frame {
+struct ComparedFrame {
     got: Vec<[f64; 4]>,
     truth: Vec<[f64; 4]>,
     outlines: Vec<bool>,
@@ -109,7 +109,7 @@ struct Frame {
 /// [precisely](crate::render::Gpu::precise).
 ///
 /// # Errors
-/// Problems of the look, errors of the GPU, or `Stopped` if `progress` was stopped.
+/// Problems of the look, errors of the GPU, or `Interruption` if `progress` was stopped.
 pub async fn measure_stability(
     path: &Path,
     mesh: &str,
@@ -128,7 +128,7 @@ pub async fn measure_stability(
         edges: Flicker::default(),
         silhouettes: Flicker::default(),
     };
-    let mut before: Option<Frame> = None;
+    let mut before: Option<ComparedFrame> = None;
     for index in 0..effort.frames {
         let turn = STEP * index as f64;
         let mut seen = setup.clone();
@@ -152,28 +152,33 @@ async fn frame(
     (planner, truths): (&mut Planner, &mut Planner),
     side: u32,
     progress: &Progress,
-) -> Result<Frame, MeasureError> {
+) -> Result<ComparedFrame, MeasureError> {
     let options = PlanOptions { size: [side; 2], samples: 1, time: 0.0 };
     let mut truth = Truth::of(setup, library, truths, &options, &progress.part(1))?;
     let plan = planner.plan(setup, library, &Live::Keyed, &options)?.value;
-    let got = Colors::from(&precise.picture(&plan, &Progress::new()).await?);
+    let got = PremultipliedPicture::from(&precise.picture(&plan, &Progress::new()).await?);
     let colors = truth.colors().rgba.into_owned();
     // Each of the two frames contributes half of a change.
     let above =
         |index| 0.5 * if is_steep(&colors, index, side as usize) { ON_EDGES } else { ON_SMOOTH };
     truth.settle(&got, above, setup, library, truths, &options)?;
     let outlines = (0..colors.len()).map(|index| truth.is_edge(index)).collect();
-    Ok(Frame { got: got.rgba.into_owned(), truth: colors, outlines })
+    Ok(ComparedFrame { got: got.rgba.into_owned(), truth: colors, outlines })
 }
 
-fn compare(before: &Frame, after: &Frame, width: usize, measured: &mut StabilityFigures) {
+fn compare(
+    before: &ComparedFrame,
+    after: &ComparedFrame,
+    width: usize,
+    measured: &mut StabilityFigures,
+) {
     for index in 0..after.got.len() {
         let change = |pixels: [&[[f64; 4]]; 2], channel: usize| {
             pixels[1][index][channel] - pixels[0][index][channel]
         };
         // A pixel without anything drawn in either frame cannot flicker.
         let is_empty =
-            |frame: &Frame| frame.truth[index] == [0.0; 4] && frame.got[index] == [0.0; 4];
+            |frame: &ComparedFrame| frame.truth[index] == [0.0; 4] && frame.got[index] == [0.0; 4];
         if is_empty(before) && is_empty(after) {
             continue;
         }

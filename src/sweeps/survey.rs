@@ -12,9 +12,9 @@ use std::thread;
 
 use super::case::Case;
 use super::looks::{LookEffort, LookFigures, looks_in, measure_look};
-use super::measure::{CaseFigures, Effort, Lab};
+use super::measure::{CaseFigures, Effort, Laboratory};
 use super::report::AccuracyReport;
-use super::search::Worst;
+use super::search::WorstInput;
 use super::stability::{MESHES, StabilityEffort, StabilityFigures, measure_stability};
 use crate::accuracy::MeasureError;
 use crate::frame::Executor;
@@ -56,7 +56,7 @@ enum SurveyTask {
 
 /// Result of a job.
 enum TaskResult {
-    Case(CaseFigures, Vec<Worst>),
+    Case(CaseFigures, Vec<WorstInput>),
     Look(Vec<LookFigures>, Vec<StabilityFigures>),
     Large(Vec<LookFigures>),
 }
@@ -71,12 +71,12 @@ enum WorkerMessage {
 
 /// Function that blocks its thread until a future is done. A survey has threads of its own, and the
 /// library itself blocks nowhere: the caller of a survey decides how to wait.
-pub type Wait<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
+pub type BlockOn<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
 
 /// Runs all jobs of a survey, each worker on a thread of its own that `wait`s for its device.
 ///
 /// # Errors
-/// Problems of a look or a node, a missing GPU or its errors, or `Stopped` if `progress` was
+/// Problems of a look or a node, a missing GPU or its errors, or `Interruption` if `progress` was
 /// stopped.
 #[expect(
     clippy::disallowed_methods,
@@ -86,7 +86,7 @@ pub async fn survey(
     survey: &Survey,
     library: &Library,
     progress: &Progress,
-    wait: Wait<'_>,
+    wait: BlockOn<'_>,
 ) -> Result<AccuracyReport, MeasureError> {
     let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
@@ -114,7 +114,7 @@ pub async fn survey(
         is_software: gpu.is_software(),
         ..AccuracyReport::default()
     };
-    let team = Team {
+    let team = SurveyState {
         survey,
         library,
         jobs: &jobs,
@@ -138,7 +138,7 @@ pub async fn survey(
 }
 
 /// State that workers share.
-struct Team<'a> {
+struct SurveyState<'a> {
     survey: &'a Survey,
     library: &'a Library,
     /// All jobs, the large ones first.
@@ -153,12 +153,12 @@ struct Team<'a> {
     progress: Progress,
 }
 
-impl Team<'_> {
+impl SurveyState<'_> {
     /// Does one job after the other, and reports the error that ends the work.
     async fn work(&self, tell: &mpsc::Sender<WorkerMessage>) {
         if let Err(why) = self.work_on(tell).await {
-            // The error is sent before the stop, so that it arrives before the `Stopped` of the
-            // other workers.
+            // The error is sent before the stop, so that it arrives before the `Interruption` of
+            // the other workers.
             drop(tell.send(WorkerMessage::Failed(why)));
             self.progress.stop();
         }
@@ -169,7 +169,7 @@ impl Team<'_> {
         let gpu = Gpu::headless().await?;
         let precise = gpu.precise();
         let mut renderer = Renderer::new(gpu);
-        let mut lab = Lab::new(self.library, &mut renderer)?;
+        let mut lab = Laboratory::new(self.library, &mut renderer)?;
         while let Some((number, _alone)) = self.next_job() {
             let found = match &self.jobs[number] {
                 SurveyTask::Case(case) => self.measure_case(case, &mut lab).await,
@@ -208,13 +208,13 @@ impl Team<'_> {
     async fn measure_case(
         &self,
         case: &Case,
-        lab: &mut Lab<'_>,
+        lab: &mut Laboratory<'_>,
     ) -> Result<TaskResult, MeasureError> {
         let measured = lab.measure(case, &self.survey.effort).await?;
         let bench = lab.bench(case)?;
         let worst =
             measured.worst.iter().take(KEPT_OF_A_CASE).filter(|finding| finding.error > 0.0);
-        let worst = worst.map(|finding| Worst::new(&bench, finding)).collect();
+        let worst = worst.map(|finding| WorstInput::new(&bench, finding)).collect();
         self.progress.step()?;
         Ok(TaskResult::Case(measured, worst))
     }

@@ -3,7 +3,7 @@
 
 use std::str;
 
-use chiaro_compiler::compile::{Options, compile};
+use chiaro_compiler::compile::{CompileOptions, compile};
 use chiaro_compiler::document::{Look, Scene};
 use chiaro_compiler::library::Library;
 use chiaro_language::diag::Diagnostic;
@@ -45,7 +45,7 @@ fn checks() {
         assert!(loaded.diagnostics.is_empty(), "{name}: {:?}", loaded.diagnostics);
         let look = loaded.value.expect("a look");
         let (is_compiled, mut problems) =
-            match compile(&look, Library::built_in(), &Options::default()) {
+            match compile(&look, Library::built_in(), &CompileOptions::default()) {
                 Ok(shader) => (true, shader.warnings),
                 Err(problems) => (false, problems),
             };
@@ -90,8 +90,8 @@ fn node_code() {
         let loaded = Look::read(&look.to_string(), "own.json");
         assert!(loaded.diagnostics.is_empty(), "{name}: {:?}", loaded.diagnostics);
         let look = loaded.value.expect("a look");
-        let problems =
-            compile(&look, Library::built_in(), &Options::default()).expect_err("it is refused");
+        let problems = compile(&look, Library::built_in(), &CompileOptions::default())
+            .expect_err("it is refused");
         assert_eq!(problems.len(), 1, "{name}: {problems:?}");
         assert_eq!(problems[0].code, in_file.code, "{name}: {in_file}");
         (false, problems)

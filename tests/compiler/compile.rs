@@ -3,7 +3,9 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro_compiler::compile::{CompiledShader, Live, MAX_UNIFORM_BYTES, Options, Stage, compile};
+use chiaro_compiler::compile::{
+    CompileOptions, CompiledShader, Live, MAX_UNIFORM_BYTES, Stage, compile,
+};
 use chiaro_compiler::document::Look;
 use chiaro_compiler::library::Library;
 
@@ -26,7 +28,7 @@ fn load(path: &Path) -> Look {
     loaded.value.unwrap()
 }
 
-fn compiled(look: &Look, options: &Options) -> CompiledShader {
+fn compiled(look: &Look, options: &CompileOptions) -> CompiledShader {
     compile(look, Library::built_in(), options)
         .unwrap_or_else(|problems| {
             let told: Vec<_> = problems.iter().map(ToString::to_string).collect();
@@ -49,8 +51,12 @@ fn every_look_compiles_in_every_way() {
         for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Eval] {
             for live in [Live::Keyed, Live::Exposed, Live::All] {
                 for unspecialized in [false, true] {
-                    let options =
-                        Options { live: live.clone(), stage, unspecialized, ..Options::default() };
+                    let options = CompileOptions {
+                        live: live.clone(),
+                        stage,
+                        unspecialized,
+                        ..CompileOptions::default()
+                    };
                     compiled(&look, &options);
                 }
             }
@@ -62,7 +68,7 @@ fn every_look_compiles_in_every_way() {
 fn generated_source_uses_the_artists_names() {
     let look =
         load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
-    let source = compiled(&look, &Options::default()).wgsl;
+    let source = compiled(&look, &CompileOptions::default()).wgsl;
     for name in ["look.key", "specular_tone", "back_light_", "fn shade(surface: Surface)"] {
         assert!(source.contains(name), "{name} is not in\n{source}");
     }
@@ -73,7 +79,7 @@ fn generated_source_uses_the_artists_names() {
 fn a_byte_of_the_source_leads_to_its_node_and_back() {
     let look =
         load(&looks().into_iter().find(|path| path.ends_with("figure1-layers.json")).unwrap());
-    let shader = compiled(&look, &Options::default());
+    let shader = compiled(&look, &CompileOptions::default());
     let path = chiaro_language::ids::NodePath::parse("specular/tone");
     let spans: Vec<_> = shader.spans.spans_of(&path).collect();
     assert!(!spans.is_empty());
@@ -87,7 +93,7 @@ fn a_byte_of_the_source_leads_to_its_node_and_back() {
 fn what_changes_nothing_is_removed_with_its_reason() {
     let look =
         load(&looks().into_iter().find(|path| path.ends_with("figure4-color.json")).unwrap());
-    let shader = compiled(&look, &Options::default());
+    let shader = compiled(&look, &CompileOptions::default());
     let reason = |path: &str| {
         let found = shader.removed.iter().find(|removal| removal.path.to_string() == path);
         found
@@ -118,7 +124,7 @@ fn a_look_with_many_values_keeps_its_uniform_small() {
             "to": "output.color"}}]}}"#
     );
     look.clone_from(Look::read(&json, "long.json").value.as_ref().unwrap());
-    let shader = compiled(&look, &Options { live: Live::All, ..Options::default() });
+    let shader = compiled(&look, &CompileOptions { live: Live::All, ..CompileOptions::default() });
     assert!(shader.host.size <= MAX_UNIFORM_BYTES, "{} bytes", shader.host.size);
     assert_ne!(shader.live, Live::All, "it says that fewer values are live");
 }
@@ -139,8 +145,9 @@ fn with_broken_node(is_wired: bool) -> Look {
 #[test]
 fn a_broken_node_stops_only_what_depends_on_it() {
     let look = with_broken_node(false);
-    let warnings =
-        compile(&look, Library::built_in(), &Options::default()).expect("it compiles").warnings;
+    let warnings = compile(&look, Library::built_in(), &CompileOptions::default())
+        .expect("it compiles")
+        .warnings;
     let told = |code: &str| {
         let found = warnings.iter().find(|problem| problem.code == code);
         found.unwrap_or_else(|| panic!("{code} is not told: {warnings:?}"))
@@ -153,7 +160,8 @@ fn a_broken_node_stops_only_what_depends_on_it() {
     assert_eq!(broken.place.node.as_ref().map(ToString::to_string).as_deref(), Some("broken"));
     assert!(told("unknown-kind").is_error());
     let problems =
-        compile(&with_broken_node(true), Library::built_in(), &Options::default()).unwrap_err();
+        compile(&with_broken_node(true), Library::built_in(), &CompileOptions::default())
+            .unwrap_err();
     assert!(problems.iter().any(|problem| problem.code == "invalid-wgsl"), "{problems:?}");
 }
 
@@ -166,7 +174,7 @@ fn every_problem_is_told_at_once() {
         "wires": [{"from": "a", "to": "b.a"}, {"from": "b", "to": "a.a"},
         {"from": "a", "to": "output.color"}]}"#;
     let look = Look::read(json, "wrong.json").value.unwrap();
-    let problems = compile(&look, Library::built_in(), &Options::default()).unwrap_err();
+    let problems = compile(&look, Library::built_in(), &CompileOptions::default()).unwrap_err();
     let codes: Vec<&str> = problems.iter().map(|problem| problem.code).collect();
     for code in ["cycle", "wrong-type", "unknown-port", "unknown-kind", "unwired"] {
         assert!(codes.contains(&code), "{code} is missing: {codes:?}");
@@ -192,6 +200,6 @@ fn an_exposed_input_that_reads_its_surroundings_is_told() {
     let read = Look::read(&json, "exposed.json");
     assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
     let problems =
-        compile(&read.value.unwrap(), Library::built_in(), &Options::default()).unwrap_err();
+        compile(&read.value.unwrap(), Library::built_in(), &CompileOptions::default()).unwrap_err();
     assert_eq!(problems.iter().map(|problem| problem.code).collect::<Vec<_>>(), ["unset-target"]);
 }

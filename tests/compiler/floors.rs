@@ -453,7 +453,7 @@ fn every_room_stands_on_one_floor() {
 fn executors_named(text: &str, executor: &str, modules: &[&str]) -> Vec<usize> {
     let found = modules.iter().flat_map(|module| scan::members(text, module));
     let is_executor =
-        |found: &scan::Found| found.reference == Reference::Module(executor.to_owned());
+        |found: &scan::FoundPath| found.reference == Reference::Module(executor.to_owned());
     found.filter(is_executor).map(|found| found.line).collect()
 }
 

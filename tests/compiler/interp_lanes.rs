@@ -3,12 +3,12 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro_compiler::compile::{Live, Options, Stage, compile};
+use chiaro_compiler::compile::{CompileOptions, Live, Stage, compile};
 use chiaro_compiler::document::Look;
 use chiaro_compiler::library::Library;
 use chiaro_language::interp::{
-    self, Bindings, LANES, Lanes, Level, Port, Precision, Program, ResourceKind, Sampler,
-    ScalarKind, Shape, Texture, TextureDimension, Value,
+    self, Bindings, LANES, LanePort, Lanes, Precision, Program, ResourceKind, Sampler, ScalarKind,
+    Shape, Texture, TextureDimension, TextureLevel, Value,
 };
 
 use crate::support;
@@ -94,7 +94,8 @@ fn bindings(program: &Program, numbers: &mut Numbers) -> Bindings {
                 };
                 let count = size.iter().product::<u32>();
                 let texels = (0..count).map(|_| std::array::from_fn(|_| numbers.next())).collect();
-                let texture = Texture::new(*dimension, vec![Level::f64(size, texels)]).unwrap();
+                let texture =
+                    Texture::new(*dimension, vec![TextureLevel::f64(size, texels)]).unwrap();
                 bindings.texture(group, binding, texture)
             }
             ResourceKind::Sampler { .. } => bindings.sampler(group, binding, Sampler::default()),
@@ -105,7 +106,7 @@ fn bindings(program: &Program, numbers: &mut Numbers) -> Bindings {
 
 /// Writes an input that varies linearly from lane to lane, by up to `bend`; with `bend` 0 it is the
 /// same in all lanes.
-fn write(lanes: &mut Lanes<'_>, port: &Port, numbers: &mut Numbers, bend: f64) {
+fn write(lanes: &mut Lanes<'_>, port: &LanePort, numbers: &mut Numbers, bend: f64) {
     for component in 0..port.size {
         let (base, slope) = (numbers.next() * 2.0 - 1.0, bend * (numbers.next() - 0.5));
         let values: Vec<f64> = (0..LANES).map(|lane| base + slope * lane as f64).collect();
@@ -139,18 +140,19 @@ fn every_look_runs_in_lanes_as_it_runs_alone() {
         for (stage, live) in
             [(Stage::Draw, Live::Exposed), (Stage::Normals, Live::All), (Stage::Eval, Live::All)]
         {
-            let options = Options { live, stage, ..Options::default() };
+            let options = CompileOptions { live, stage, ..CompileOptions::default() };
             let shader = compile(&look, Library::built_in(), &options).unwrap().value;
             let module = &shader.valid.module;
             for entry in &module.entry_points {
                 if entry.stage == naga::ShaderStage::Compute {
                     continue;
                 }
-                let program =
-                    Program::compile(module, &entry.name, interp::Options::stage(&shader.wgsl))
-                        .unwrap_or_else(|error| {
-                            panic!("{} {}: {error}", path.display(), entry.name)
-                        });
+                let program = Program::compile(
+                    module,
+                    &entry.name,
+                    interp::FunctionOptions::stage(&shader.wgsl),
+                )
+                .unwrap_or_else(|error| panic!("{} {}: {error}", path.display(), entry.name));
                 assert!(
                     program
                         .inputs()
@@ -200,10 +202,13 @@ fn compare(program: &Program, path: &Path) {
 fn measure() {
     for path in looks() {
         let look = Look::load(&crate::support::chiaro_files::Disk, &path).value.unwrap();
-        let shader = compile(&look, Library::built_in(), &Options::default()).unwrap().value;
-        let program =
-            Program::compile(&shader.valid.module, "fs_main", interp::Options::stage(&shader.wgsl))
-                .unwrap();
+        let shader = compile(&look, Library::built_in(), &CompileOptions::default()).unwrap().value;
+        let program = Program::compile(
+            &shader.valid.module,
+            "fs_main",
+            interp::FunctionOptions::stage(&shader.wgsl),
+        )
+        .unwrap();
         for precision in [Precision::F64, Precision::F32] {
             let mut numbers = Numbers(7);
             let bindings = bindings(&program, &mut numbers);
@@ -242,7 +247,7 @@ fn measure_alone() {
     let source = "fn f(n: i32) -> f32 \
                   { var s = 0.0; for (var i = 1; i <= n; i++) { s += 1.0 / f32(i); } return s; }";
     let module = chiaro_language::wgsl::parse(source).unwrap().module;
-    let program = Program::compile(&module, "f", interp::Options::default()).unwrap();
+    let program = Program::compile(&module, "f", interp::FunctionOptions::default()).unwrap();
     let mut machine = program.machine(Precision::F64);
     let start = std::time::Instant::now();
     for _ in 0..100 {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
-use chiaro_compiler::compile::{Live, Options};
+use chiaro_compiler::compile::{CompileOptions, Live};
 use chiaro_compiler::document::{Look, Scene};
 use chiaro_compiler::library::{Library, Type};
 use chiaro_language::diag::Diagnostic;
@@ -49,10 +49,10 @@ pub fn look(json: &serde_json::Value) -> SetupLook {
 }
 
 /// Options that show one output, `node.port`, and keep exposed parameters live.
-pub fn options(output: &str) -> Options {
+pub fn options(output: &str) -> CompileOptions {
     let (node, port) = output.rsplit_once('.').unwrap_or((output, ""));
     let root = (!output.is_empty()).then(|| (NodePath::parse(node), PortName::from(port)));
-    Options { root, live: Live::Exposed, ..Options::default() }
+    CompileOptions { root, live: Live::Exposed, ..CompileOptions::default() }
 }
 
 /// Text of the first ten problems, a line each.
@@ -69,7 +69,7 @@ pub fn eval(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64;
 pub fn eval_with(
     look: &SetupLook,
     library: &Library,
-    options: &Options,
+    options: &CompileOptions,
     samples: &[EvalSample],
 ) -> Vec<[f64; 4]> {
     eval_on(&mut renderer(), look, library, options, samples)
@@ -80,7 +80,7 @@ pub fn eval_with(
 pub fn content(
     look: &SetupLook,
     library: &Library,
-    options: &Options,
+    options: &CompileOptions,
     samples: &[EvalSample],
     sink: &mut dyn FnMut(&[u8]),
 ) {
@@ -99,7 +99,7 @@ pub fn eval_on(
     renderer: &mut Renderer,
     look: &SetupLook,
     library: &Library,
-    options: &Options,
+    options: &CompileOptions,
     samples: &[EvalSample],
 ) -> Vec<[f64; 4]> {
     let batches = eval_batches(look, library, samples, options, &mut Assets::default())
@@ -122,7 +122,7 @@ pub fn eval_on(
 
 /// [`eval`] on the reference, in the exact tier as written: nothing folded, every value in f64.
 pub fn truth(look: &SetupLook, output: &str, samples: &[EvalSample]) -> Vec<[f64; 4]> {
-    let options = Options { unspecialized: true, ..options(output) };
+    let options = CompileOptions { unspecialized: true, ..options(output) };
     let batches =
         eval_batches(look, Library::built_in(), samples, &options, &mut Assets::default())
             .unwrap_or_else(|problems| panic!("{}\n{}", told(&problems), look.look.to_text()));

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use chiaro_compiler::compile::{Live, Options, compile};
+use chiaro_compiler::compile::{CompileOptions, Live, compile};
 use chiaro_compiler::document::Tier;
 use chiaro_compiler::library::Library;
 use chiaro_language::wgsl;
@@ -38,7 +38,7 @@ pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
 /// The frame plan with the module written by hand in the generated one's place, with the same
 /// bindings.
 pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
-    let options = Options { display: true, ..Options::default() };
+    let options = CompileOptions { display: true, ..CompileOptions::default() };
     let mut shader =
         compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example").value;
     let path = root("benches/handwritten").join(format!("{look}.wgsl"));

@@ -9,7 +9,7 @@ use serde_json::{Map, Value as Json, json};
 use crate::eval::{eval_with, look, options};
 
 /// Numbers of all inputs that are no choices, in the order of `numeric`.
-pub type In<'a> = &'a [Vec<f64>];
+pub type SampleInputs<'a> = &'a [Vec<f64>];
 
 /// The library with nodes that hand a value on at each fragment, so that the compiler knows nothing
 /// of the value.
@@ -111,7 +111,7 @@ pub fn bench(def: &NodeDef, choice: &[(&str, &str)], types: &[Type]) -> SetupLoo
 }
 
 /// A sample of a surface with these numbers as inputs of the node on a [`bench()`].
-pub fn sample(def: &NodeDef, inputs: In<'_>, at: &EvalSample) -> EvalSample {
+pub fn sample(def: &NodeDef, inputs: SampleInputs<'_>, at: &EvalSample) -> EvalSample {
     let value = |numbers: &Vec<f64>| match numbers.as_slice() {
         [x] => Value::Number(*x),
         more => Value::Vector(more.to_vec()),

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::editor_support::{Hand, node_center};
+use crate::editor_support::{User, node_center};
 use chiaro::document::{Edit, Endpoint, GraphId, Look, Node, Value};
 use chiaro::ids::NodeId;
 use eframe::egui::{
@@ -16,20 +16,20 @@ use serde_json::json;
 const CTRL: Modifiers = Modifiers::COMMAND;
 const CTRL_SHIFT: Modifiers = Modifiers { shift: true, ..Modifiers::COMMAND };
 
-fn open(json: &serde_json::Value) -> Hand {
+fn open(json: &serde_json::Value) -> User {
     // The file is not deleted: the window tells of a deleted file, and the message takes room.
     static NUMBER: AtomicUsize = AtomicUsize::new(0);
     let number = NUMBER.fetch_add(1, Ordering::Relaxed);
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("canvas-{number}.json"));
     std::fs::write(&path, json.to_string()).unwrap();
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().open(&path);
     hand.settle();
     hand
 }
 
 /// A window with two numbers, their sum, half of the sum, and an output.
-fn sums() -> Hand {
+fn sums() -> User {
     open(&json!({"nodes": [
         {"id": "a", "kind": "invert", "at": [0, 0], "values": {"value": 0.25}},
         {"id": "b", "kind": "invert", "at": [0, 160], "values": {"value": 0.5}},
@@ -42,7 +42,7 @@ fn sums() -> Hand {
     ]}))
 }
 
-fn select(hand: &mut Hand, ids: &[&str]) {
+fn select(hand: &mut User, ids: &[&str]) {
     let ids = ids.iter().map(|id| NodeId::from(*id)).collect();
     hand.app_mut().session_mut().select(ids);
     hand.settle();
@@ -55,11 +55,11 @@ fn select(hand: &mut Hand, ids: &[&str]) {
     hand.hover(over.center_bottom() + vec2(0.0, 60.0));
 }
 
-fn selected(hand: &Hand) -> Vec<String> {
+fn selected(hand: &User) -> Vec<String> {
     hand.app().session().selection().nodes().map(ToString::to_string).collect()
 }
 
-fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<String> {
+fn wire_into(hand: &User, node: &str, port: &str) -> Option<String> {
     hand.app()
         .session()
         .graph()
@@ -67,19 +67,19 @@ fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<String> {
         .map(|wire| wire.from.to_string())
 }
 
-fn errors(hand: &Hand) -> Vec<String> {
+fn errors(hand: &User) -> Vec<String> {
     let problems = hand.app().session().compilation().problems().iter();
     problems.filter(|problem| problem.is_error()).map(ToString::to_string).collect()
 }
 
 /// Undoes all steps and asserts that the look is the file's again, byte for byte.
-fn undoes_to(hand: &mut Hand, text: &str) {
+fn undoes_to(hand: &mut User, text: &str) {
     while hand.app_mut().session_mut().undo() {}
     assert_eq!(hand.look().to_text(), text);
 }
 
 /// The text copied to the clipboard in the last frame.
-fn copied(hand: &Hand) -> String {
+fn copied(hand: &User) -> String {
     let commands = &hand.harness.output().platform_output.commands;
     let mut texts = commands.iter().filter_map(|command| match command {
         OutputCommand::CopyText(text) => Some(text.clone()),
@@ -88,7 +88,7 @@ fn copied(hand: &Hand) -> String {
     texts.next_back().unwrap_or_default()
 }
 
-fn drag_with(hand: &mut Hand, button: PointerButton, modifiers: Modifiers, path: &[Pos2]) {
+fn drag_with(hand: &mut User, button: PointerButton, modifiers: Modifiers, path: &[Pos2]) {
     hand.hover(path[0]);
     hand.harness.event(Event::ModifiersChanged(modifiers));
     hand.harness.event(Event::PointerButton { pos: path[0], button, pressed: true, modifiers });
@@ -180,7 +180,7 @@ fn a_group_opens_by_key_and_undo_leaves_one_that_is_gone() {
 
 #[test]
 fn a_group_of_the_library_is_looked_at_and_made_ones_own() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().to_text();
     hand.double_click(node_center(&hand, "diffuse"));
     hand.settle();
@@ -215,7 +215,7 @@ fn the_ports_of_a_group_are_renamed_moved_and_removed() {
     hand.settle();
     let at = hand.harness.get_by_label("Move down input a").rect().center();
     hand.click(at);
-    let names = |hand: &Hand| {
+    let names = |hand: &User| {
         hand.look().definitions["group"]
             .inputs
             .iter()
@@ -283,7 +283,7 @@ fn a_frame_gets_a_color_from_its_menu() {
     assert_eq!(hand.look().graph.frames["frame"].color.len(), 3);
 }
 
-fn right_click(hand: &mut Hand, at: Pos2) {
+fn right_click(hand: &mut User, at: Pos2) {
     hand.hover(at);
     hand.harness.run_steps(4);
     for pressed in [true, false] {
@@ -435,7 +435,7 @@ fn nodes_are_wired_by_key_and_by_coming_near() {
 #[test]
 fn a_lasso_selects_what_is_inside() {
     let mut hand = sums();
-    let rect = |hand: &Hand, id: &str| hand.app().canvas().node_rect(id).unwrap();
+    let rect = |hand: &User, id: &str| hand.app().canvas().node_rect(id).unwrap();
     let (a, b) = (rect(&hand, "a"), rect(&hand, "b"));
     let path = [
         a.left_top() - vec2(20.0, 20.0),
@@ -479,7 +479,7 @@ fn nodes_are_copied_as_text_and_pasted_into_another_window() {
     let part = Look::read(&text, "copied").value.expect("a look");
     assert_eq!((part.graph.nodes.len(), part.graph.wires.len()), (2, 1));
 
-    let mut other = Hand::new();
+    let mut other = User::new();
     let nothing = other.empty_place();
     other.hover(nothing);
     other.harness.event(Event::Paste(text.clone()));
@@ -513,7 +513,7 @@ fn nodes_are_deleted_with_the_wires_kept_through() {
 #[test]
 fn nodes_are_aligned_spaced_and_tidied_up() {
     let mut hand = sums();
-    let place = |hand: &Hand, id: &str| hand.look().graph.nodes[id].position;
+    let place = |hand: &User, id: &str| hand.look().graph.nodes[id].position;
     select(&mut hand, &["a", "sum", "half"]);
     hand.key_with(Modifiers::SHIFT, Key::ArrowUp);
     assert_eq!(place(&hand, "sum")[1], 0.0);
@@ -533,11 +533,11 @@ fn nodes_are_aligned_spaced_and_tidied_up() {
 }
 
 #[test]
-fn edges_snap_to_those_of_neighbours() {
+fn edges_snap_to_those_of_neighbors() {
     let mut hand = sums();
     let (zoom, _) = hand.app().canvas().zoom_and_center();
     let grab = node_center(&hand, "b");
-    // Three points off its neighbour's edge the node snaps; with Ctrl it does not.
+    // Three points off its neighbor's edge the node snaps; with Ctrl it does not.
     hand.drag(grab, grab + vec2(3.0, 40.0));
     assert_eq!(hand.look().graph.nodes["b"].position[0], 0.0);
     let grab = node_center(&hand, "b");
@@ -549,7 +549,7 @@ fn edges_snap_to_those_of_neighbours() {
 
 #[test]
 fn what_adds_nothing_is_dimmed_and_told() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     assert_eq!(hand.app().canvas().idle_word("diffuse"), None);
     hand.add("clamp_range", pos2(0.0, 300.0));
     assert_eq!(hand.app().canvas().idle_word("clamp_range"), Some("unused"));
@@ -690,7 +690,7 @@ fn nodes_tell_what_they_give() {
     assert_eq!(value("a").as_deref(), Some("0.75"));
     assert_eq!(value("sum").as_deref(), Some("1.25"));
     assert_eq!(value("half").as_deref(), Some("0.625"));
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     for _ in 0..8 {
         hand.harness.run_steps(6);
         hand.settle();

@@ -1,23 +1,23 @@
 //! The panels of the window: closed, brought back, moved and remembered.
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::editor_support::home::Home;
 use chiaro::editor::{App, Orbit};
 use eframe::egui::accesskit::Toggled;
 use eframe::egui::{Key, Modifiers, Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-fn has_tab(hand: &Hand, label: &str) -> bool {
+fn has_tab(hand: &User, label: &str) -> bool {
     hand.harness.query_by_role_and_label(Role::Tab, label).is_some()
 }
 
-fn click_tab(hand: &mut Hand, label: &str) {
+fn click_tab(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_role_and_label(Role::Tab, label).rect().center();
     hand.click(at);
     hand.settle();
 }
 
-fn in_view_menu(hand: &mut Hand, label: &str) {
+fn in_view_menu(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_label("View").rect().center();
     hand.click(at);
     hand.settle();
@@ -35,8 +35,8 @@ fn in_view_menu(hand: &mut Hand, label: &str) {
 }
 
 #[test]
-fn a_panel_that_is_closed_comes_back_beside_its_neighbours() {
-    let mut hand = Hand::new();
+fn a_panel_that_is_closed_comes_back_beside_its_neighbors() {
+    let mut hand = User::new();
     for label in [
         "Picture",
         "Graph",
@@ -73,12 +73,12 @@ fn a_panel_that_is_closed_comes_back_beside_its_neighbours() {
 
 #[test]
 fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     in_view_menu(&mut hand, "Effects");
     click_tab(&mut hand, "Probe");
     let saved = hand.app_mut().changed_arrangement().expect("it changed");
     assert!(hand.app_mut().changed_arrangement().is_none(), "told once");
-    let mut other = Hand::new();
+    let mut other = User::new();
     other.app_mut().arrange(&saved);
     other.settle();
     assert!(!has_tab(&other, "Effects") && has_tab(&other, "Probe"));
@@ -96,19 +96,19 @@ fn the_arrangement_is_remembered_and_a_damaged_one_changes_nothing() {
 }
 
 /// True if a panel's tab is the one in front.
-fn is_in_front(hand: &Hand, label: &str) -> bool {
+fn is_in_front(hand: &User, label: &str) -> bool {
     hand.harness
         .query_by_role_and_label(Role::Tab, label)
         .is_some_and(|tab| tab.accesskit_node().toggled() == Some(Toggled::True))
 }
 
-fn new_painting(hand: &mut Hand) {
+fn new_painting(hand: &mut User) {
     hand.press("Paint");
     hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
     assert!(hand.has("Painting canvas"));
 }
 
-fn view(hand: &mut Hand, role: Role, label: &str) {
+fn view(hand: &mut User, role: Role, label: &str) {
     hand.press("View");
     hand.press_a(role, label);
     hand.key(Key::Escape);
@@ -169,7 +169,7 @@ fn painting_has_a_layout_of_its_own_and_each_is_kept_as_it_was_left() {
 
 #[test]
 fn a_painting_that_is_left_gives_the_view_of_before_back() {
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.app_mut().show_on("shape:torus");
     hand.settle();
     let middle = hand.app().viewport().rect().unwrap().center();
@@ -201,7 +201,7 @@ fn a_painting_that_is_left_gives_the_view_of_before_back() {
 
 #[test]
 fn a_mesh_that_was_chosen_while_painting_stays_and_stands_as_it_stood() {
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     new_painting(&mut hand);
     hand.app_mut().show_on("shape:knot");
     hand.key_with(Modifiers::COMMAND, Key::N);
@@ -233,7 +233,7 @@ fn after_a_restart_a_painting_gives_the_view_of_the_beginning() {
 
 #[test]
 fn edits_of_a_look_move_no_panels() {
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     new_painting(&mut hand);
     hand.app_mut().session_mut().select(vec!["painting".into()]);
     let edit = chiaro::document::Edit::SetValue {
@@ -252,11 +252,11 @@ fn edits_of_a_look_move_no_panels() {
 
 #[test]
 fn the_one_layout_of_before_becomes_both_where_painting_had_covered_the_graph() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     new_painting(&mut hand);
     let saved = hand.app_mut().changed_arrangement().expect("it changed");
     // An older program wrote the layout without a name, with the panels of painting in it.
-    let mut other = Hand::new();
+    let mut other = User::new();
     other.app_mut().arrange(&saved["painting"]);
     other.settle();
     assert!(
@@ -269,7 +269,7 @@ fn the_one_layout_of_before_becomes_both_where_painting_had_covered_the_graph() 
 
 #[test]
 fn panels_do_not_mind_how_little_room_they_have() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().session_mut().select(vec!["diffuse".into()]);
     for panel in ["Layers", "Lights", "Objects", "Library", "History"] {
         hand.harness.set_size(vec2(1500.0, 900.0));

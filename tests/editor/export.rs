@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::editor_support::home::Home;
 use chiaro::document::{Edit, GraphId, Look};
 use chiaro::editor::App;
@@ -24,9 +24,9 @@ const MENU: [(&str, &str); 8] = [
 ];
 
 /// A window with a file open that asks for paths by its own fields.
-fn window(file: &Path) -> Hand {
+fn window(file: &Path) -> User {
     let file = file.to_owned();
-    Hand::with(move |ctx| {
+    User::with(move |ctx| {
         let mut app = App::new(ctx, None).with_path_fields();
         app.open(&file);
         app
@@ -69,7 +69,7 @@ fn exported(look: &Path, language: &str) -> BTreeMap<String, Vec<u8>> {
     files(folder.path())
 }
 
-fn told(hand: &Hand) -> &str {
+fn told(hand: &User) -> &str {
     hand.app().message().unwrap_or_default()
 }
 
@@ -194,7 +194,7 @@ fn what_cannot_be_exported_says_where_and_why() {
 }
 
 /// Presses a menu's item and waits for a text to come to the clipboard.
-fn copied(hand: &mut Hand, item: &str) -> Option<String> {
+fn copied(hand: &mut User, item: &str) -> Option<String> {
     hand.press("Copy as");
     let at = hand.place(item).center();
     hand.click(at);

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::compile::Live;
 use chiaro::document::{Document, Look};
 use chiaro::editor::App;
@@ -21,8 +21,8 @@ use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_set
 const SIDE: u32 = 32;
 
 /// A window in which light is painted on an example; fits work on few pixels.
-fn painter(example: &str) -> Hand {
-    let mut hand = Hand::new();
+fn painter(example: &str) -> User {
+    let mut hand = User::new();
     hand.app_mut().fitting_mut().set_effort(24, 2);
     hand.app_mut().open(Path::new(example));
     hand.app_mut().show_on("shape:sphere");
@@ -32,7 +32,7 @@ fn painter(example: &str) -> Hand {
 }
 
 /// Presses the key over the picture that begins painting light.
-fn paint_light(hand: &mut Hand) {
+fn paint_light(hand: &mut User) {
     let at = at(hand, 0.0, 0.0);
     hand.hover(at);
     hand.key(Key::L);
@@ -41,14 +41,14 @@ fn paint_light(hand: &mut Hand) {
 }
 
 /// A place of the picture, in parts of the ball's radius from the ball's middle.
-fn at(hand: &Hand, x: f32, y: f32) -> Pos2 {
+fn at(hand: &User, x: f32, y: f32) -> Pos2 {
     let rect = hand.app().viewport().rect().unwrap();
     let radius = hand.app().session().view().orbit().radius_in_picture() as f32 * rect.height();
     rect.center() + vec2(x, -y) * radius
 }
 
 /// A stroke through places of the ball.
-fn stroke(hand: &mut Hand, brush: &str, places: &[[f32; 2]]) {
+fn stroke(hand: &mut User, brush: &str, places: &[[f32; 2]]) {
     hand.press_a(Role::RadioButton, &format!("Brush: {brush}"));
     let points: Vec<Pos2> = places.iter().map(|&[x, y]| at(hand, x, y)).collect();
     hand.drag_through(&points);
@@ -68,9 +68,13 @@ fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
         .value;
     let radius = chiaro::editor::Orbit::default().radius_in_picture();
     let modules = Modules::new(&plan, Precision::F64).unwrap();
-    let picture =
-        reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new())
-            .unwrap();
+    let picture = reference::execute(
+        &plan,
+        &modules,
+        &reference::ReferenceOptions::default(),
+        &Progress::new(),
+    )
+    .unwrap();
     let middle = [0.5 + x * radius, 0.5 - y * radius].map(|part| (part * f64::from(SIDE)) as u32);
     let around = (0..9).map(|index| [middle[0] + index % 3 - 1, middle[1] + index / 3 - 1]);
     around.map(|[x, y]| picture.straight(x, y)[1]).sum::<f64>() / 9.0
@@ -79,7 +83,7 @@ fn brightness(look: &Look, [x, y]: [f64; 2]) -> f64 {
 const LEFT: [f32; 2] = [-0.55, 0.2];
 const RIGHT: [f32; 2] = [0.55, 0.2];
 
-fn paint_both_sides(hand: &mut Hand) {
+fn paint_both_sides(hand: &mut User) {
     stroke(hand, "Light", &[[0.5, 0.4], [0.6, -0.1]]);
     stroke(hand, "Dark", &[[-0.5, 0.4], [-0.6, -0.1]]);
 }
@@ -221,7 +225,7 @@ fn strokes_are_undone_cleared_and_belong_to_their_view() {
 #[test]
 fn what_cannot_be_fitted_is_told() {
     let mut hand = painter("examples/looks/figure3-profile.json");
-    let told = |hand: &Hand| hand.app().fitting().told().unwrap_or_default().to_owned();
+    let told = |hand: &User| hand.app().fitting().told().unwrap_or_default().to_owned();
     hand.press("Fit this look");
     assert!(told(&hand).contains("Nothing is painted"), "{}", told(&hand));
     // A stroke beside the object.
@@ -264,7 +268,7 @@ fn a_fit_can_be_stopped_and_an_edit_ends_it() {
     let mut hand = painter("examples/looks/figure3-profile.json");
     let before = hand.look().clone();
     paint_both_sides(&mut hand);
-    let start = |hand: &mut Hand| {
+    let start = |hand: &mut User| {
         let fit = hand.place("Fit this look").center();
         hand.click(fit);
         assert!(hand.app().fitting().is_fitting(), "{:?}", hand.app().fitting().told());
@@ -409,11 +413,11 @@ fn shots() {
     let builder = Harness::builder()
         .with_size(size)
         .renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    let mut hand = Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())));
+    let mut hand = User::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())));
     let folder = std::env::var_os("CHIARO_SHOTS")
         .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
-    let save = |hand: &mut Hand, name: &str| {
+    let save = |hand: &mut User, name: &str| {
         hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
     };
     hand.app_mut().fitting_mut().set_effort(96, 2);

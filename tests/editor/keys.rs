@@ -4,37 +4,37 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::path::Path;
 
-use crate::editor_support::{Hand, close};
+use crate::editor_support::{User, close};
 use chiaro::catalog::values::number_text;
 use chiaro::document::{
-    DirectionKey, DirectionKeys, Driver, Edit, Exposed, GraphId, Interpolation, KeyDirection,
+    DirectionKey, DirectionKeys, Driver, Edit, ExposedValue, GraphId, Interpolation, KeyDirection,
     Target, Value,
 };
 use chiaro::editor::App;
 use eframe::egui::{Key, Pos2, Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-fn at(hand: &Hand, label: &str) -> Pos2 {
+fn at(hand: &User, label: &str) -> Pos2 {
     let found = hand.harness.get_all_by_label(label).next();
     found.unwrap_or_else(|| panic!("{label}")).rect().center()
 }
 
-fn click(hand: &mut Hand, label: &str) {
+fn click(hand: &mut User, label: &str) {
     let at = at(hand, label);
     hand.click(at);
     hand.settle();
 }
 
-fn has(hand: &Hand, text: &str) -> bool {
+fn has(hand: &User, text: &str) -> bool {
     hand.harness.query_all_by_label_contains(text).next().is_some()
 }
 
-fn select(hand: &mut Hand, ids: &[&str]) {
+fn select(hand: &mut User, ids: &[&str]) {
     hand.app_mut().session_mut().select(ids.iter().map(|id| (*id).into()).collect());
     hand.settle();
 }
 
-fn radians(hand: &Hand, node: &str, port: &str) -> f64 {
+fn radians(hand: &User, node: &str, port: &str) -> f64 {
     match hand.look().graph.nodes[node].values.get(port) {
         Some(Value::Number(number)) => *number,
         other => panic!("{node}.{port} is {other:?}"),
@@ -42,7 +42,7 @@ fn radians(hand: &Hand, node: &str, port: &str) -> f64 {
 }
 
 /// Brings a value of the inspector into view by its search.
-fn find(hand: &mut Hand, text: &str) {
+fn find(hand: &mut User, text: &str) {
     let search = at(hand, "Find a value");
     hand.click(search);
     hand.key_with(eframe::egui::Modifiers::COMMAND, Key::A);
@@ -51,7 +51,7 @@ fn find(hand: &mut Hand, text: &str) {
 }
 
 /// Types a number into the field of a value in the inspector.
-fn set(hand: &mut Hand, label: &str, number: &str) {
+fn set(hand: &mut User, label: &str, number: &str) {
     find(hand, label);
     let mark = at(hand, &format!("Keys of {label}"));
     let fields = hand
@@ -73,13 +73,13 @@ fn target(text: &str) -> Target {
 }
 
 /// Width of a degree in the plot of the profile, in points.
-fn degree(hand: &Hand) -> f32 {
+fn degree(hand: &User) -> f32 {
     let plot = hand.harness.get_by_label_contains("over the angle").rect();
     (plot.width() - 40.0) / 180.0
 }
 
-fn directional() -> Hand {
-    let mut hand = Hand::new();
+fn directional() -> User {
+    let mut hand = User::new();
     hand.app_mut().open(Path::new("examples/looks/figure5-directional.json"));
     hand.settle();
     hand
@@ -87,7 +87,7 @@ fn directional() -> Hand {
 
 #[test]
 fn a_profile_is_dragged_in_one_step_and_keeps_its_order() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     select(&mut hand, &["diffuse"]);
     let before = hand.look().clone();
     let cutoff = at(&hand, "Cut-off of the profile");
@@ -108,7 +108,7 @@ fn a_profile_is_dragged_in_one_step_and_keeps_its_order() {
 
 #[test]
 fn presets_keys_and_notes_of_a_profile() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     select(&mut hand, &["diffuse"]);
     click(&mut hand, "Profile preset Cartoon");
     for port in ["offset", "falloff", "cutoff"] {
@@ -145,7 +145,7 @@ fn presets_keys_and_notes_of_a_profile() {
 
 #[test]
 fn direction_keys_are_made_from_nothing() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().clone();
     select(&mut hand, &["diffuse"]);
     click(&mut hand, "Keys");
@@ -156,7 +156,7 @@ fn direction_keys_are_made_from_nothing() {
     click(&mut hand, "Add value");
     click(&mut hand, "Diffuse: Opacity");
     let opacity = target("diffuse.opacity");
-    let keys = |hand: &Hand| hand.look().direction_keys[0].keys.clone();
+    let keys = |hand: &User| hand.look().direction_keys[0].keys.clone();
     assert_eq!(keys(&hand)[0].values[&opacity], Value::Number(1.0));
     // A copy of a key lies beside its original and is dragged elsewhere; values set in the
     // inspector are set at the copy.
@@ -196,13 +196,13 @@ fn direction_keys_are_made_from_nothing() {
 /// and each key's value of a driver is typed.
 #[test]
 fn keys_by_drivers_are_made_from_nothing() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().clone();
     select(&mut hand, &["diffuse"]);
     click(&mut hand, "Keys");
     click(&mut hand, "Add direction keys");
     click(&mut hand, "Distance to the eye");
-    let set = |hand: &Hand| hand.look().direction_keys[0].clone();
+    let set = |hand: &User| hand.look().direction_keys[0].clone();
     assert_eq!(set(&hand).by, KeyDirection::Drivers(vec![Driver::Distance]));
     let far = set(&hand).keys[0].direction[0];
     assert!(
@@ -247,7 +247,7 @@ fn keys_by_drivers_are_made_from_nothing() {
 /// the menu, and changing it changes the keys' weights.
 #[test]
 fn keys_by_a_wire_are_made_and_follow_it() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().clone();
     let mut node = chiaro::document::Node {
         kind: "number".to_owned(),
@@ -265,14 +265,14 @@ fn keys_by_a_wire_are_made_and_follow_it() {
     assert!(has(&hand, "never change"));
     hand.key(Key::Escape);
     let exposed =
-        Exposed { name: "mood".into(), target: target("mood.value"), label: String::new() };
+        ExposedValue { name: "mood".into(), target: target("mood.value"), label: String::new() };
     let expose = Edit::AddExposed { exposed, index: None };
     hand.app_mut().session_mut().apply(expose, None).expect("it applies");
     hand.settle();
     click(&mut hand, "Add direction keys");
     click(&mut hand, "Value of \"Mood\"");
     hand.settle();
-    let set = |hand: &Hand| hand.look().direction_keys[0].clone();
+    let set = |hand: &User| hand.look().direction_keys[0].clone();
     let KeyDirection::Drivers(drivers) = set(&hand).by else { panic!("{:?}", set(&hand).by) };
     assert_eq!(drivers[0].output().map(ToString::to_string).as_deref(), Some("mood.value"));
     assert_eq!(set(&hand).keys[0].direction[0], 2.0, "the key lies where the wire is now");
@@ -309,7 +309,7 @@ fn keys_by_a_wire_are_made_and_follow_it() {
 /// same; it can be chosen there too.
 #[test]
 fn a_keyed_value_says_what_it_is_and_what_is_set() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let target = target("diffuse.opacity");
     let key = |at: f64, opacity: f64| DirectionKey {
         direction: [at, 0.0, 0.0],
@@ -327,7 +327,7 @@ fn a_keyed_value_says_what_it_is_and_what_is_set() {
     hand.app_mut().session_mut().apply(add, None).expect("it applies");
     select(&mut hand, &["diffuse"]);
     find(&mut hand, "Opacity");
-    let place = |hand: &mut Hand, height: f64| {
+    let place = |hand: &mut User, height: f64| {
         let mut light = hand.look().lights["key"].clone();
         light.direction = [0.0, height.sin(), height.cos()];
         let set = Edit::SetLight { id: "key".into(), light };
@@ -338,7 +338,7 @@ fn a_keyed_value_says_what_it_is_and_what_is_set() {
     place(&mut hand, 0.5);
     assert!(has(&hand, "Now 0.5"));
     assert!(has(&hand, "while Height of \"key\" is 28.6°"));
-    let is_set = |hand: &Hand, key: usize| {
+    let is_set = |hand: &User, key: usize| {
         let name = format!("Set Opacity at key {key}");
         let node = hand.harness.get_by_label(&name);
         node.accesskit_node().toggled() == Some(eframe::egui::accesskit::Toggled::True)
@@ -359,7 +359,7 @@ fn a_keyed_value_says_what_it_is_and_what_is_set() {
     }
     set(&mut hand, "Opacity", "0.6");
     let opacity =
-        |hand: &Hand, key: usize| hand.look().direction_keys[0].keys[key].values[&target].clone();
+        |hand: &User, key: usize| hand.look().direction_keys[0].keys[key].values[&target].clone();
     assert_eq!([opacity(&hand, 0), opacity(&hand, 1)], [0.2, 0.6].map(Value::Number));
     assert!(has(&hand, "Now 0.4"), "between 0.2 and 0.6");
     click(&mut hand, "Set Opacity at key 1");
@@ -421,7 +421,7 @@ fn what_is_keyed_follows_without_compiling() {
 /// be keyed.
 #[test]
 fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     select(&mut hand, &["diffuse"]);
     click(&mut hand, "Default");
     let before = hand.look().clone();
@@ -439,7 +439,7 @@ fn what_has_no_value_of_its_own_gets_one_when_it_is_keyed() {
 
 #[test]
 fn a_value_is_keyed_in_time_and_played() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().clone();
     select(&mut hand, &["diffuse"]);
     find(&mut hand, "Opacity");
@@ -457,7 +457,7 @@ fn a_value_is_keyed_in_time_and_played() {
     let time = hand.app().session().view().time();
     assert!(time > 1.0 && close(time * 24.0, (time * 24.0).round()), "{time} is on a frame");
     set(&mut hand, "Opacity", "0.5");
-    let keys = |hand: &Hand| hand.look().time_keys[0].keys.clone();
+    let keys = |hand: &User| hand.look().time_keys[0].keys.clone();
     assert_eq!(keys(&hand).len(), 2);
     assert_eq!((keys(&hand)[1].time, &keys(&hand)[1].value), (time, &Value::Number(0.5)));
     // The second key is dragged in time and made stepped.
@@ -516,10 +516,10 @@ fn the_inspector_exposes_finds_and_sets_several() {
 /// inspector's values, and the key that edits go to, are those of the selected object.
 #[test]
 fn keyed_values_are_of_the_object_that_is_selected() {
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.app_mut().open(Path::new("examples/scenes/keys-mood.json"));
     hand.settle();
-    let at_key = |hand: &Hand, key: usize| {
+    let at_key = |hand: &User, key: usize| {
         let keys = &hand.look().direction_keys[0].keys;
         keys[key].values.get(&target("body.offset")).cloned()
     };

@@ -7,7 +7,7 @@
 
 use std::path::Path;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::support::random::Random;
 use chiaro::document::{Look, Scene};
 use chiaro::editor::App;
@@ -23,13 +23,13 @@ const ROUND: usize = 250;
 
 struct Monkey {
     random: Random,
-    hand: Hand,
+    hand: User,
     done: usize,
 }
 
 impl Monkey {
     fn new(seed: u64) -> Self {
-        let hand = Hand::with_builder(egui_kittest::Harness::builder(), |ctx| {
+        let hand = User::with_builder(egui_kittest::Harness::builder(), |ctx| {
             App::new(ctx, None).without_dialogs()
         });
         Self { random: Random::new(seed), hand, done: 0 }
@@ -264,8 +264,8 @@ fn gestures() -> usize {
 }
 
 /// A window at the first step of the tour.
-fn on_tour() -> Hand {
-    let mut hand = Hand::with(|ctx| {
+fn on_tour() -> User {
+    let mut hand = User::with(|ctx| {
         let mut app = App::new(ctx, None).without_dialogs();
         app.show_start_page();
         app
@@ -298,7 +298,7 @@ fn let_loose_in(mut monkey: Monkey, file: Option<&str>, gestures: usize) {
         Look::load(&chiaro::files::Disk, &entry.unwrap().path()).value.unwrap().to_text()
     });
     let mut beginnings: Vec<String> = examples
-        .chain([fresh, opened, Hand::new().look().to_text(), on_tour().look().to_text()])
+        .chain([fresh, opened, User::new().look().to_text(), on_tour().look().to_text()])
         .collect();
     let mut saved = std::fs::read_to_string(&path).unwrap_or_default();
     while monkey.done < gestures {

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::document::{Address, Directions, Grid, Hcbtf, HcbtfAngle, Rule, Strokes, Tile};
 use eframe::egui::{Key, Modifiers, Role};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -29,7 +29,7 @@ fn is_word(name: &str) -> bool {
     name.chars().any(char::is_alphabetic)
 }
 
-fn nameless(hand: &Hand, what: &str, found: &mut Vec<String>) {
+fn nameless(hand: &User, what: &str, found: &mut Vec<String>) {
     for role in ROLES {
         for node in hand.harness.query_all_by_role(role) {
             let node = node.accesskit_node();
@@ -48,15 +48,15 @@ fn nameless(hand: &Hand, what: &str, found: &mut Vec<String>) {
     }
 }
 
-fn opened(hand: &mut Hand, example: &str) {
+fn opened(hand: &mut User, example: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(example);
     hand.app_mut().open(&path);
     hand.settle();
 }
 
 /// Names of all panels, as the *View* menu lists them.
-fn panels(hand: &mut Hand) -> Vec<String> {
-    let boxes = |hand: &Hand| -> Vec<String> {
+fn panels(hand: &mut User) -> Vec<String> {
+    let boxes = |hand: &User| -> Vec<String> {
         let boxes = hand.harness.query_all_by_role(Role::CheckBox);
         boxes.filter_map(|node| node.accesskit_node().label()).collect()
     };
@@ -69,7 +69,7 @@ fn panels(hand: &mut Hand) -> Vec<String> {
 }
 
 /// Opens the painting workspace with a rule of each kind and checks its panels.
-fn painting(hand: &mut Hand, found: &mut Vec<String>) {
+fn painting(hand: &mut User, found: &mut Vec<String>) {
     let from = Address::default();
     let angles = vec![HcbtfAngle::ViewPhi, HcbtfAngle::LightPhi];
     let rules = vec![
@@ -106,7 +106,7 @@ fn painting(hand: &mut Hand, found: &mut Vec<String>) {
 #[test]
 fn everything_that_can_be_operated_has_a_name() {
     let mut found = Vec::new();
-    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    let mut hand = User::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().show_on("shape:sphere");
     opened(&mut hand, "examples/looks/figure5-directional.json");
     let panels = panels(&mut hand);

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::editor_support::home::Home;
 use crate::editor_support::painting::{hcbtf, opened};
 use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Strokes, Tile};
@@ -19,12 +19,12 @@ const GRID: Grid = Grid {
     light: Directions { theta: 3, phi: 4 },
     view: Directions { theta: 3, phi: 4 },
 };
-const GREY: [u8; 4] = [90, 90, 90, 255];
+const GRAY: [u8; 4] = [90, 90, 90, 255];
 
 /// A file with one painted sample, straight above, of one color.
 fn file(folder: &Path, rules: Vec<Rule>) -> PathBuf {
     let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(GRID) };
-    hcbtf.painted.insert(Address::default(), Arc::new(Tile::filled(GRID.size, GREY)));
+    hcbtf.painted.insert(Address::default(), Arc::new(Tile::filled(GRID.size, GRAY)));
     let path = folder.join("surface.hcbtf");
     fs::write(&path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
     path
@@ -35,28 +35,28 @@ fn saved(path: &Path) -> Hcbtf {
 }
 
 /// The middle of a texel on the screen.
-fn texel(hand: &Hand, x: i32, y: i32) -> Pos2 {
+fn texel(hand: &User, x: i32, y: i32) -> Pos2 {
     hand.app().painting().screen([f64::from(x) + 0.5, f64::from(y) + 0.5]).unwrap()
 }
 
-fn cell(hand: &Hand, light: [u32; 2], view: [u32; 2]) -> Pos2 {
+fn cell(hand: &User, light: [u32; 2], view: [u32; 2]) -> Pos2 {
     hand.app().painting().cell(Address::new(light, view)).unwrap().center()
 }
 
-fn small_hard_brush(hand: &mut Hand) {
+fn small_hard_brush(hand: &mut User) {
     let size = hand.place_of(Role::SpinButton, "Size");
     hand.type_over(size, "1");
     let hardness = hand.place_of(Role::SpinButton, "Hardness");
     hand.type_over(hardness, "100");
 }
 
-/// Texels whose color is not the initial grey.
+/// Texels whose color is not the initial gray.
 fn changed(tile: &Tile) -> Vec<[i64; 2]> {
     let all = (0..8).flat_map(|y| (0..8).map(move |x| [x, y]));
-    all.filter(|[x, y]| tile.texel(*x, *y) != GREY).collect()
+    all.filter(|[x, y]| tile.texel(*x, *y) != GRAY).collect()
 }
 
-fn go_to(hand: &mut Hand, light: [u32; 2], view: [u32; 2]) {
+fn go_to(hand: &mut User, light: [u32; 2], view: [u32; 2]) {
     hand.app_mut().session_mut().painting_mut().unwrap().go_to(Address::new(light, view));
     hand.settle();
 }
@@ -197,7 +197,7 @@ fn strokes_begin_from_a_preset_and_are_changed_field_by_field() {
     hand.press("+ Add a rule");
     hand.press_a(Role::MenuItem, "Strokes");
     hand.settle();
-    let strokes = |hand: &Hand| match &hcbtf(hand).rules[..] {
+    let strokes = |hand: &User| match &hcbtf(hand).rules[..] {
         [Rule::Strokes(strokes)] => Strokes::clone(strokes),
         other => panic!("{other:?}"),
     };
@@ -216,7 +216,7 @@ fn strokes_begin_from_a_preset_and_are_changed_field_by_field() {
 fn a_new_one_is_saved_where_one_says_and_the_look_goes_with_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine");
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).with_path_fields());
+    let mut hand = User::with(|ctx| App::new(ctx, None).with_path_fields());
     hand.press("Paint");
     hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
     let at = hand.app().painting().screen([8.0, 8.0]).unwrap();
@@ -245,10 +245,10 @@ fn a_new_one_is_saved_where_one_says_and_the_look_goes_with_it() {
 fn unsaved_strokes_are_seen_in_the_picture() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path(), vec![Rule::Copy { from: Address::default() }]);
-    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    let mut hand = User::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().open(&path);
     hand.settle();
-    let picture = |hand: &mut Hand| {
+    let picture = |hand: &mut User| {
         let rect = hand.app().viewport().rect().unwrap();
         let image = hand.harness.render().unwrap();
         let (x, y) = (rect.center().x as u32 - 60, rect.center().y as u32 - 40);
@@ -261,14 +261,14 @@ fn unsaved_strokes_are_seen_in_the_picture() {
     hand.settle();
     let after = picture(&mut hand);
     let is_yellow = |pixel: &image::Rgba<u8>| pixel[0] > 120 && pixel[1] > 100 && pixel[2] < 100;
-    assert!(!before.pixels().any(is_yellow), "grey before");
+    assert!(!before.pixels().any(is_yellow), "gray before");
     assert!(
         after.pixels().filter(|pixel| is_yellow(pixel)).count() > 200,
         "the surface shows the stroke"
     );
     assert_eq!(
         saved(&path).painted(Address::default()).unwrap().texel(3, 3),
-        GREY,
+        GRAY,
         "and the file is as it was"
     );
     hand.undo();
@@ -301,14 +301,14 @@ fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
     let home = Home::new();
     let path = home.file("surface.hcbtf");
     fs::rename(file(path.parent().unwrap(), Vec::new()), &path).unwrap();
-    let stroke = |hand: &mut Hand, y: i32| {
+    let stroke = |hand: &mut User, y: i32| {
         small_hard_brush(hand);
         let (from, to) = (texel(hand, 1, y), texel(hand, 5, y));
         hand.drag(from, to);
         hand.settle();
         home.wait_until_written();
     };
-    let look_at_files = |hand: &mut Hand| {
+    let look_at_files = |hand: &mut User| {
         hand.app_mut().look_at_files();
         hand.settle();
     };
@@ -348,7 +348,7 @@ fn what_others_did_to_the_file_of_a_recovered_painting_is_noticed() {
 }
 
 /// Opens an example from the start page.
-fn show_example(hand: &mut Hand, name: &str) {
+fn show_example(hand: &mut User, name: &str) {
     hand.app_mut().show_start_page();
     hand.settle();
     let label = format!("Open the look {name}");
@@ -373,7 +373,7 @@ fn look_with_example(folder: &Path) -> PathBuf {
     path
 }
 
-fn sheets(hand: &Hand) -> Vec<String> {
+fn sheets(hand: &User) -> Vec<String> {
     let values = hand.look().graph.nodes.values().flat_map(|node| &node.values);
     let named = values.filter(|(port, _)| port.as_str() == "sheet").map(|(_, value)| match value {
         chiaro::document::Value::Text(name) => name.clone(),
@@ -386,7 +386,7 @@ fn sheets(hand: &Hand) -> Vec<String> {
 fn an_example_is_painted_as_a_copy_that_keeps_its_name_and_is_seen_wherever_the_look_shows_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = look_with_example(folder.path());
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).with_path_fields());
+    let mut hand = User::with(|ctx| App::new(ctx, None).with_path_fields());
     hand.app_mut().open(&path);
     hand.settle();
     hand.press("View");
@@ -621,7 +621,7 @@ fn what_a_look_of_two_shows_is_chosen_and_the_other_panels_tell_of_it() {
 fn a_look_that_names_what_has_no_file_is_saved_after_it() {
     let folder = tempfile::tempdir().unwrap();
     let path = look_with_example(folder.path());
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.app_mut().open(&path);
     hand.settle();
     hand.press("Paint");
@@ -644,11 +644,11 @@ fn a_look_that_names_what_has_no_file_is_saved_after_it() {
 fn a_sample_is_marked_in_the_picture_of_any_mesh_and_turned_to() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path(), vec![Rule::Copy { from: Address::default() }]);
-    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    let mut hand = User::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().open(&path);
     hand.app_mut().show_on("shape:sphere");
     hand.settle();
-    let marked = |hand: &mut Hand| {
+    let marked = |hand: &mut User| {
         let rect = hand.app().viewport().rect().unwrap();
         let image = hand.harness.render().unwrap();
         let is_marked = |x: u32, y: u32| {

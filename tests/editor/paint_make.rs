@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::editor_support::painting::{hcbtf, opened};
 use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Tile};
 use chiaro::editor::App;
@@ -32,11 +32,11 @@ fn save(folder: &Path, name: &str, hcbtf: &Hcbtf) -> PathBuf {
     path
 }
 
-fn new_window() -> Hand {
-    Hand::with(|ctx| App::new(ctx, None).without_dialogs())
+fn new_window() -> User {
+    User::with(|ctx| App::new(ctx, None).without_dialogs())
 }
 
-fn type_into(hand: &mut Hand, field: &str, text: &str) {
+fn type_into(hand: &mut User, field: &str, text: &str) {
     let field = hand.place_of(Role::SpinButton, field);
     hand.type_over(field, text);
 }
@@ -114,7 +114,7 @@ fn all(hcbtf: &Hcbtf) -> hcbtf::FilledSamples {
     hcbtf::fill::fill(hcbtf, &Progress::new()).unwrap()
 }
 
-fn open_menu(hand: &mut Hand, item: &str) {
+fn open_menu(hand: &mut User, item: &str) {
     hand.press("Paint");
     hand.press(item);
 }
@@ -202,7 +202,7 @@ fn look(folder: &Path) -> PathBuf {
     path
 }
 
-fn ask_for_small_grid(hand: &mut Hand) {
+fn ask_for_small_grid(hand: &mut User) {
     for (field, text) in [
         ("Texels across", "4"),
         ("Texels down", "4"),
@@ -369,11 +369,11 @@ fn pictures_are_imported_beside_the_window() {
     let folder = tempfile::tempdir().unwrap();
     let images = folder.path().join("images");
     let source = hcbtf::load(&chiaro::files::Disk, &numbered(folder.path())).unwrap().value;
-    let form = hcbtf::exchange::Form::Folder;
-    let manner = hcbtf::exchange::Manner::default();
+    let form = hcbtf::exchange::ExchangeFormat::Folder;
+    let manner = hcbtf::exchange::ExportOptions::default();
     hcbtf::exchange::export(&all(&source), form, manner, &images, &Progress::new()).unwrap();
     let mut hand = new_window();
-    let ask = |hand: &mut Hand| {
+    let ask = |hand: &mut User| {
         open_menu(hand, "Import painted pictures as an HCBTF...");
         for (field, text) in [
             ("Lights: rings", "2"),

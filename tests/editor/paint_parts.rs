@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::editor_support::painting::{hcbtf, opened};
 use chiaro::document::{Address, Directions, Edit, GraphId, Grid, Hcbtf, Tile, Value};
 use chiaro::editor::App;
@@ -19,7 +19,7 @@ const GRID: Grid = Grid {
     light: Directions { theta: 3, phi: 4 },
     view: Directions { theta: 3, phi: 4 },
 };
-const GREY: [u8; 4] = [90, 90, 90, 255];
+const GRAY: [u8; 4] = [90, 90, 90, 255];
 const RED: [u8; 4] = [220, 20, 20, 255];
 
 /// A file with samples of one color each.
@@ -39,23 +39,23 @@ fn write(path: &Path, samples: &[([u32; 2], [u32; 2], [u8; 4])]) {
     fs::write(path, chiaro::hcbtf::write(&hcbtf).unwrap()).unwrap();
 }
 
-fn at_work(hand: &Hand) -> Address {
+fn at_work(hand: &User) -> Address {
     hand.app().session().painting().unwrap().at()
 }
 
-fn first(hand: &Hand) -> &Tile {
+fn first(hand: &User) -> &Tile {
     hcbtf(hand).painted(Address::default()).unwrap()
 }
 
-fn texel(hand: &Hand, x: i32, y: i32) -> Pos2 {
+fn texel(hand: &User, x: i32, y: i32) -> Pos2 {
     hand.app().painting().screen([f64::from(x) + 0.5, f64::from(y) + 0.5]).unwrap()
 }
 
-fn cell(hand: &Hand, light: [u32; 2], view: [u32; 2]) -> Pos2 {
+fn cell(hand: &User, light: [u32; 2], view: [u32; 2]) -> Pos2 {
     hand.app().painting().cell(Address::new(light, view)).unwrap().center()
 }
 
-fn brush(hand: &mut Hand, size: &str) {
+fn brush(hand: &mut User, size: &str) {
     for (label, text) in [("Size", size), ("Hardness", "100")] {
         let field = hand.place_of(Role::SpinButton, label);
         hand.type_over(field, text);
@@ -64,16 +64,16 @@ fn brush(hand: &mut Hand, size: &str) {
 
 fn changed(tile: &Tile) -> Vec<[i64; 2]> {
     let all = (0..8).flat_map(|y| (0..8).map(move |x| [x, y]));
-    all.filter(|[x, y]| tile.texel(*x, *y) != GREY).collect()
+    all.filter(|[x, y]| tile.texel(*x, *y) != GRAY).collect()
 }
 
-fn dot(hand: &mut Hand, x: i32, y: i32) {
+fn dot(hand: &mut User, x: i32, y: i32) {
     let at = texel(hand, x, y);
     hand.drag(at, at + vec2(0.5, 0.0));
     hand.settle();
 }
 
-const ABOVE: ([u32; 2], [u32; 2], [u8; 4]) = ([0, 0], [0, 0], GREY);
+const ABOVE: ([u32; 2], [u32; 2], [u8; 4]) = ([0, 0], [0, 0], GRAY);
 
 #[test]
 fn symmetry_paints_on_both_sides() {
@@ -223,7 +223,7 @@ fn light_and_eye_are_dragged_over_the_tile() {
 }
 
 /// The color on the screen in the middle of the tile.
-fn middle(hand: &mut Hand) -> [u8; 4] {
+fn middle(hand: &mut User) -> [u8; 4] {
     // A place away from the arrows and the brush.
     let at = texel(hand, 6, 6);
     let image = hand.harness.render().unwrap();
@@ -235,34 +235,34 @@ fn near(a: [u8; 4], b: [u8; 4]) -> bool {
 }
 
 #[test]
-fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
+fn neighbors_shine_through_and_others_are_looked_at_without_being_left() {
     let folder = tempfile::tempdir().unwrap();
     let blue = [20, 40, 220, 255];
     let samples = [
         ABOVE,
-        ([0, 0], [1, 0], GREY),
+        ([0, 0], [1, 0], GRAY),
         ([0, 0], [1, 1], RED),
         ([0, 0], [1, 3], RED),
         ([2, 2], [0, 0], blue),
     ];
     let path = file(folder.path(), &samples);
-    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    let mut hand = User::drawing_with(|app, _| app.without_dialogs());
     hand.app_mut().open(&path);
     hand.settle();
     let to = cell(&hand, [0, 0], [1, 0]);
     hand.click(to);
     hand.settle();
     hand.press("Arrows");
-    assert!(near(middle(&mut hand), GREY));
-    // Half of the onion skin: the red of both sides over the grey.
+    assert!(near(middle(&mut hand), GRAY));
+    // Half of the onion skin: the red of both sides over the gray.
     let slider = hand.place_of(Role::Slider, "Onion skin");
     hand.click(slider.right_center() - vec2(6.0, 0.0));
     hand.settle();
     let [r, g, ..] = middle(&mut hand);
     assert!(r > 130 && g < 70, "{r} {g}");
-    // Along the light the sample has no painted neighbours.
+    // Along the light the sample has no painted neighbors.
     hand.choose("neighbors by", "Light's way around");
-    assert!(near(middle(&mut hand), GREY));
+    assert!(near(middle(&mut hand), GRAY));
 
     // Alt over the map shows another sample while Alt is held.
     let work = at_work(&hand);
@@ -274,7 +274,7 @@ fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     assert_eq!(at_work(&hand), work);
     hand.harness.event(Event::ModifiersChanged(Modifiers::NONE));
     hand.harness.run_steps(3);
-    assert!(near(middle(&mut hand), GREY));
+    assert!(near(middle(&mut hand), GRAY));
     // V over the tile shows the sample that was at work before.
     hand.click(other);
     hand.settle();
@@ -283,14 +283,14 @@ fn neighbours_shine_through_and_others_are_looked_at_without_being_left() {
     hand.hover(on_tile);
     hand.harness.key_down(Key::V);
     hand.harness.run_steps(3);
-    assert!(near(middle(&mut hand), GREY));
+    assert!(near(middle(&mut hand), GRAY));
     hand.harness.key_up(Key::V);
     hand.harness.run_steps(3);
     assert!(near(middle(&mut hand), blue));
 }
 
 /// The sheet's text about the texel under the pointer.
-fn told(hand: &Hand) -> String {
+fn told(hand: &User) -> String {
     let sheet = hand.harness.get_by_label("Sheet of all samples");
     sheet.accesskit_node().value().unwrap_or_default()
 }
@@ -303,7 +303,7 @@ fn the_sheet_tells_what_lies_where_and_leads_there() {
     hand.press_a(Role::CheckBox, "Sheet");
     hand.key(Key::Escape);
     let sample = Address::new([2, 1], [1, 3]);
-    let on_sheet = |hand: &Hand| hand.app().painting().on_sheet(sample, [5, 6]).unwrap();
+    let on_sheet = |hand: &User| hand.app().painting().on_sheet(sample, [5, 6]).unwrap();
     // Zooms in until the texel can be hit; the point under the pointer stays there.
     for _ in 0..4 {
         let at = on_sheet(&hand);
@@ -363,7 +363,7 @@ fn panels_without_room_for_their_tabs_are_listed_and_the_one_in_front_is_seen() 
     assert!(!hand.has("Map of samples"));
 }
 
-fn look_at_files(hand: &mut Hand) {
+fn look_at_files(hand: &mut User) {
     hand.app_mut().look_at_files();
     hand.settle();
 }
@@ -373,7 +373,7 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(folder.path(), &[ABOVE]);
     let mut hand = opened(&path);
-    let color = |hand: &Hand| first(hand).texel(0, 0);
+    let color = |hand: &User| first(hand).texel(0, 0);
     // Without unsaved work the file's version is loaded, as a step.
     write(&path, &[([0, 0], [0, 0], RED)]);
     look_at_files(&mut hand);
@@ -381,7 +381,7 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     assert!(hand.app().message().unwrap().contains("changed by another program and loaded again"));
     assert!(!hand.app().session().painting().unwrap().is_dirty() && hand.steps() == 1);
     hand.undo();
-    assert_eq!(color(&hand), GREY, "undo brings the other version back");
+    assert_eq!(color(&hand), GRAY, "undo brings the other version back");
     hand.redo();
 
     // With an unsaved stroke both versions can be chosen, and neither overwrites the other.
@@ -428,7 +428,7 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
     assert!(hand.says("cannot be read now") && first(&hand).texel(3, 3) == yellow);
     write(&path, &[ABOVE]);
     look_at_files(&mut hand);
-    assert!(!hand.says("cannot be read now") && color(&hand) == GREY);
+    assert!(!hand.says("cannot be read now") && color(&hand) == GRAY);
     fs::remove_file(&path).unwrap();
     look_at_files(&mut hand);
     assert!(hand.says("was removed or moved"));
@@ -452,7 +452,7 @@ fn a_file_that_another_program_paints_on_is_loaded_again_or_offered() {
 fn what_has_a_file_now_never_goes_back_to_having_none() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.hcbtf");
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.press("Paint");
     hand.press("New HCBTF, small (16 x 16, 3 x 6 directions)");
     // Two steps of the look before the painting is saved: another name, and back.
@@ -475,7 +475,7 @@ fn what_has_a_file_now_never_goes_back_to_having_none() {
     hand.press("Save the HCBTF");
     assert!(path.is_file());
     assert_eq!(hand.steps(), 3, "to get a file is no step");
-    let sheet = |hand: &Hand| hand.look().graph.nodes[id].values["sheet"].clone();
+    let sheet = |hand: &User| hand.look().graph.nodes[id].values["sheet"].clone();
     let own = Value::Text(path.display().to_string());
     assert_eq!(sheet(&hand), own);
     let mut seen = Vec::new();

@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::document::{Address, Directions, Grid, Hcbtf, Rule, Tile};
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
@@ -13,7 +13,7 @@ use eframe::egui_wgpu::WgpuSetup;
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
-fn window() -> Hand {
+fn window() -> User {
     let mut setup = default_wgpu_setup();
     if let WgpuSetup::CreateNew(setup) = &mut setup {
         setup.device_descriptor = Arc::new(device_descriptor);
@@ -22,10 +22,10 @@ fn window() -> Hand {
     let builder = Harness::builder()
         .with_size(vec2(1600.0, 960.0))
         .renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())).without_dialogs())
+    User::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())).without_dialogs())
 }
 
-fn save(hand: &mut Hand, name: &str) {
+fn save(hand: &mut User, name: &str) {
     let folder = std::env::var_os("CHIARO_SHOTS")
         .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
@@ -96,7 +96,7 @@ fn painted() -> tempfile::TempDir {
     folder
 }
 
-fn spiral(hand: &Hand) -> Vec<Pos2> {
+fn spiral(hand: &User) -> Vec<Pos2> {
     let at = |step: u32| {
         let turn = f64::from(step) * 0.35;
         let radius = 2.0 + f64::from(step) * 0.35;
@@ -209,7 +209,7 @@ fn shots() {
 }
 
 /// Saves a picture of a bake under way, which no settled window shows.
-fn bake(hand: &mut Hand, path: &std::path::Path) {
+fn bake(hand: &mut User, path: &std::path::Path) {
     hand.app_mut().answer_dialog(path);
     let bake = hand.place("Bake to...").center();
     hand.click(bake);

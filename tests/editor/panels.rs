@@ -1,15 +1,15 @@
 //! The panels below the picture: effects and the probe, driven by pointer and keys.
 
 use crate::editor_support;
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use eframe::egui::{Key, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
-fn picture(hand: &Hand) -> Rect {
+fn picture(hand: &User) -> Rect {
     hand.app().viewport().rect().unwrap()
 }
 
-fn click_label(hand: &mut Hand, label: &str) {
+fn click_label(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_label(label).rect().center();
     hand.click(at);
 }
@@ -27,7 +27,7 @@ const BROKEN: &str = r##"{"nodes": [
     {"from": "after", "to": "output.color"}
   ]}"##;
 
-fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
+fn open(hand: &mut User, text: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("look.json");
     std::fs::write(&path, text).unwrap();
@@ -40,7 +40,7 @@ fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
 
 #[test]
 fn the_probe_reads_every_wire_under_a_resting_pointer() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let middle = picture(&hand).center();
     hand.hover(middle);
     hand.settle();
@@ -72,7 +72,7 @@ fn the_probe_reads_every_wire_under_a_resting_pointer() {
 
 #[test]
 fn a_click_keeps_a_pixel_and_escape_lets_go_of_it() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     click_label(&mut hand, "Probe pixel");
     assert!(hand.app().probe().is_on());
     let rect = picture(&hand);
@@ -110,7 +110,7 @@ fn a_click_keeps_a_pixel_and_escape_lets_go_of_it() {
 
 #[test]
 fn a_row_of_the_probe_leads_to_its_node() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.key(Key::I);
     hand.click(picture(&hand).center());
     hand.settle();
@@ -122,7 +122,7 @@ fn a_row_of_the_probe_leads_to_its_node() {
 
 #[test]
 fn the_first_broken_wire_is_found() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let _folder = open(&mut hand, BROKEN);
     hand.key(Key::I);
     hand.click(picture(&hand).center());
@@ -137,7 +137,7 @@ fn the_first_broken_wire_is_found() {
 
 #[test]
 fn a_window_with_a_probe_at_rest_asks_for_no_frame() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.key(Key::I);
     hand.hover(picture(&hand).center());
     hand.settle();
@@ -148,11 +148,11 @@ fn a_window_with_a_probe_at_rest_asks_for_no_frame() {
 
 #[test]
 fn effects_are_listed_with_state_and_lead_to_nodes() {
-    let mut hand = Hand::drawing_with(|app, _| app);
+    let mut hand = User::drawing_with(|app, _| app);
     click_label(&mut hand, "Effects");
     hand.harness.run_steps(8);
     hand.settle();
-    let is_listed = |hand: &Hand, label: &str| hand.harness.query_by_label(label).is_some();
+    let is_listed = |hand: &User, label: &str| hand.harness.query_by_label(label).is_some();
     // The first picture was drawn before the panel was opened: its passes still stand.
     assert!(is_listed(&hand, "Effect look"));
     assert!(
@@ -168,7 +168,7 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
     );
     // A node further down in a list that is taller than the panel: the wheel brings it into view.
     let list = hand.harness.get_by_label("Effect look").rect().center();
-    let of_diffuse = |hand: &Hand| {
+    let of_diffuse = |hand: &User| {
         let found = hand.harness.query_all_by_label_contains("Effect diffuse").next();
         found.map(|node| node.rect().center())
     };
@@ -185,7 +185,7 @@ fn effects_are_listed_with_state_and_lead_to_nodes() {
 }
 
 /// Chooses from the list of executors and tiers that the picture is compared with.
-fn compare_with(hand: &mut Hand, before: &str, what: &str) {
+fn compare_with(hand: &mut User, before: &str, what: &str) {
     let combo = hand.harness.get_all_by_role(eframe::egui::accesskit::Role::ComboBox);
     let combo = combo
         .into_iter()
@@ -200,7 +200,7 @@ fn compare_with(hand: &mut Hand, before: &str, what: &str) {
 
 #[test]
 fn the_picture_is_wiped_against_truth_and_tiers() {
-    let mut hand = Hand::drawing_with(|app, _| app);
+    let mut hand = User::drawing_with(|app, _| app);
     compare_with(&mut hand, "Compare with", "Truth (f64)");
     let figures =
         hand.app().wipe().figures().expect("chosen by hand, it is computed at once").clone();
@@ -247,7 +247,7 @@ fn the_picture_is_wiped_against_truth_and_tiers() {
 #[test]
 fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     use chiaro::document::Tier;
-    let mut hand = Hand::drawing_with(|app, _| app);
+    let mut hand = User::drawing_with(|app, _| app);
     click_label(&mut hand, "Cost and accuracy");
     hand.harness.run_steps(8);
     hand.settle();
@@ -259,7 +259,7 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     let plot = hand.harness.get_by_label("Error against time").rect();
     // The wheel scrolls to the table, which is below the plot.
     let row = "Adopt fast for Whole look";
-    let visible = |hand: &Hand| {
+    let visible = |hand: &User| {
         let found = hand.harness.query_by_label(row).map(|node| node.rect());
         found.filter(|rect| rect.bottom() < 860.0)
     };
@@ -287,7 +287,7 @@ fn tiers_are_measured_when_asked_and_adopted_by_a_click() {
     assert_eq!(hand.look().tier, Tier::Fast);
     hand.undo();
     // Measuring is stopped by its button; figures measured before stay.
-    let times = |hand: &Hand| -> Vec<f64> {
+    let times = |hand: &User| -> Vec<f64> {
         hand.app().cost().report().unwrap().rows.iter().map(|row| row.time.median).collect()
     };
     let before = times(&hand);
@@ -309,14 +309,14 @@ const WIRES: &str = r##"{"nodes": [
   ], "wires": [{"from": "base", "to": "output.color"}]}"##;
 
 /// The color in the middle of the picture.
-fn middle(hand: &mut Hand) -> [u8; 4] {
+fn middle(hand: &mut User) -> [u8; 4] {
     let at = picture(hand).center();
     hand.harness.remove_cursor();
     hand.settle();
     hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
 }
 
-fn choose(hand: &mut Hand, list: &str, what: &str) {
+fn choose(hand: &mut User, list: &str, what: &str) {
     let role = eframe::egui::accesskit::Role::ComboBox;
     let at = hand.harness.get_by_role_and_label(role, list).rect().center();
     hand.click(at);
@@ -327,10 +327,10 @@ fn choose(hand: &mut Hand, list: &str, what: &str) {
 
 #[test]
 fn any_wire_is_shown_in_place_of_the_picture() {
-    let mut hand = Hand::drawing_with(|app, _| app);
+    let mut hand = User::drawing_with(|app, _| app);
     let _folder = open(&mut hand, WIRES);
-    let grey = middle(&mut hand);
-    assert!(grey[0].abs_diff(128) <= 1, "{grey:?}");
+    let gray = middle(&mut hand);
+    assert!(gray[0].abs_diff(128) <= 1, "{gray:?}");
     hand.click(editor_support::node_center(&hand, "two"));
     let room = picture(&hand);
     choose(&mut hand, "View wire", "Value");
@@ -358,19 +358,19 @@ fn any_wire_is_shown_in_place_of_the_picture() {
     );
     assert!(!hand.app().session().is_dirty());
     click_label(&mut hand, "Show the look");
-    assert_eq!(middle(&mut hand), grey);
+    assert_eq!(middle(&mut hand), gray);
 }
 
 /// Wires inside of groups are listed by the probe too, and a right click shows one.
 #[test]
 fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
-    let mut hand = Hand::drawing_with(|app, _| app);
+    let mut hand = User::drawing_with(|app, _| app);
     hand.app_mut().show_on("shape:sphere");
     hand.settle();
     hand.key(Key::I);
     // A point on the shaded side, down to the right, in parts of the picture's height: a message
     // above the picture makes the picture smaller.
-    let place = |hand: &Hand| picture(hand).center() + vec2(0.12, 0.1) * picture(hand).height();
+    let place = |hand: &User| picture(hand).center() + vec2(0.12, 0.1) * picture(hand).height();
     let at = place(&hand);
     hand.click(at);
     hand.settle();
@@ -391,9 +391,9 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
     hand.key(Key::Escape);
     hand.harness.remove_cursor();
     let at = place(&hand);
-    let grey = color_at(&mut hand, at);
+    let gray = color_at(&mut hand, at);
     let expected = (tone * 255.0).round() as u8;
-    assert!(grey[..3].iter().all(|c| c.abs_diff(expected) <= 8), "{grey:?} for {tone}");
+    assert!(gray[..3].iter().all(|c| c.abs_diff(expected) <= 8), "{gray:?} for {tone}");
     assert!(hand.harness.query_by_label("Showing Tone of Diffuse / tone as color").is_some());
     assert!(
         !hand.app().session().is_dirty()
@@ -412,34 +412,34 @@ fn a_wire_inside_a_group_is_shown_in_place_of_the_picture() {
             "{:?}",
             hand.app().session().compilation().problems()
         );
-        assert_ne!(color_at(&mut hand, at), grey, "{style}");
+        assert_ne!(color_at(&mut hand, at), gray, "{style}");
         hand.key(Key::Escape);
         hand.key(Key::Escape);
     }
 }
 
-fn color_at(hand: &mut Hand, at: eframe::egui::Pos2) -> [u8; 4] {
+fn color_at(hand: &mut User, at: eframe::egui::Pos2) -> [u8; 4] {
     hand.settle();
     hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0
 }
 
 /// Opens the picker of a color in the inspector.
-fn open_picker(hand: &mut Hand) {
+fn open_picker(hand: &mut User) {
     let swatch = hand.swatch("Convex color").center();
     hand.click(swatch);
     hand.settle();
     assert!(is_picking(hand));
 }
 
-fn is_picking(hand: &Hand) -> bool {
+fn is_picking(hand: &User) -> bool {
     hand.says("Saturation and brightness")
 }
 
 #[test]
 fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.press("Layer Diffuse");
-    let color = |hand: &Hand| hand.look().graph.nodes["diffuse"].values.get("convex").cloned();
+    let color = |hand: &User| hand.look().graph.nodes["diffuse"].values.get("convex").cloned();
     let first = color(&hand);
     let steps = hand.steps();
     open_picker(&mut hand);
@@ -494,7 +494,7 @@ fn the_picker_is_closed_by_escape_whatever_was_done_in_it_and_speaks_plainly() {
 
 #[test]
 fn the_backdrop_is_picked_within_its_menu() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.press("Options");
     hand.press("Backdrop");
     let own = hand.app().session().view().orbit().backdrop;
@@ -511,7 +511,7 @@ fn the_backdrop_is_picked_within_its_menu() {
 
 #[test]
 fn values_over_the_picture_come_with_the_pointer_and_go_with_it() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.press("Layer Diffuse");
     let picture = picture(&hand);
     hand.hover(picture.center());

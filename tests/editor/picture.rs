@@ -5,12 +5,12 @@
 use std::path::Path;
 use std::time::Duration;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
 /// Colors of the row of pixels through the middle of the picture.
-fn middle_row(hand: &mut Hand) -> Vec<[u8; 4]> {
+fn middle_row(hand: &mut User) -> Vec<[u8; 4]> {
     let rect = hand.app().viewport().rect().unwrap();
     let image = hand.harness.render().unwrap();
     let y = rect.center().y as u32;
@@ -19,7 +19,7 @@ fn middle_row(hand: &mut Hand) -> Vec<[u8; 4]> {
 
 #[test]
 fn the_picture_shows_the_look_and_follows_the_hand() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let first = middle_row(&mut hand);
     let (edge, middle) = (first[0], first[first.len() / 2]);
     assert_ne!(edge, middle, "the object stands before the backdrop");
@@ -68,7 +68,7 @@ fn the_picture_shows_the_look_and_follows_the_hand() {
 
 #[test]
 fn the_last_good_picture_stays_while_the_look_is_broken() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let good = middle_row(&mut hand);
     let nothing = hand.empty_place();
     hand.drag(hand.input("output", "color"), nothing);
@@ -85,7 +85,7 @@ fn the_last_good_picture_stays_while_the_look_is_broken() {
 #[test]
 fn the_old_picture_steps_back_while_another_look_is_prepared() {
     // Four frames a second by the window's clock.
-    let mut hand = Hand::drawing_with(|app, _| app.without_dialogs());
+    let mut hand = User::drawing_with(|app, _| app.without_dialogs());
     assert!(!hand.app().is_preparing() && !hand.says("Preparing"));
     hand.app_mut().session_mut().open(Path::new("examples/looks/figure4-color.json")).unwrap();
     for frame in 0..40 {
@@ -115,7 +115,7 @@ fn the_old_picture_steps_back_while_another_look_is_prepared() {
 
 #[test]
 fn the_look_is_seen_on_another_mesh_and_on_one_from_a_file() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let creature = middle_row(&mut hand);
     hand.app_mut().show_on("shape:torus");
     hand.settle();
@@ -151,7 +151,7 @@ const LITSPHERE: &str = r##"{
 
 #[test]
 fn a_baked_ball_shows_what_the_look_shows() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name);
     hand.app_mut().show_on("shape:knot");
@@ -200,7 +200,7 @@ fn a_baked_ball_shows_what_the_look_shows() {
 
 #[test]
 fn a_picture_is_saved_in_its_size_and_on_its_backdrop() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("picture.png");
     hand.app_mut().save_picture([123, 77], &path);
@@ -214,7 +214,7 @@ fn a_picture_is_saved_in_its_size_and_on_its_backdrop() {
 
 #[test]
 fn what_a_hand_does_is_in_the_frame_that_follows() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     hand.app_mut().show_on("shape:sphere");
     hand.app_mut().session_mut().select(vec!["diffuse".into()]);
     hand.settle();
@@ -240,7 +240,7 @@ fn what_a_hand_does_is_in_the_frame_that_follows() {
 }
 
 /// Pixels of the picture as the window shows them now.
-fn picture(hand: &mut Hand) -> Vec<u8> {
+fn picture(hand: &mut User) -> Vec<u8> {
     let rect = hand.app().viewport().rect().unwrap();
     let image = hand.harness.render().unwrap();
     let [x, y, width, height] =
@@ -250,7 +250,7 @@ fn picture(hand: &mut Hand) -> Vec<u8> {
 
 /// Drags step by step. Each step's frame already shows the picture that the window shows once all
 /// work is done.
-fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
+fn assert_in_the_next_frame(hand: &mut User, from: Pos2, what: &str) {
     hand.hold(from);
     let mut last = picture(hand);
     for step in 1..=6_u8 {
@@ -267,7 +267,7 @@ fn assert_in_the_next_frame(hand: &mut Hand, from: Pos2, what: &str) {
 
 #[test]
 fn the_picture_of_a_drag_is_in_the_very_next_frame() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     // On a busy machine too: the test holds that the picture is waited for, and drawn before the
     // window is.
     hand.app_mut().wait_for_pictures(Duration::from_secs(60));
@@ -291,7 +291,7 @@ fn the_picture_of_a_drag_is_in_the_very_next_frame() {
 
 #[test]
 fn an_image_is_held_beside_the_picture_and_over_it() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("paint.png");
     image::RgbaImage::from_pixel(8, 8, image::Rgba([250, 20, 10, 255])).save(&path).unwrap();
@@ -302,7 +302,7 @@ fn an_image_is_held_beside_the_picture_and_over_it() {
     assert!((rect.width() - room.width() / 2.0).abs() < 1.0, "the picture has the right half");
     let at = room.left_center() + vec2(room.width() / 4.0, 0.0);
     let color =
-        |hand: &mut Hand| hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0;
+        |hand: &mut User| hand.harness.render().unwrap().get_pixel(at.x as u32, at.y as u32).0;
     assert_eq!(color(&mut hand), [250, 20, 10, 255]);
     let options = hand.harness.get_by_label("Options").rect().center();
     hand.click(options);
@@ -322,7 +322,7 @@ fn an_image_is_held_beside_the_picture_and_over_it() {
 
 #[test]
 fn exposure_changes_what_is_shown_and_not_the_look() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     hand.app_mut().show_on("shape:sphere");
     hand.settle();
     let dim = middle_row(&mut hand);
@@ -358,7 +358,7 @@ fn the_viewport_is_measured() {
     let meshes = ["shape:creature".to_owned()].into_iter();
     let meshes: Vec<_> =
         meshes.chain(models.map(|folder| format!("{folder}/nefertiti.obj"))).collect();
-    for (what, mut hand) in [("no picture", Hand::new()), ("with a picture", Hand::drawing())] {
+    for (what, mut hand) in [("no picture", User::new()), ("with a picture", User::drawing())] {
         hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
         for mesh in &meshes {
             hand.app_mut().show_on(mesh);
@@ -370,7 +370,7 @@ fn the_viewport_is_measured() {
     }
 }
 
-fn measure_drags(hand: &mut Hand, what: &str) {
+fn measure_drags(hand: &mut User, what: &str) {
     use chiaro::clock::Clock;
     const FRAMES: u8 = 80;
     let rect = hand.app().viewport().rect().unwrap();

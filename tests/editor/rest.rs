@@ -3,30 +3,30 @@
 use std::path::Path;
 use std::time::Duration;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use eframe::egui::Role;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// Names of the check boxes.
-fn boxes(hand: &Hand) -> Vec<String> {
+fn boxes(hand: &User) -> Vec<String> {
     let boxes = hand.harness.get_all_by_role(Role::CheckBox);
     boxes.filter_map(|node| node.accesskit_node().label()).collect()
 }
 
-fn open_view_menu(hand: &mut Hand) {
+fn open_view_menu(hand: &mut User) {
     let menu = hand.harness.get_by_label("View").rect().center();
     hand.click(menu);
     hand.settle();
 }
 
-fn close_menu(hand: &mut Hand) {
+fn close_menu(hand: &mut User) {
     let nothing = hand.empty_place();
     hand.click(nothing);
     hand.settle();
 }
 
 /// Names of all panels, as the *View* menu lists them.
-fn panels(hand: &mut Hand) -> Vec<String> {
+fn panels(hand: &mut User) -> Vec<String> {
     let others = boxes(hand);
     open_view_menu(hand);
     let panels = boxes(hand).into_iter().filter(|name| !others.contains(name)).collect();
@@ -35,7 +35,7 @@ fn panels(hand: &mut Hand) -> Vec<String> {
 }
 
 /// Asserts that none of many frames asks for another frame or a picture.
-fn assert_at_rest(hand: &mut Hand, what: &str) {
+fn assert_at_rest(hand: &mut User, what: &str) {
     hand.harness.remove_cursor();
     hand.settle();
     // A thread may ask for one more frame after its answer was taken.
@@ -60,7 +60,7 @@ fn assert_at_rest(hand: &mut Hand, what: &str) {
 }
 
 /// Shows a panel, which may lie behind another one or be closed.
-fn show(hand: &mut Hand, panel: &str) {
+fn show(hand: &mut User, panel: &str) {
     if hand.harness.query_by_role_and_label(Role::Tab, panel).is_none() {
         open_view_menu(hand);
         let entry = hand.harness.get_by_role_and_label(Role::CheckBox, panel).rect().center();
@@ -74,7 +74,7 @@ fn show(hand: &mut Hand, panel: &str) {
 
 #[test]
 fn a_window_at_rest_wakes_nothing_whichever_panel_is_shown() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     hand.app_mut().show_on("shape:sphere");
     assert_at_rest(&mut hand, "a new look");
     hand.app_mut().open(

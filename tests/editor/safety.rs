@@ -7,7 +7,7 @@ use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
 use crate::editor_support::home::Home;
-use crate::editor_support::{Hand, node_center};
+use crate::editor_support::{User, node_center};
 use chiaro::document::{Edit, GraphId, Value};
 use chiaro::editor::App;
 use chiaro::editor::settings::Theme;
@@ -17,7 +17,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 const OFFER: &str = "Work that was not saved";
 
-fn set_offset(hand: &mut Hand, value: f64) {
+fn set_offset(hand: &mut User, value: f64) {
     let (graph, id) = (GraphId::Look, "diffuse".into());
     let edit = Edit::SetValue {
         graph,
@@ -31,7 +31,7 @@ fn set_offset(hand: &mut Hand, value: f64) {
     hand.app().session().wait_for_journal();
 }
 
-fn offset(hand: &Hand) -> Option<f64> {
+fn offset(hand: &User) -> Option<f64> {
     match hand.look().graph.nodes["diffuse"].values.get("offset") {
         Some(Value::Number(number)) => Some(*number),
         _ => None,
@@ -166,14 +166,14 @@ fn what_is_thrown_away_stays_until_the_window_closes() {
 #[test]
 fn work_of_several_documents_is_one_bar_with_a_list() {
     let home = Home::new();
-    let mut windows: Vec<Hand> = (1..=3).map(|_| home.window(None)).collect();
+    let mut windows: Vec<User> = (1..=3).map(|_| home.window(None)).collect();
     for (hand, value) in windows.iter_mut().zip([0.1, 0.2, 0.3]) {
         set_offset(hand, value);
     }
     let later = home.after_a_crash();
     drop(windows);
     let mut hand = later.window(None);
-    let bars = |hand: &Hand| hand.harness.query_all_by_label_contains(OFFER).count();
+    let bars = |hand: &User| hand.harness.query_all_by_label_contains(OFFER).count();
     assert!(bars(&hand) == 1 && hand.says("of 3 documents"));
     assert!(!hand.says("Restore it"), "the list has them");
     hand.press("Choose...");
@@ -221,7 +221,7 @@ fn a_damaged_journal_gives_what_it_can_and_says_so() {
 }
 
 /// Asks the window to close, as the title bar's button does.
-fn close(hand: &mut Hand) {
+fn close(hand: &mut User) {
     let input = hand.harness.input_mut();
     input.viewports.get_mut(&ViewportId::ROOT).unwrap().events.push(ViewportEvent::Close);
     hand.harness.step();
@@ -416,7 +416,7 @@ fn a_removed_file_is_told_and_saved_again() {
 }
 
 /// Runs frames until the system's report of a changed file has come to the window.
-fn wait_until(hand: &mut Hand, is_so: impl Fn(&Hand) -> bool) {
+fn wait_until(hand: &mut User, is_so: impl Fn(&User) -> bool) {
     for _ in 0..200 {
         hand.harness.run_steps(12);
         if is_so(hand) {
@@ -480,7 +480,7 @@ fn node_files_are_loaded_again_and_a_broken_one_keeps_the_picture() {
         "{:?}",
         hand.app().session().compilation().problems()
     );
-    let wgsl = |hand: &Hand| hand.app().session().compilation().baked().unwrap().wgsl.clone();
+    let wgsl = |hand: &User| hand.app().session().compilation().baked().unwrap().wgsl.clone();
     let first = wgsl(&hand);
 
     fs::write(&node, NODE.replace("2.0 * value", "7.5 * value")).unwrap();
@@ -576,7 +576,7 @@ fn frames_go_on_while_a_folder_of_nodes_is_walked_through() {
     fs::write(&path, text).unwrap();
     let disk = Arc::new(GatedDisk::default());
     let files = disk.clone();
-    let mut hand = Hand::with(move |ctx| App::reading_from(files.clone(), ctx, None));
+    let mut hand = User::with(move |ctx| App::reading_from(files.clone(), ctx, None));
 
     disk.set_closed(true);
     hand.app_mut().open(&path);
@@ -606,7 +606,7 @@ fn frames_go_on_while_a_folder_of_nodes_is_walked_through() {
     assert_ne!(hand.app().session().compilation().baked().unwrap().wgsl, good);
 }
 
-fn set_value(hand: &mut Hand) {
+fn set_value(hand: &mut User) {
     let (graph, id, value) = (GraphId::Look, "mine".into(), Value::Number(0.75));
     let edit = Edit::SetValue { graph, id, port: "value".into(), value, index: None };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
@@ -619,7 +619,7 @@ fn a_mesh_that_was_stood_up_stays_so() {
     let mesh = home.file("tri.obj");
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n").unwrap();
     let mesh = mesh.to_string_lossy().into_owned();
-    let stands = |hand: &Hand| hand.app().session().view().orbit().z_is_up;
+    let stands = |hand: &User| hand.app().session().view().orbit().z_is_up;
     let mut hand = home.window(None);
     hand.app_mut().show_on(&mesh);
     hand.settle();

@@ -6,11 +6,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
-use chiaro::compile::{Live, Options, compile};
+use crate::editor_support::User;
+use chiaro::compile::{CompileOptions, Live, compile};
 use chiaro::document::{Edit, Scene};
 use chiaro::editor::{App, Places};
-use chiaro::frame::{Assets, Cull, Draw, Picture, PlanOptions, Planner, Setup, Stage, open};
+use chiaro::frame::{Assets, CullMode, Draw, Picture, PlanOptions, Planner, Setup, Stage, open};
 use chiaro::library::Library;
 use chiaro::render::{Gpu, Renderer};
 use eframe::egui::{DroppedFile, Event, Key, Modifiers, Pos2, Role};
@@ -53,11 +53,11 @@ impl Home {
 
     /// A window with this folder's state, opened as the program opens a file or, without one, its
     /// start.
-    fn window(&self, file: Option<&Path>) -> Hand {
+    fn window(&self, file: Option<&Path>) -> User {
         let folder = self.folder.path().to_owned();
         let places = Places { state: folder.join("state"), config: folder.join("config") };
         let file = file.map(Path::to_path_buf);
-        Hand::with(move |ctx| {
+        User::with(move |ctx| {
             let mut app = App::new(ctx, None).without_dialogs();
             app.keep_in(places.clone(), ctx);
             match &file {
@@ -81,50 +81,50 @@ const TWO: &str = r#"{
 }
 "#;
 
-fn open_scene(hand: &Hand) -> &chiaro::editor::OpenScene {
+fn open_scene(hand: &User) -> &chiaro::editor::OpenScene {
     hand.app().session().open_scene().expect("a scene is open")
 }
 
-fn scene(hand: &Hand) -> &Scene {
+fn scene(hand: &User) -> &Scene {
     open_scene(hand).scene()
 }
 
-fn ids(hand: &Hand) -> Vec<String> {
+fn ids(hand: &User) -> Vec<String> {
     scene(hand).objects.keys().map(ToString::to_string).collect()
 }
 
 /// File name of the open look.
-fn open_look(hand: &Hand) -> String {
+fn open_look(hand: &User) -> String {
     let path = hand.app().session().path();
     path.map_or_else(String::new, |path| path.file_name().unwrap().to_string_lossy().into_owned())
 }
 
-fn press(hand: &mut Hand, label: &str) {
+fn press(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_label(label).rect().center();
     hand.click(at);
     hand.settle();
 }
 
-fn press_button(hand: &mut Hand, label: &str) {
+fn press_button(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_role_and_label(Role::Button, label).rect().center();
     hand.click(at);
     hand.settle();
 }
 
-fn tab(hand: &mut Hand, label: &str) {
+fn tab(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_role_and_label(Role::Tab, label).rect().center();
     hand.click(at);
     hand.settle();
 }
 
 /// Chooses an entry of a menu that a button opens.
-fn choose(hand: &mut Hand, menu: &str, entry: &str) {
+fn choose(hand: &mut User, menu: &str, entry: &str) {
     press(hand, menu);
     press_button(hand, entry);
 }
 
 /// Types a number into the number field of this name.
-fn set_number(hand: &mut Hand, field: &str, value: &str) {
+fn set_number(hand: &mut User, field: &str, value: &str) {
     let at = hand.harness.get_by_role_and_label(Role::SpinButton, field).rect().center();
     hand.click(at);
     hand.key_with(Modifiers::COMMAND, Key::A);
@@ -133,18 +133,18 @@ fn set_number(hand: &mut Hand, field: &str, value: &str) {
     hand.settle();
 }
 
-fn set_name(hand: &mut Hand, name: &str) {
+fn set_name(hand: &mut User, name: &str) {
     let edit = Edit::SetLookName { name: name.to_owned() };
     hand.app_mut().session_mut().apply(edit, None).unwrap();
     hand.settle();
 }
 
-fn sees(hand: &Hand, text: &str) -> bool {
+fn sees(hand: &User, text: &str) -> bool {
     hand.harness.query_all_by_label_contains(text).next().is_some()
 }
 
 /// The middle of an object on the screen, by the camera of the scene.
-fn on_screen(hand: &Hand, id: &str) -> Pos2 {
+fn on_screen(hand: &User, id: &str) -> Pos2 {
     let rect = hand.app().viewport().rect().unwrap();
     let orbit = hand.app().session().view().orbit();
     let (right, up) = orbit.right_and_up();
@@ -170,7 +170,7 @@ fn rendered(path: &Path, size: [u32; 2]) -> Picture {
     block_on(renderer.picture(&plan)).unwrap()
 }
 
-/// True if the neighbours of a pixel differ from it by at most `range` of 255.
+/// True if the neighbors of a pixel differ from it by at most `range` of 255.
 fn is_smooth(bytes: &[u8], size: [u32; 2], [x, y]: [u32; 2], range: u8) -> bool {
     let at = |x: u32, y: u32| &bytes[4 * (y * size[0] + x) as usize..][..3];
     let own = at(x, y);
@@ -182,7 +182,7 @@ fn is_smooth(bytes: &[u8], size: [u32; 2], [x, y]: [u32; 2], range: u8) -> bool 
 #[test]
 fn a_scene_is_seen_as_it_is_rendered() {
     for path in [CAST, BEHIND, "examples/scenes/figure4-curvature.json"].map(Path::new) {
-        let mut hand = Hand::drawing();
+        let mut hand = User::drawing();
         hand.app_mut().open(path);
         hand.settle();
         assert_eq!(hand.app().message(), None);
@@ -241,7 +241,7 @@ fn a_scene_is_seen_as_it_is_rendered() {
 
 #[test]
 fn every_object_wears_its_own_look_and_a_click_opens_it() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().open(Path::new(CAST));
     hand.settle();
     assert_eq!(ids(&hand), ["layers", "minimal", "comics", "pastel", "directional", "both"]);
@@ -521,7 +521,7 @@ fn bad_scene_files_are_told_and_what_is_open_stays() {
 
 #[test]
 fn the_other_looks_are_read_again_when_they_change() {
-    let mut hand = Hand::drawing();
+    let mut hand = User::drawing();
     let home = Home::new();
     hand.app_mut().open(&home.scene());
     hand.settle();
@@ -569,7 +569,7 @@ impl DroppedFile for Dropped {
 }
 
 /// Drops a file at a place of the window.
-fn drop_at(hand: &mut Hand, file: &Path, at: Pos2, modifiers: Modifiers) {
+fn drop_at(hand: &mut User, file: &Path, at: Pos2, modifiers: Modifiers) {
     hand.hover(at);
     hand.harness.event(Event::ModifiersChanged(modifiers));
     hand.harness.step();
@@ -585,7 +585,7 @@ fn a_mesh_that_is_dropped_replaces_or_is_added() {
     let wedge = home.file("wedge.obj");
     fs::write(&wedge, "v -1 -1 0\nv 1 -1 0\nv 1 1 -1\nv -1 1 -1\nf 1 2 3 4\n").unwrap();
     let mut hand = home.window(Some(&home.scene()));
-    let mesh = |hand: &Hand, id: &str| scene(hand).objects[id].mesh.clone();
+    let mesh = |hand: &User, id: &str| scene(hand).objects[id].mesh.clone();
     // A mesh dropped onto an object replaces that object's mesh, whichever object is selected.
     press(&mut hand, "Object ring");
     let at = on_screen(&hand, "ball");
@@ -647,7 +647,7 @@ fn objects_are_renamed_duplicated_and_removed() {
 #[test]
 fn where_nothing_is_kept_one_is_asked_before_a_look_is_left() {
     let home = Home::new();
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().open(&home.scene());
     hand.settle();
     // Going to another look of the scene would not lose the scene's own changes.
@@ -705,13 +705,14 @@ fn materials_of_one_mesh_wear_different_looks() {
 #[test]
 fn while_one_look_is_edited_the_others_are_compiled_once() {
     let home = Home::new();
-    let mut planner = Planner::new(Assets::default()).culling(Cull::Objects);
+    let mut planner = Planner::new(Assets::default()).culling(CullMode::Objects);
     let mut setup = open(&home.scene(), None, &mut planner.assets).unwrap().value;
     setup.edited = Some(0);
     let plan = PlanOptions { size: [64, 32], samples: 1, time: 0.0 };
     let mut picture = |setup: &Setup, is_new: bool| {
         if is_new {
-            let options = Options { live: Live::All, display: true, ..Options::default() };
+            let options =
+                CompileOptions { live: Live::All, display: true, ..CompileOptions::default() };
             let shader =
                 compile(&setup.looks[0].look, Library::built_in(), &options).unwrap().value;
             planner.provide(&setup.looks[0].look, &Live::All, Arc::new(shader));

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::document::{Light, LightKind, Scene, Value};
 use chiaro::editor::{App, Places};
 use chiaro::ids::LightId;
@@ -78,9 +78,9 @@ impl Home {
         image.save(self.file("looks/paper.png")).unwrap();
     }
 
-    fn window(&self) -> Hand {
+    fn window(&self) -> User {
         let (places, file) = (self.places(), self.file("two.json"));
-        Hand::with(move |ctx| {
+        User::with(move |ctx| {
             let mut app = App::new(ctx, None).without_dialogs();
             app.keep_in(places.clone(), ctx);
             app.open(&file);
@@ -88,8 +88,8 @@ impl Home {
         })
     }
 
-    fn drawing(&self) -> Hand {
-        let mut hand = Hand::drawing();
+    fn drawing(&self) -> User {
+        let mut hand = User::drawing();
         hand.app_mut().open(&self.file("two.json"));
         hand.settle();
         assert_eq!(hand.app().message(), None);
@@ -99,27 +99,27 @@ impl Home {
     }
 }
 
-fn scene(hand: &Hand) -> &Scene {
+fn scene(hand: &User) -> &Scene {
     hand.app().session().open_scene().expect("a scene is open").scene()
 }
 
-fn light<'h>(hand: &'h Hand, id: &str) -> &'h Light {
+fn light<'h>(hand: &'h User, id: &str) -> &'h Light {
     &scene(hand).lights[id]
 }
 
-fn lights(hand: &Hand) -> Vec<String> {
+fn lights(hand: &User) -> Vec<String> {
     scene(hand).lights.keys().map(LightId::to_string).collect()
 }
 
 /// Opens the list of a light's fields, or closes it.
-fn unfold(hand: &mut Hand, light: &str) {
+fn unfold(hand: &mut User, light: &str) {
     let at = hand.place(&format!("Light {light} shines"));
     hand.click(at.left_center() - vec2(14.0, 0.0));
     hand.settle();
 }
 
 /// Colors of the two objects, in the middle of the picture's left and right halves.
-fn colors(hand: &mut Hand) -> [[u8; 3]; 2] {
+fn colors(hand: &mut User) -> [[u8; 3]; 2] {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("picture.png");
     hand.app_mut().save_picture([320, 160], &file);
@@ -194,11 +194,11 @@ fn a_scenes_lights_are_edited_as_a_looks_are() {
 
 #[test]
 fn point_and_spot_lights_are_given_their_fall_off() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.tab("Lights");
     assert!(!hand.has("Half distance"), "the sun does not fade");
-    let of_key = |hand: &Hand| hand.look().lights["key"].clone();
-    let set = |hand: &mut Hand, field: &str, text: &str| {
+    let of_key = |hand: &User| hand.look().lights["key"].clone();
+    let set = |hand: &mut User, field: &str, text: &str| {
         hand.bring(Role::SpinButton, field);
         let place = hand.place_of(Role::SpinButton, field);
         hand.type_over(place, text);
@@ -225,7 +225,7 @@ fn the_list_of_meshes_shows_the_way_to_ones_own() {
     let home = Home::new();
     let mesh = home.file("own.obj");
     fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).without_dialogs());
+    let mut hand = User::with(|ctx| App::new(ctx, None).without_dialogs());
     hand.app_mut().answer_dialog(&mesh);
     hand.choose("On", "From a file...");
     assert_eq!(
@@ -381,7 +381,7 @@ fn objects_set_what_their_looks_expose() {
     }
     let plain = colors(&mut hand);
     assert_eq!(plain[0], plain[1]);
-    let values = |hand: &Hand| scene(hand).objects["ring"].values.clone();
+    let values = |hand: &User| scene(hand).objects["ring"].values.clone();
     let strength = hand.place_of(Role::SpinButton, "Strength");
     hand.type_over(strength, "0");
     assert_eq!(values(&hand)["strength"], Value::Number(0.0));
@@ -524,7 +524,7 @@ fn the_picture_small_pictures_and_exports_read_a_file_once() {
 fn scenes_have_small_pictures_of_their_own() {
     let home = Home::new();
     let places = home.places();
-    let mut hand = Hand::drawing_with(move |app, ctx| {
+    let mut hand = User::drawing_with(move |app, ctx| {
         let mut app = app.without_dialogs();
         app.keep_in(places.clone(), ctx);
         app

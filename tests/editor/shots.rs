@@ -4,7 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
 use eframe::egui::{Key, Role, Theme, vec2};
@@ -13,12 +13,12 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
-fn window() -> Hand {
+fn window() -> User {
     window_of(|app| app)
 }
 
 /// A window that draws, made by `make` of a new one.
-fn window_of(make: impl Fn(App) -> App + 'static) -> Hand {
+fn window_of(make: impl Fn(App) -> App + 'static) -> User {
     let mut setup = default_wgpu_setup();
     if let WgpuSetup::CreateNew(setup) = &mut setup {
         setup.device_descriptor = Arc::new(device_descriptor);
@@ -27,10 +27,10 @@ fn window_of(make: impl Fn(App) -> App + 'static) -> Hand {
     let builder = Harness::builder()
         .with_size(vec2(1600.0, 960.0))
         .renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| make(App::new(ctx, Some(state.clone()))))
+    User::with_builder(builder, move |ctx| make(App::new(ctx, Some(state.clone()))))
 }
 
-fn save(hand: &mut Hand, name: &str) {
+fn save(hand: &mut User, name: &str) {
     let folder = std::env::var_os("CHIARO_SHOTS")
         .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
@@ -113,7 +113,7 @@ fn viewport_shots() {
     }
 }
 
-fn click_label(hand: &mut Hand, label: &str) {
+fn click_label(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_label(label).rect().center();
     hand.click(at);
     hand.settle();
@@ -244,7 +244,7 @@ fn canvas_shots() {
     save(&mut hand, "canvas-light");
 }
 
-fn click(hand: &mut Hand, label: &str) {
+fn click(hand: &mut User, label: &str) {
     let at = hand.harness.get_all_by_label(label).next().unwrap().rect().center();
     hand.click(at);
     hand.settle();
@@ -661,7 +661,7 @@ fn crash_shots() {
     let builder = Harness::builder()
         .with_size(vec2(1600.0, 960.0))
         .renderer(WgpuTestRenderer::from_render_state(gpu.clone()));
-    let mut hand = Hand::with_builder(builder, move |ctx| {
+    let mut hand = User::with_builder(builder, move |ctx| {
         let mut app = App::new(ctx, Some(gpu.clone())).without_dialogs();
         app.keep_in(places.clone(), ctx);
         app.change_settings(|settings| {

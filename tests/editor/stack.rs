@@ -1,13 +1,13 @@
 //! Layers, lights, problems, history and the library, driven by pointer and keys through the names
 //! that everybody sees.
 
-use crate::editor_support::{Hand, node_center};
+use crate::editor_support::{User, node_center};
 use chiaro::document::{Endpoint, Look, Value};
 use eframe::egui::{Key, Modifiers, Pos2, Role, accesskit::Toggled, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 /// Names of the listed layers, from the top.
-fn rows(hand: &Hand) -> Vec<String> {
+fn rows(hand: &User) -> Vec<String> {
     let found = hand.harness.get_all_by_role(Role::ListItem);
     let mut rows: Vec<(f32, String)> = found
         .map(|node| (node.rect().top(), node.accesskit_node().label().unwrap_or_default()))
@@ -28,14 +28,14 @@ fn chain(look: &Look) -> Vec<String> {
     found
 }
 
-fn figure1() -> Hand {
-    let mut hand = Hand::new();
+fn figure1() -> User {
+    let mut hand = User::new();
     hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
     hand.settle();
     hand
 }
 
-fn open(hand: &mut Hand, text: &str) -> tempfile::TempDir {
+fn open(hand: &mut User, text: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("look.json");
     std::fs::write(&path, text).unwrap();
@@ -69,13 +69,13 @@ fn the_stack_and_the_graph_are_one_selection() {
 fn a_row_that_is_dragged_rewires_the_graph_as_one_step() {
     let mut hand = figure1();
     let before = hand.look().clone();
-    let grip = |hand: &Hand, label: &str| hand.place(label).left_top() + vec2(60.0, 26.0);
+    let grip = |hand: &User, label: &str| hand.place(label).left_top() + vec2(60.0, 26.0);
     let (from, to) = (grip(&hand, "Layer Back-light"), grip(&hand, "Layer Diffuse"));
     hand.drag(from, to + vec2(0.0, 20.0));
     hand.settle();
     assert_eq!(chain(hand.look()), ["specular", "diffuse", "back", "fill", "base"]);
     assert_eq!(rows(&hand)[2], "Layer Back-light");
-    let x = |hand: &Hand, id: &str| hand.look().graph.nodes[id].position[0];
+    let x = |hand: &User, id: &str| hand.look().graph.nodes[id].position[0];
     assert!(
         x(&hand, "fill") < x(&hand, "back") && x(&hand, "back") < x(&hand, "diffuse"),
         "tidy on the canvas"
@@ -114,7 +114,7 @@ fn a_drag_that_is_given_up_changes_nothing() {
 
 #[test]
 fn a_layer_is_added_over_the_selected_one_with_the_light_it_needs() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().clone();
     hand.press("Layer Diffuse");
     hand.press("Add layer");
@@ -265,10 +265,10 @@ const KEYED: &str = r#"{"lights": {"key": {"direction": [0, 0, 1]}},
 
 #[test]
 fn rows_set_keyed_values_at_their_key() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let _folder = open(&mut hand, KEYED);
     let own = (hand.look().graph.clone(), hand.look().lights.clone());
-    let at_key = |hand: &Hand, key: usize, target: &str| {
+    let at_key = |hand: &User, key: usize, target: &str| {
         let target = chiaro::document::Target::parse(target).unwrap();
         match &hand.look().direction_keys[0].keys[key].values[&target] {
             Value::Number(number) => *number,
@@ -304,7 +304,7 @@ fn rows_set_keyed_values_at_their_key() {
 
 #[test]
 fn what_is_no_stack_is_a_branch() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let _folder = open(
         &mut hand,
         r#"{"nodes": [{"id": "mix", "kind": "mix_colors"},
@@ -376,7 +376,7 @@ const BROKEN: &str = r##"{"lights": {"key": {"direction": [-0.5, 0.7, 0.6]}}, "n
 
 #[test]
 fn every_problem_that_has_a_fix_is_mended_by_a_click() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let _folder = open(&mut hand, BROKEN);
     hand.press("Open the list of problems");
     let before = hand.look().clone();
@@ -455,7 +455,7 @@ fn the_history_is_a_list_that_leads_back_and_forth() {
 
 #[test]
 fn nodes_come_from_the_library_by_a_click_or_a_drag() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.tab("Library");
     let search = hand.place("Search nodes").center();
     hand.click(search);
@@ -478,7 +478,7 @@ fn nodes_come_from_the_library_by_a_click_or_a_drag() {
 
 #[test]
 fn a_look_of_the_library_opens_as_a_new_one() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.tab("Library");
     hand.press("Looks");
     let name = hand
@@ -494,9 +494,9 @@ fn a_look_of_the_library_opens_as_a_new_one() {
 
 #[test]
 fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
-    let mut hand = Hand::drawing_with(|app, _| app);
+    let mut hand = User::drawing_with(|app, _| app);
     hand.app_mut().open(std::path::Path::new("examples/looks/figure1-layers.json"));
-    let rest = |hand: &mut Hand| {
+    let rest = |hand: &mut User| {
         hand.settle();
         hand.settle();
         assert!(
@@ -530,7 +530,7 @@ fn small_pictures_are_drawn_at_rest_and_kept_by_what_they_show() {
 /// pictures do not wait for that picture.
 #[test]
 fn a_window_that_begins_with_the_start_page_draws_its_pictures() {
-    let mut hand = Hand::drawing_with(|mut app, _| {
+    let mut hand = User::drawing_with(|mut app, _| {
         app.show_start_page();
         app
     });

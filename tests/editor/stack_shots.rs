@@ -5,7 +5,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::editor::App;
 use chiaro::render::device_descriptor;
 use eframe::egui::{Role, Theme, vec2};
@@ -14,7 +14,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 
-fn window() -> Hand {
+fn window() -> User {
     let mut setup = default_wgpu_setup();
     if let WgpuSetup::CreateNew(setup) = &mut setup {
         setup.device_descriptor = Arc::new(device_descriptor);
@@ -23,10 +23,10 @@ fn window() -> Hand {
     let builder = Harness::builder()
         .with_size(vec2(1600.0, 960.0))
         .renderer(WgpuTestRenderer::from_render_state(state.clone()));
-    Hand::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
+    User::with_builder(builder, move |ctx| App::new(ctx, Some(state.clone())))
 }
 
-fn save(hand: &mut Hand, name: &str) {
+fn save(hand: &mut User, name: &str) {
     let folder = std::env::var_os("CHIARO_SHOTS")
         .map_or_else(|| PathBuf::from("target/shots"), PathBuf::from);
     std::fs::create_dir_all(&folder).unwrap();
@@ -35,13 +35,13 @@ fn save(hand: &mut Hand, name: &str) {
     hand.harness.render().unwrap().save(folder.join(format!("{name}.png"))).unwrap();
 }
 
-fn tab(hand: &mut Hand, label: &str) {
+fn tab(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_role_and_label(Role::Tab, label).rect().center();
     hand.click(at);
     hand.settle();
 }
 
-fn press(hand: &mut Hand, label: &str) {
+fn press(hand: &mut User, label: &str) {
     let at = hand.harness.get_by_label(label).rect().center();
     hand.click(at);
     hand.settle();

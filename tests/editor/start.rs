@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use chiaro::document::{Look, Value};
 use chiaro::editor::{App, Places};
 use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, Role, Theme, vec2};
@@ -26,10 +26,10 @@ impl Home {
 
     /// A window with this user's folders, opened as the program opens it, but without dialogs of
     /// the system.
-    fn window(&self, file: Option<&Path>) -> Hand {
+    fn window(&self, file: Option<&Path>) -> User {
         let places = Places { state: self.file("state"), config: self.file("config") };
         let file = file.map(Path::to_path_buf);
-        Hand::with(move |ctx| {
+        User::with(move |ctx| {
             let mut app = App::new(ctx, None).with_path_fields();
             app.keep_in(places.clone(), ctx);
             match &file {
@@ -41,15 +41,15 @@ impl Home {
     }
 }
 
-fn has(hand: &Hand, label: &str) -> bool {
+fn has(hand: &User, label: &str) -> bool {
     hand.harness.query_all_by_label(label).next().is_some()
 }
 
-fn says(hand: &Hand, text: &str) -> bool {
+fn says(hand: &User, text: &str) -> bool {
     hand.harness.query_all_by_label_contains(text).next().is_some()
 }
 
-fn press(hand: &mut Hand, label: &str) {
+fn press(hand: &mut User, label: &str) {
     let node = hand.harness.query_all_by_label(label).next();
     let at = node.unwrap_or_else(|| panic!("no {label}")).rect().center();
     hand.click(at);
@@ -57,20 +57,20 @@ fn press(hand: &mut Hand, label: &str) {
 }
 
 /// Chooses a command by its name, as Ctrl+P offers it.
-fn command(hand: &mut Hand, words: &str) {
+fn command(hand: &mut User, words: &str) {
     hand.key_with(Modifiers::COMMAND, Key::P);
     hand.type_text(words);
     hand.key(Key::Enter);
     hand.settle();
 }
 
-fn focused(hand: &Hand) -> Option<String> {
+fn focused(hand: &User) -> Option<String> {
     let nodes = hand.harness.query_all_by(|node| node.is_focused());
     nodes.filter_map(|node| node.accesskit_node().label()).next()
 }
 
 /// Text of the clipboard after the keys that copy the shader.
-fn copied_by_keys(hand: &mut Hand) -> Option<String> {
+fn copied_by_keys(hand: &mut User) -> Option<String> {
     let modifiers = Modifiers::COMMAND | Modifiers::SHIFT;
     hand.harness.event(Event::Key {
         key: Key::W,
@@ -86,7 +86,7 @@ fn copied_by_keys(hand: &mut Hand) -> Option<String> {
     })
 }
 
-fn compiles(hand: &Hand) -> bool {
+fn compiles(hand: &User) -> bool {
     let session = hand.app().session();
     session.compilation().problems().is_empty() && session.compilation().baked().is_some()
 }
@@ -333,7 +333,7 @@ fn the_start_page_holds_in_narrow_windows_at_any_scale_in_both_themes() {
 }
 
 /// Title of the tour's card, which names the step.
-fn step(hand: &Hand) -> String {
+fn step(hand: &User) -> String {
     let nodes = hand.harness.query_all_by_label_contains(" of 7");
     nodes
         .filter_map(|node| node.accesskit_node().value().or(node.accesskit_node().label()))
@@ -342,14 +342,14 @@ fn step(hand: &Hand) -> String {
 }
 
 #[track_caller]
-fn is_at(hand: &Hand, title: &str) {
+fn is_at(hand: &User, title: &str) {
     assert!(step(hand).starts_with(title), "at {:?}, not at {title}", step(hand));
 }
 
 /// Asserts that a step that is done says so and stays, for artists who would rather play on, until
 /// the artist goes on.
 #[track_caller]
-fn goes_on(hand: &mut Hand, title: &str) {
+fn goes_on(hand: &mut User, title: &str) {
     is_at(hand, title);
     hand.harness.run_steps(40);
     hand.settle();
@@ -359,13 +359,13 @@ fn goes_on(hand: &mut Hand, title: &str) {
 }
 
 /// Rectangle of the tour's card.
-fn card(hand: &Hand) -> Rect {
+fn card(hand: &User) -> Rect {
     let parts =
         ["End tour", "Back", "Show me"].map(|label| hand.harness.get_by_label(label).rect());
     parts.into_iter().reduce(Rect::union).unwrap()
 }
 
-fn on_tour(home: &Home) -> Hand {
+fn on_tour(home: &Home) -> User {
     let mut hand = home.window(None);
     press(&mut hand, "Take the tour");
     assert!(hand.app().is_on_tour() && !hand.app().shows_start_page());
@@ -461,7 +461,7 @@ fn the_tour_goes_on_by_what_an_artist_does() {
 }
 
 /// Types a path into the field that the window asks for paths with.
-fn type_path(hand: &mut Hand, path: &Path) {
+fn type_path(hand: &mut User, path: &Path) {
     let field = hand.harness.get_by_role_and_label(Role::TextInput, "Path").rect().center();
     hand.click(field);
     hand.key_with(Modifiers::COMMAND, Key::A);
@@ -649,7 +649,7 @@ fn paths_are_asked_for_in_the_window_where_there_is_no_dialog() {
 fn keys_typed_in_a_dialog_are_the_dialogs_alone() {
     let home = Home::new();
     let path = home.file("toonsnx.json");
-    let mut hand = Hand::with(|ctx| App::new(ctx, None).with_path_fields());
+    let mut hand = User::with(|ctx| App::new(ctx, None).with_path_fields());
     hand.app_mut().session_mut().select(vec!["diffuse".into()]);
     hand.settle();
     let look = hand.look().clone();
@@ -792,7 +792,7 @@ const KILLED: &str = "CHIARO_KILLED_WINDOW";
 fn killed_window() {
     let Some(folder) = std::env::var_os(KILLED).map(PathBuf::from) else { return };
     let places = Places { state: folder.join("state"), config: folder.join("config") };
-    Hand::with(move |ctx| {
+    User::with(move |ctx| {
         let mut app = App::new(ctx, None).with_path_fields();
         app.keep_in(places.clone(), ctx);
         app.open(&folder.join("chain.json"));
@@ -850,7 +850,7 @@ fn a_window_that_is_killed_while_it_compiles_is_remembered_by_the_next_one() {
 
 #[test]
 fn the_shader_is_copied_as_wgsl() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let wgsl = copied_by_keys(&mut hand).expect("the shader is in the clipboard");
     assert_eq!(Some(&wgsl), hand.app().session().compilation().baked().map(|shader| &shader.wgsl));
     assert!(hand.app().message().unwrap().contains("WGSL"));
@@ -879,7 +879,7 @@ fn the_shader_is_copied_as_wgsl() {
 }
 
 /// Opens a card of the start page by the keyboard, because it may lie below the visible part.
-fn open_card(hand: &mut Hand, label: &str) {
+fn open_card(hand: &mut User, label: &str) {
     let card = hand
         .harness
         .get_all_by_role(Role::Button)

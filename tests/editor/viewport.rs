@@ -1,14 +1,14 @@
 //! The handles on the object, driven by the pointer: lines and lights lie where the layer's own
 //! formulas say.
 
-use crate::editor_support::{Hand, node_center};
+use crate::editor_support::{User, node_center};
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers, Pos2, Rect, pos2, vec2};
 use glam::DVec3;
 
 /// A window with a new look on a ball, its layer selected.
-fn on_ball() -> Hand {
-    let mut hand = Hand::new();
+fn on_ball() -> User {
+    let mut hand = User::new();
     hand.app_mut().show_on("shape:sphere");
     hand.click(node_center(&hand, "diffuse"));
     hand.key(Key::Escape);
@@ -16,11 +16,11 @@ fn on_ball() -> Hand {
     hand
 }
 
-fn rect(hand: &Hand) -> Rect {
+fn rect(hand: &User) -> Rect {
     hand.app().viewport().rect().unwrap()
 }
 
-fn number(hand: &Hand, port: &str) -> Option<f64> {
+fn number(hand: &User, port: &str) -> Option<f64> {
     match hand.look().graph.nodes["diffuse"].values.get(port) {
         Some(Value::Number(number)) => Some(*number),
         _ => None,
@@ -28,7 +28,7 @@ fn number(hand: &Hand, port: &str) -> Option<f64> {
 }
 
 /// Normal of the unit ball at a point of the screen, by intersecting the point's ray with the ball.
-fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
+fn normal_at(hand: &User, at: Pos2) -> Option<DVec3> {
     let (rect, orbit) = (rect(hand), hand.app().session().view().orbit());
     let offset = (at - rect.center()) / rect.height();
     let (right, up) = orbit.right_and_up();
@@ -44,7 +44,7 @@ fn normal_at(hand: &Hand, at: Pos2) -> Option<DVec3> {
 }
 
 /// Point of the screen at which the ball has a normal.
-fn screen_at(hand: &Hand, normal: DVec3) -> Pos2 {
+fn screen_at(hand: &User, normal: DVec3) -> Pos2 {
     let (rect, orbit) = (rect(hand), hand.app().session().view().orbit());
     let (right, up) = orbit.right_and_up();
     let eye = orbit.target + orbit.direction() * orbit.distance;
@@ -54,14 +54,14 @@ fn screen_at(hand: &Hand, normal: DVec3) -> Pos2 {
     rect.center() + vec2((from_eye.dot(right) * scale) as f32, -(from_eye.dot(up) * scale) as f32)
 }
 
-fn light(hand: &Hand) -> DVec3 {
+fn light(hand: &User) -> DVec3 {
     let look = hand.look();
     (hand.app().session().view().orbit().illumination * DVec3::from(look.lights["key"].direction))
         .normalize()
 }
 
 /// A point of a line, well inside of the picture and away from other handles.
-fn grip(hand: &Hand, port: &str) -> Pos2 {
+fn grip(hand: &User, port: &str) -> Pos2 {
     let points = hand.app().viewport().curve(port);
     let center = rect(hand).center();
     let inner = points.into_iter().min_by(|a, b| a.distance(center).total_cmp(&b.distance(center)));
@@ -113,7 +113,7 @@ fn a_line_follows_the_pointer_and_a_gesture_is_one_step() {
 
 #[test]
 fn a_line_of_a_keyed_value_sets_its_key() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().show_on("shape:sphere");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("look.json");
@@ -302,7 +302,7 @@ fn escape_gives_a_drag_up() {
 
 #[test]
 fn plain_nodes_have_lines_too() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().show_on("shape:sphere");
     hand.app_mut().open(std::path::Path::new("tests/editor/editor_support/plain.json"));
     hand.app_mut().session_mut().select(vec!["tone".into()]);

@@ -1,7 +1,7 @@
 //! The window, driven by pointer and keys: each action of the first editor, without display and
 //! GPU.
 
-use crate::editor_support::{Hand, close, node_center};
+use crate::editor_support::{User, close, node_center};
 use chiaro::compile::Live;
 use chiaro::document::{Edit, Endpoint, GraphId, Value};
 use chiaro::ids::NodeId;
@@ -9,12 +9,12 @@ use eframe::egui::{Key, Modifiers, pos2, vec2};
 use egui_kittest::kittest::Queryable as _;
 use serde_json::json;
 
-fn wire_into(hand: &Hand, node: &str, port: &str) -> Option<Endpoint> {
+fn wire_into(hand: &User, node: &str, port: &str) -> Option<Endpoint> {
     let graph = &hand.look().graph;
     graph.wire_into(&NodeId::from(node), &port.into()).map(|wire| wire.from.clone())
 }
 
-fn number(hand: &Hand, node: &str, port: &str) -> Option<f64> {
+fn number(hand: &User, node: &str, port: &str) -> Option<f64> {
     match hand.look().graph.nodes[node].values.get(port) {
         Some(Value::Number(number)) => Some(*number),
         _ => None,
@@ -23,7 +23,7 @@ fn number(hand: &Hand, node: &str, port: &str) -> Option<f64> {
 
 #[test]
 fn a_new_look_compiles() {
-    let hand = Hand::new();
+    let hand = User::new();
     assert!(hand.app().session().compilation().baked().unwrap().wgsl.contains("fn "));
     assert!(
         hand.app().session().compilation().problems().is_empty(),
@@ -35,7 +35,7 @@ fn a_new_look_compiles() {
 
 #[test]
 fn a_node_is_added_by_search() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let empty = hand.empty_place();
     hand.double_click(empty);
     hand.type_text("profile");
@@ -52,7 +52,7 @@ fn a_node_is_added_by_search() {
 
 #[test]
 fn tab_opens_the_search_and_escape_closes_it() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let empty = hand.empty_place();
     hand.hover(empty);
     hand.key(Key::Tab);
@@ -65,7 +65,7 @@ fn tab_opens_the_search_and_escape_closes_it() {
 
 #[test]
 fn an_entry_of_the_search_is_clicked() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let empty = hand.empty_place();
     hand.double_click(empty);
     hand.type_text("mirrored");
@@ -76,7 +76,7 @@ fn an_entry_of_the_search_is_clicked() {
 
 #[test]
 fn a_wire_is_drawn_from_output_to_input_and_back() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     // A wire from the base straight to the output, past the layer.
     hand.drag(hand.output("base", "below"), hand.input("output", "color"));
     assert_eq!(wire_into(&hand, "output", "color").unwrap().node.as_str(), "base");
@@ -89,7 +89,7 @@ fn a_wire_is_drawn_from_output_to_input_and_back() {
 
 #[test]
 fn a_wire_that_does_not_fit_is_refused() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.add("light", pos2(40.0, 320.0));
     hand.drag(hand.output("light", "light"), hand.input("output", "cutoff"));
     assert_eq!(wire_into(&hand, "output", "cutoff"), None);
@@ -97,7 +97,7 @@ fn a_wire_that_does_not_fit_is_refused() {
 
 #[test]
 fn a_wire_is_picked_up_and_dropped() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let nothing = hand.empty_place();
     hand.drag(hand.input("output", "color"), nothing);
     assert_eq!(wire_into(&hand, "output", "color"), None);
@@ -111,7 +111,7 @@ fn a_wire_is_picked_up_and_dropped() {
 
 #[test]
 fn a_wire_dropped_on_nothing_adds_what_fits() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let nothing = hand.empty_place();
     hand.add("light", pos2(40.0, 320.0));
     hand.drag(hand.output("light", "light"), nothing);
@@ -129,7 +129,7 @@ fn a_wire_dropped_on_nothing_adds_what_fits() {
 
 #[test]
 fn values_are_edited_and_a_drag_is_one_step() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.click(node_center(&hand, "diffuse"));
     let slider = hand.slider("Offset");
     hand.drag(slider.left_center() + vec2(4.0, 0.0), slider.center());
@@ -145,7 +145,7 @@ fn values_are_edited_and_a_drag_is_one_step() {
 
 #[test]
 fn an_angle_is_typed_in_degrees() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.click(node_center(&hand, "diffuse"));
     let number_field = hand.number_field("Cut-off");
     hand.click(number_field.center());
@@ -158,7 +158,7 @@ fn an_angle_is_typed_in_degrees() {
 
 #[test]
 fn a_value_edit_compiles_no_live_shader() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.app().session().compilation().live().unwrap().clone();
     hand.click(node_center(&hand, "diffuse"));
     let slider = hand.slider("Offset");
@@ -188,17 +188,17 @@ fn a_touched_value_of_a_long_look_becomes_live() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("long.json");
     std::fs::write(&path, json!({"nodes": nodes, "wires": wires}).to_string()).unwrap();
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().open(&path);
     hand.settle();
-    let live_values = |hand: &Hand| match &hand.app().session().compilation().live().unwrap().live {
+    let live_values = |hand: &User| match &hand.app().session().compilation().live().unwrap().live {
         Live::Touched(values) => {
             values.iter().map(|(node, port)| format!("{node}.{port}")).collect::<Vec<_>>()
         }
         other => panic!("{other:?} in a look past the bound"),
     };
     assert!(live_values(&hand).is_empty());
-    let touch = |hand: &mut Hand, id: &str, number: f64| {
+    let touch = |hand: &mut User, id: &str, number: f64| {
         let (graph, value) = (GraphId::Look, Value::Number(number));
         let edit = Edit::SetValue { graph, id: id.into(), port: "b".into(), value, index: None };
         hand.app_mut().session_mut().apply(edit, None).unwrap();
@@ -216,7 +216,7 @@ fn a_touched_value_of_a_long_look_becomes_live() {
 
 #[test]
 fn a_choice_is_chosen() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.click(node_center(&hand, "diffuse"));
     let at = hand
         .harness
@@ -231,7 +231,7 @@ fn a_choice_is_chosen() {
 
 #[test]
 fn nodes_are_deleted_and_come_back() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().clone();
     hand.click(node_center(&hand, "diffuse"));
     hand.key(Key::Delete);
@@ -244,7 +244,7 @@ fn nodes_are_deleted_and_come_back() {
 
 #[test]
 fn keys_undo_and_redo() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.click(node_center(&hand, "base"));
     hand.key(Key::X);
     assert_eq!(hand.look().graph.nodes.len(), 2);
@@ -256,8 +256,8 @@ fn keys_undo_and_redo() {
 
 #[test]
 fn nodes_are_selected_by_click_shift_and_box() {
-    let mut hand = Hand::new();
-    let selected = |hand: &Hand| {
+    let mut hand = User::new();
+    let selected = |hand: &User| {
         hand.app().session().selection().nodes().map(ToString::to_string).collect::<Vec<_>>()
     };
     hand.click(node_center(&hand, "base"));
@@ -277,7 +277,7 @@ fn nodes_are_selected_by_click_shift_and_box() {
 
 #[test]
 fn nodes_are_moved_in_one_step() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().graph.nodes["base"].position;
     let from = hand.app().canvas().node_rect("base").unwrap().center_top() + vec2(0.0, 8.0);
     hand.drag(from, from + vec2(-40.0, 30.0));
@@ -290,7 +290,7 @@ fn nodes_are_moved_in_one_step() {
 
 #[test]
 fn a_copy_has_the_wires_of_its_original() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.click(node_center(&hand, "diffuse"));
     hand.key_with(Modifiers::COMMAND, Key::D);
     assert_eq!(wire_into(&hand, "diffuse_2", "below").unwrap().node.as_str(), "base");
@@ -303,7 +303,7 @@ fn a_copy_has_the_wires_of_its_original() {
 fn a_look_is_saved_and_opened() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mine.json");
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.add("profile", pos2(0.0, 300.0));
     assert!(hand.app_mut().save_as(&path));
     assert!(!hand.app().session().is_dirty());
@@ -316,7 +316,7 @@ fn a_look_is_saved_and_opened() {
     hand.key_with(Modifiers::COMMAND, Key::S);
     assert!(!hand.app().session().is_dirty());
 
-    let mut other = Hand::new();
+    let mut other = User::new();
     other.app_mut().open(&path);
     other.settle();
     assert_eq!(other.look().graph.nodes.len(), saved.graph.nodes.len() - 1);
@@ -332,7 +332,7 @@ fn a_file_that_cannot_be_read_leaves_the_look_and_says_so() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("broken.json");
     std::fs::write(&path, "{ \"nodes\": 12").unwrap();
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let before = hand.look().graph.nodes.len();
     hand.app_mut().open(&folder.path().join("missing.json"));
     hand.settle();
@@ -347,7 +347,7 @@ fn a_file_that_cannot_be_read_leaves_the_look_and_says_so() {
 
 #[test]
 fn changes_are_not_thrown_away_unasked() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.click(node_center(&hand, "base"));
     hand.key(Key::Delete);
     hand.key_with(Modifiers::COMMAND, Key::N);
@@ -363,7 +363,7 @@ fn changes_are_not_thrown_away_unasked() {
 
 #[test]
 fn an_error_shows_on_its_node_and_goes() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let good = hand.app().session().compilation().baked().unwrap().clone();
     let nothing = hand.empty_place();
     // Without a wire the output shows nothing, which is an error of the output node.
@@ -386,7 +386,7 @@ fn an_error_shows_on_its_node_and_goes() {
 
 #[test]
 fn a_click_on_a_problem_selects_its_node() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let nothing = hand.empty_place();
     hand.drag(hand.input("output", "color"), nothing);
     hand.settle();
@@ -406,7 +406,7 @@ fn a_click_on_a_problem_selects_its_node() {
 
 #[test]
 fn the_camera_orbits_beside_the_object_and_lights_turn_on_it() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let rect = hand.app().viewport().rect().unwrap();
     let before = hand.app().session().view().orbit().clone();
     let corner = rect.left_top() + vec2(12.0, 12.0);
@@ -428,7 +428,7 @@ fn the_camera_orbits_beside_the_object_and_lights_turn_on_it() {
 
 #[test]
 fn the_wheel_zooms_about_the_pointer() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     let at = hand.output("base", "below");
     let (zoom, _) = hand.app().canvas().zoom_and_center();
     hand.wheel(at, -120.0);
@@ -472,7 +472,7 @@ fn looking_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mixed.json");
     std::fs::write(&path, MIXED).unwrap();
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.app_mut().open(&path);
     hand.settle();
     assert!(
@@ -492,7 +492,7 @@ fn looking_changes_nothing() {
 
 #[test]
 fn a_window_at_rest_asks_for_no_frame() {
-    let mut hand = Hand::new();
+    let mut hand = User::new();
     hand.settle();
     hand.harness.run_steps(12);
     hand.settle();

@@ -7,16 +7,16 @@ use std::{env, fs};
 
 use crate::support::files;
 use crate::support::validators::{
-    Stage, glslang, glslang_hlsl, glslang_reflection, spirv_val, tint,
+    ShaderStage, glslang, glslang_hlsl, glslang_reflection, spirv_val, tint,
 };
 use chiaro::compile::{
-    HostInputs, LightValues, Live, Options as CompileOptions, Stage as CompileStage, compile,
+    CompileOptions, HostInputs, LightValues, Live, Stage as CompileStage, compile,
 };
 use chiaro::document::{Directions, Grid, Hcbtf, Look, Tile};
-use chiaro::export::{File, LANGUAGES, export};
+use chiaro::export::{ExportFile, LANGUAGES, export};
 use chiaro::frame::Assets;
 use chiaro::hcbtf;
-use chiaro::interp::{Derivatives, Options, Precision, Program, ScalarKind, Shape, Value};
+use chiaro::interp::{Derivatives, FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
 use chiaro::library::Library;
 use chiaro::wgsl;
 use glam::{DMat3, DQuat};
@@ -33,7 +33,7 @@ fn read_look(text: &str, name: &str) -> Look {
 }
 
 /// All files of a look in all languages.
-fn export_all(look: &Look, stem: &str) -> Vec<File> {
+fn export_all(look: &Look, stem: &str) -> Vec<ExportFile> {
     let exported = export(
         look,
         Library::built_in(),
@@ -173,15 +173,15 @@ fn rich() -> Look {
     read_look(RICH, "rich.json")
 }
 
-fn file<'f>(files: &'f [File], name: &str) -> &'f File {
+fn file<'f>(files: &'f [ExportFile], name: &str) -> &'f ExportFile {
     files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}"))
 }
 
-fn text(file: &File) -> String {
+fn text(file: &ExportFile) -> String {
     String::from_utf8(file.bytes.clone()).expect("UTF-8")
 }
 
-fn description(files: &[File], stem: &str) -> Json {
+fn description(files: &[ExportFile], stem: &str) -> Json {
     serde_json::from_slice(&file(files, &format!("{stem}.json")).bytes).expect("JSON")
 }
 
@@ -195,7 +195,7 @@ fn module<'d>(description: &'d Json, name: &str) -> &'d Json {
 
 /// Complaints of outside compilers about files of every language, one text for each refused file;
 /// and the number of WGSL files among them.
-fn judged(files: &[File]) -> (Vec<String>, usize) {
+fn judged(files: &[ExportFile]) -> (Vec<String>, usize) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut wgsl = Vec::new();
     let mut complaints = Vec::new();
@@ -203,8 +203,8 @@ fn judged(files: &[File]) -> (Vec<String>, usize) {
         let extension =
             Path::new(&file.name).extension().expect("an extension").to_string_lossy().into_owned();
         let verdict = match extension.as_str() {
-            "vert" => glslang(&text(file), Stage::Vertex, &[]),
-            "frag" => glslang(&text(file), Stage::Fragment, &[]),
+            "vert" => glslang(&text(file), ShaderStage::Vertex, &[]),
+            "frag" => glslang(&text(file), ShaderStage::Fragment, &[]),
             "spv" => spirv_val(&file.bytes, "vulkan1.1"),
             "hlsl" => glslang_hlsl(&text(file)),
             "wgsl" => {
@@ -463,8 +463,11 @@ fn evaluate(
 ) -> Vec<Vec<f64>> {
     let valid = wgsl::parse(functions).expect("valid WGSL");
     // Constants are taken as written, in f64.
-    let options =
-        Options { derivatives: Derivatives::Zero, source: Some(functions), ..Options::default() };
+    let options = FunctionOptions {
+        derivatives: Derivatives::Zero,
+        source: Some(functions),
+        ..FunctionOptions::default()
+    };
     let mut values: Vec<Evaluated> = Vec::new();
     let index = |json: &Json| json.as_u64().expect("an index") as usize;
     for step in host["steps"].as_array().expect("steps") {

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::support::files;
-use crate::support::ledger::{Key, Ledger};
+use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::validators::{
-    Stage, Tool, for_glslang, glslang, glslang_hlsl, spirv_val, tint, tools_are_required,
+    ShaderStage, Tool, for_glslang, glslang, glslang_hlsl, spirv_val, tint, tools_are_required,
 };
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
@@ -95,9 +95,9 @@ fn glslang_knows_every_version_that_we_write() {
         let shader = |line: &str| {
             format!("{version}\nout vec4 color;\nvoid main() {{\n{line}\ncolor = vec4(1.0);\n}}\n")
         };
-        glslang(&shader(""), Stage::Fragment, &[]).expect(version);
+        glslang(&shader(""), ShaderStage::Fragment, &[]).expect(version);
         if can_refuse(Tool::Glslang) {
-            let error = glslang(&shader(wrong), Stage::Fragment, &[]).expect_err(version);
+            let error = glslang(&shader(wrong), ShaderStage::Fragment, &[]).expect_err(version);
             assert!(error.contains("ERROR: "), "{error}");
             assert!(error.contains(wrong), "the source is shown: {error}");
         }
@@ -140,14 +140,19 @@ fn glslang_reads_hlsl() {
 fn glslang_knows_the_stages_and_its_flags() {
     let vertex =
         "#version 450\nlayout(location = 0) in vec4 at;\nvoid main() { gl_Position = at; }\n";
-    glslang(vertex, Stage::Vertex, &["-V"]).expect("a vertex shader");
-    glslang("#version 450\nlayout(local_size_x = 1) in;\nvoid main() {}\n", Stage::Compute, &[])
-        .expect("a compute shader");
+    glslang(vertex, ShaderStage::Vertex, &["-V"]).expect("a vertex shader");
+    glslang(
+        "#version 450\nlayout(local_size_x = 1) in;\nvoid main() {}\n",
+        ShaderStage::Compute,
+        &[],
+    )
+    .expect("a compute shader");
     if can_refuse(Tool::Glslang) {
-        glslang(vertex, Stage::Fragment, &["-V"]).expect_err("gl_Position is no fragment's");
+        glslang(vertex, ShaderStage::Fragment, &["-V"]).expect_err("gl_Position is no fragment's");
         let without_location =
             "#version 450\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
-        glslang(without_location, Stage::Fragment, &["-V"]).expect_err("Vulkan asks for locations");
+        glslang(without_location, ShaderStage::Fragment, &["-V"])
+            .expect_err("Vulkan asks for locations");
     }
 }
 
@@ -194,7 +199,7 @@ const SWEEP: &[&str] = &["tests/export/validators.rs", "tests/support/validators
 /// Has every exported file judged that is due by the ledger, and closes the ledger. A file's
 /// extension says who judges the file; an unknown extension is a mistake. Files lie under `root`.
 fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
-    let versions = Key::of_judges(SWEEP).with(versions().as_bytes());
+    let versions = ProofKey::of_judges(SWEEP).with(versions().as_bytes());
     let mut wgsl = Vec::new();
     for path in files {
         let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy().into_owned();
@@ -211,9 +216,9 @@ fn judge(mut ledger: Ledger, root: &Path, files: &[PathBuf]) {
                 wgsl.push((name, key, path));
                 continue;
             }
-            "vert" => glslang(&text, Stage::Vertex, &[]),
-            "frag" => glslang(&text, Stage::Fragment, &[]),
-            "comp" => glslang(&text, Stage::Compute, &[]),
+            "vert" => glslang(&text, ShaderStage::Vertex, &[]),
+            "frag" => glslang(&text, ShaderStage::Fragment, &[]),
+            "comp" => glslang(&text, ShaderStage::Compute, &[]),
             "spv" => spirv_val(&bytes, "vulkan1.1"),
             "hlsl" => glslang_hlsl(&text),
             // No tool on Debian judges Metal, and those files say so; the others are no shaders.

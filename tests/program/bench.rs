@@ -6,7 +6,7 @@ use crate::support::eval::look;
 use crate::support::wait::block_on;
 use chiaro::accuracy::tune::{Goal, TuneOptions, tune};
 use chiaro::accuracy::{
-    BenchOptions, Measure, MeasureError, MeasuredNodes, Subject, Variant, bench,
+    BenchOptions, Measure, MeasureError, MeasuredNodes, MeasurementSubject, Variant, bench,
 };
 use chiaro::document::Tier;
 use chiaro::frame::{Assets, PlanOptions, Setup, default_setup};
@@ -54,13 +54,13 @@ fn a_report_has_the_look_and_its_nodes_in_each_tier_with_errors_and_sizes() {
         block_on(bench(&setup(), Library::built_in(), &mut renderer(), &options, &progress))
             .unwrap();
     assert!(progress.steps()[0] > 9, "progress is told");
-    let rows = |tier, is: &dyn Fn(&Subject) -> bool| -> Vec<_> {
+    let rows = |tier, is: &dyn Fn(&MeasurementSubject) -> bool| -> Vec<_> {
         report.rows.iter().filter(|row| row.tier == Some(tier) && is(&row.subject)).collect()
     };
-    let whole = |subject: &Subject| *subject == Subject::Whole;
+    let whole = |subject: &MeasurementSubject| *subject == MeasurementSubject::Whole;
     let named = |wanted: &'static str| {
-        move |subject: &Subject| {
-            let Subject::Node { name, .. } = subject else { return false };
+        move |subject: &MeasurementSubject| {
+            let MeasurementSubject::Node { name, .. } = subject else { return false };
             name == wanted
         }
     };
@@ -123,7 +123,7 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
         plan: PLAN,
         error_side: 48,
         rounds: 3,
-        stations: 3,
+        viewpoints: 3,
     };
     let (library, setups) = (Library::built_in(), [setup()]);
     let goal = Goal::MaxError(1.0 / 255.0);
@@ -158,7 +158,7 @@ fn tuning_by_measures_and_by_time() {
     let (library, setups) = (Library::built_in(), [setup()]);
     let tuned = |goal, measure| {
         let options =
-            TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, stations: 2 };
+            TuneOptions { goal, measure, plan: PLAN, error_side: 48, rounds: 3, viewpoints: 2 };
         block_on(tune(&setups, library, &mut renderer(), &options, &Progress::new())).unwrap()
     };
     let by_max = tuned(Goal::MaxError(1.0), Measure::Max);

@@ -7,12 +7,12 @@ mod strokes;
 use chiaro::clock::Clock;
 use chiaro::compile::Live;
 use chiaro::document::{Look, Ramp, Value};
-use chiaro::fit::{FitOptions, FittedLook, Keep, Target, fit_layers, fit_look};
+use chiaro::fit::{FitOptions, FitTarget, FittedLook, KeptParts, fit_layers, fit_look};
 use chiaro::frame::{Assets, Picture, PlanOptions, Planner, Setup, Stage};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::reference::{self, Gathered, Modules};
+use chiaro::reference::{self, GatheredFragments, Modules};
 
 use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
 
@@ -25,7 +25,7 @@ fn nothing() -> Look {
     Look::read(text, "nothing.json").value.unwrap()
 }
 
-fn from_nothing(hidden: &Hidden, target: &Target) -> FittedLook {
+fn from_nothing(hidden: &Hidden, target: &FitTarget) -> FittedLook {
     let setup = setup_of(nothing(), hidden.mesh);
     let (options, progress) = (FitOptions::default(), Progress::new());
     fit_layers(&setup, 0, Library::built_in(), target, hidden.layers, &options, &progress).unwrap()
@@ -233,7 +233,7 @@ fn a_look_is_turned_to_what_was_painted_and_undone_as_one() {
     let start = two_layers([-0.35, 0.5, 0.8], [0.2, 0.75, 1.3], "#a08870");
     let target = painted(&wished, mesh);
     let options = FitOptions {
-        keep: Keep { base: true, ..Keep::default() },
+        keep: KeptParts { base: true, ..KeptParts::default() },
         starts: 1,
         ..FitOptions::default()
     };
@@ -244,7 +244,7 @@ fn a_look_is_turned_to_what_was_painted_and_undone_as_one() {
     assert!(difference < NEAR, "{:.2}/255: {:?}", 255.0 * difference, fitted.report);
     assert!(fitted.report.before > 5.0 * fitted.report.after, "{:?}", fitted.report);
     assert_eq!(fitted.misses.len(), fitted.report.compared);
-    let is_kept = |change: &chiaro::fit::Changed| change.place != "base.color";
+    let is_kept = |change: &chiaro::fit::LookChange| change.place != "base.color";
     assert!(fitted.report.changed.iter().all(is_kept) && !fitted.report.changed.is_empty());
     let mut look = start.clone();
     let inverse = look.apply(fitted.edit).unwrap();
@@ -260,12 +260,12 @@ fn what_cannot_be_fitted_is_told() {
     // The object does not cover the corner.
     let mut rgba = vec![0; 4 * 16 * 16];
     rgba[3] = 255;
-    let corner = Target::from_rgba8([16, 16], &rgba);
+    let corner = FitTarget::from_rgba8([16, 16], &rgba);
     let problems = fit_look(&setup, 0, library, &corner, &options, &Progress::new()).unwrap_err();
     assert_eq!(problems[0].code, "fit-target");
     rgba.fill(255);
-    let all = Target::from_rgba8([16, 16], &rgba);
-    let keep = Keep { lights: true, profiles: true, colors: true, base: true };
+    let all = FitTarget::from_rgba8([16, 16], &rgba);
+    let keep = KeptParts { lights: true, profiles: true, colors: true, base: true };
     let kept = FitOptions { keep, ..options };
     assert_eq!(
         fit_look(&setup, 0, library, &all, &kept, &Progress::new()).unwrap_err()[0].code,
@@ -313,7 +313,7 @@ fn colors_of_ramps_are_turned_and_what_is_not_painted_is_kept_as_asked() {
     let mesh = "shape:sphere";
     let strokes = strokes::strokes(&look, mesh);
     let setup = setup_of(look.clone(), mesh);
-    let keep = Keep { lights: true, ..Keep::default() };
+    let keep = KeptParts { lights: true, ..KeptParts::default() };
     let fit = |keep_rest: f64| {
         let options = FitOptions { keep, keep_rest, starts: 1, ..FitOptions::default() };
         fit_look(&setup, 0, Library::built_in(), &strokes.painted, &options, &Progress::new())
@@ -356,7 +356,8 @@ fn the_example_of_painted_light_is_what_a_fit_makes_of_its_strokes() {
         Look::read(&text, name).value.unwrap()
     };
     let strokes =
-        Target::from_png(&std::fs::read("examples/images/painted-strokes.png").unwrap()).unwrap();
+        FitTarget::from_png(&std::fs::read("examples/images/painted-strokes.png").unwrap())
+            .unwrap();
     let [before, kept] =
         ["painted-before", "painted-light"].map(|name| setup_of(look(name), "shape:sphere"));
     let fit = |setup: &Setup, starts: usize| {
@@ -393,12 +394,12 @@ fn gathered_fragments_are_shaded_as_in_the_picture() {
         .unwrap()
         .value;
     let modules = Modules::new(&plan, Precision::F64).unwrap();
-    let how = reference::Options::default();
+    let how = reference::ReferenceOptions::default();
     let picture = reference::execute(&plan, &modules, &how, &Progress::new()).unwrap();
     let numbers: Vec<Vec<f64>> =
         plan.draws.iter().map(|draw| draw.look_uniforms[&Stage::Draw].numbers.clone()).collect();
     let odd = |[x, y]: [u32; 2]| (x + y) % 2 == 1;
-    let gathered = Gathered::new(plan, &odd, &how, &Progress::new()).unwrap();
+    let gathered = GatheredFragments::new(plan, &odd, &how, &Progress::new()).unwrap();
     let chosen: Vec<usize> = (0..gathered.seen.len()).rev().collect();
     let colors = gathered.shade(&gathered.sheet(&chosen), &numbers).unwrap();
     assert!(colors.len() > 100 && gathered.coverage == picture.coverage);

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use crate::support;
 use crate::support::halved;
-use crate::support::ledger::{Key, Ledger, is_found_false};
+use crate::support::ledger::{Ledger, ProofKey, is_found_false};
 use crate::support::random::Random;
 use crate::support::wait::block_on;
 
@@ -17,7 +17,7 @@ use chiaro::files::Outputs;
 use chiaro::frame::Assets;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{
-    GalleryDocument, GalleryReport, List, Options, Section, build, content, list,
+    GalleryDocument, GalleryOptions, GalleryReport, List, Section, build, content, list,
 };
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -35,8 +35,8 @@ fn gpu() -> Gpu {
     GPU.get_or_init(make).clone()
 }
 
-fn options(side: u32, rounds: usize) -> Options {
-    Options {
+fn options(side: u32, rounds: usize) -> GalleryOptions {
+    GalleryOptions {
         size: [side, side],
         samples: 1,
         rounds,
@@ -45,7 +45,11 @@ fn options(side: u32, rounds: usize) -> Options {
     }
 }
 
-fn make(list: &List, folder: &Path, options: &Options) -> Result<GalleryReport, Vec<Diagnostic>> {
+fn make(
+    list: &List,
+    folder: &Path,
+    options: &GalleryOptions,
+) -> Result<GalleryReport, Vec<Diagnostic>> {
     make_with(Library::built_in(), list, folder, options)
 }
 
@@ -53,7 +57,7 @@ fn make_with(
     library: &Library,
     list: &List,
     folder: &Path,
-    options: &Options,
+    options: &GalleryOptions,
 ) -> Result<GalleryReport, Vec<Diagnostic>> {
     let library = |_: &Path| library.clone();
     let mut outputs = Outputs::new(false);
@@ -123,8 +127,8 @@ impl KeyMaker {
     }
 
     /// Key of the verdict on a document's page.
-    fn key(&mut self, shown: &GalleryDocument, library: &Library) -> Key {
-        let mut key = Key::of_judges(SWEEP).with(gpu().info.driver_info.as_bytes());
+    fn key(&mut self, shown: &GalleryDocument, library: &Library) -> ProofKey {
+        let mut key = ProofKey::of_judges(SWEEP).with(gpu().info.driver_info.as_bytes());
         let mut looks = String::new();
         let mut sink = |bytes: &[u8]| {
             key.add(bytes);
@@ -246,14 +250,14 @@ fn every_example_has_a_page() {
     };
     let mut ledger = Ledger::open("gallery");
     let whole = format!("{list:?}").replace(&root().display().to_string(), "");
-    let whole = Key::of_judges(SWEEP).with(whole.as_bytes());
+    let whole = ProofKey::of_judges(SWEEP).with(whole.as_bytes());
     ledger.prove("the whole", &whole, || gallery(&list));
     let library = Library::built_in();
-    let keys = |shown: &[&GalleryDocument]| -> Vec<Key> {
+    let keys = |shown: &[&GalleryDocument]| -> Vec<ProofKey> {
         let mut maker = KeyMaker::new();
         shown.iter().map(|shown| maker.key(shown, library)).collect()
     };
-    let keys: Vec<Key> = order.par_chunks(order.len().div_ceil(2)).flat_map(keys).collect();
+    let keys: Vec<ProofKey> = order.par_chunks(order.len().div_ceil(2)).flat_map(keys).collect();
     for (index, (shown, key)) in order.iter().zip(&keys).enumerate() {
         // A document may be shown more than once, from different views.
         let before = order[..index].iter().filter(|other| other.file == shown.file).count();

@@ -9,10 +9,12 @@ use std::sync::Arc;
 use crate::support::eval::{look, renderer, scene_of, shape, told};
 use crate::support::random::Random;
 use crate::support::wait::block_on;
-use chiaro::compile::{Attribute, CompiledShader, Live, Options, Proof, Removal, Stage, compile};
+use chiaro::compile::{
+    CompileOptions, CompiledShader, Live, Proof, Removal, Stage, VertexAttribute, compile,
+};
 use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Tier, Value};
 use chiaro::frame::{
-    Cull, Effect, EffectKind, EffectState, FramePlan, PassId, PlanOptions, Planner, Setup,
+    CullMode, Effect, EffectKind, EffectState, FramePlan, PassId, PlanOptions, Planner, Setup,
     SetupLook, effects,
 };
 use chiaro::interp::{self, Derivatives, Precision, Program, Shape};
@@ -30,7 +32,7 @@ fn planned(planner: &mut Planner, setup: &Setup, live: &Live) -> FramePlan {
         .value
 }
 
-fn plan(setup: &Setup, cull: Cull) -> FramePlan {
+fn plan(setup: &Setup, cull: CullMode) -> FramePlan {
     planned(&mut Planner::default().culling(cull), setup, &Live::Keyed)
 }
 
@@ -88,7 +90,7 @@ fn objects_that_are_not_seen_change_no_pixel() {
         if index % 3 == 0 {
             setup.objects[0].looks.fill(None);
         }
-        let (kept, culled) = (plan(&setup, Cull::Nothing), plan(&setup, Cull::All));
+        let (kept, culled) = (plan(&setup, CullMode::Nothing), plan(&setup, CullMode::All));
         assert_eq!(pixels(&kept), pixels(&culled), "scene {index}");
         proofs.extend(dropped(&culled, EffectKind::Object));
         assert_eq!(culled.draws.len() + dropped(&culled, EffectKind::Object).len(), 6);
@@ -114,7 +116,7 @@ fn an_object_on_the_edge_of_the_picture_is_kept() {
             height: 2.0,
             ..Camera::default()
         };
-        plan(&scene_of(parts, Scene { camera, ..Scene::default() }), Cull::All).draws.len()
+        plan(&scene_of(parts, Scene { camera, ..Scene::default() }), CullMode::All).draws.len()
     };
     // The picture is 64 by 48, so that its edge is at 4/3, and the ball's edge is 1 further in.
     assert_eq!([at(0.0), at(2.3), at(-2.3), at(2.4), at(-2.4)], [1, 1, 1, 0, 0]);
@@ -158,7 +160,7 @@ fn lights_that_reach_nothing_change_no_pixel_and_cost_nothing() {
     ];
     for (what, light) in &dark {
         let setup = scene_of(vec![(lit(light), mesh.clone(), fitted)], Scene::default());
-        let (kept, culled) = (plan(&setup, Cull::Objects), plan(&setup, Cull::All));
+        let (kept, culled) = (plan(&setup, CullMode::Objects), plan(&setup, CullMode::All));
         assert_eq!(pixels(&kept), pixels(&culled), "{what}");
         assert_eq!(dropped(&culled, EffectKind::Light), [Proof::NoLight], "{what}");
         let lights = |plan: &FramePlan| {
@@ -187,8 +189,10 @@ fn lights_that_reach_nothing_change_no_pixel_and_cost_nothing() {
         }),
     ];
     for light in &near {
-        let culled =
-            plan(&scene_of(vec![(lit(light), mesh.clone(), fitted)], Scene::default()), Cull::All);
+        let culled = plan(
+            &scene_of(vec![(lit(light), mesh.clone(), fitted)], Scene::default()),
+            CullMode::All,
+        );
         assert_eq!(dropped(&culled, EffectKind::Light), [], "{light}");
     }
 }
@@ -200,7 +204,7 @@ fn a_light_of_the_scene_decides_and_one_that_is_keyed_is_never_dark() {
     let bright = Light { kind: LightKind::Directional, ..Light::default() };
     let scene =
         Scene { lights: [("other".into(), bright)].into_iter().collect(), ..Scene::default() };
-    let culled = plan(&scene_of(vec![(lit(&out), mesh.clone(), fitted)], scene), Cull::All);
+    let culled = plan(&scene_of(vec![(lit(&out), mesh.clone(), fitted)], scene), CullMode::All);
     assert_eq!(dropped(&culled, EffectKind::Light), []);
     let mut keyed = lit(&out);
     let text = keyed.look.to_text().replacen(
@@ -212,7 +216,7 @@ fn a_light_of_the_scene_decides_and_one_that_is_keyed_is_never_dark() {
     );
     keyed = look(&serde_json::from_str(&text).expect("JSON"));
     assert_eq!(keyed.look.time_keys.len(), 1, "{text}");
-    let culled = plan(&scene_of(vec![(keyed, mesh, fitted)], Scene::default()), Cull::All);
+    let culled = plan(&scene_of(vec![(keyed, mesh, fitted)], Scene::default()), CullMode::All);
     assert_eq!(dropped(&culled, EffectKind::Light), []);
 }
 
@@ -231,7 +235,7 @@ fn forty_of_fifty_looks_are_not_compiled_and_equal_ones_once() {
         (plain(&format!("look {index}"), [0.02 * f64::from(index), 0.5, 0.5]), mesh.clone(), matrix)
     });
     let setup = scene_of(parts.collect(), Scene::default());
-    let culled = plan(&setup, Cull::All);
+    let culled = plan(&setup, CullMode::All);
     let looks: HashSet<*const CompiledShader> =
         culled.draws.iter().map(|draw| Arc::as_ptr(&draw.look)).collect();
     assert_eq!((culled.draws.len(), looks.len()), (10, 10));
@@ -244,7 +248,7 @@ fn forty_of_fifty_looks_are_not_compiled_and_equal_ones_once() {
             DMat4::from_translation(DVec3::X * x) * fitted,
         )
     });
-    let twins = plan(&scene_of(same.into(), Scene::default()), Cull::All);
+    let twins = plan(&scene_of(same.into(), Scene::default()), CullMode::All);
     assert!(Arc::ptr_eq(&twins.draws[0].look, &twins.draws[1].look));
     assert_eq!(dropped(&twins, EffectKind::Look), [Proof::Equal]);
 }
@@ -382,7 +386,10 @@ fn removable_look(nodes: &Json, wires: &Json, is_cut: bool) -> SetupLook {
 
 /// The scalars of `shade`'s result for a surface, in f32.
 fn shaded(shader: &CompiledShader, surface: &HashMap<&str, Vec<f64>>) -> Vec<u32> {
-    let options = interp::Options { derivatives: Derivatives::Zero, ..interp::Options::default() };
+    let options = interp::FunctionOptions {
+        derivatives: Derivatives::Zero,
+        ..interp::FunctionOptions::default()
+    };
     let program =
         Program::compile(&shader.valid.module, "shade", options).expect("it runs on the CPU");
     let argument = |shape: &Shape| {
@@ -417,11 +424,15 @@ fn every_kind_of_removal_changes_no_bit() {
     let mut proofs = HashSet::new();
     for (proof, node, nodes, wires) in removable() {
         let look = removable_look(&nodes, &wires, node == "output");
-        let pruned = compile(&look.look, library, &Options::default()).expect("it compiles").value;
-        let whole =
-            compile(&look.look, library, &Options { unspecialized: true, ..Options::default() })
-                .expect("it compiles")
-                .value;
+        let pruned =
+            compile(&look.look, library, &CompileOptions::default()).expect("it compiles").value;
+        let whole = compile(
+            &look.look,
+            library,
+            &CompileOptions { unspecialized: true, ..CompileOptions::default() },
+        )
+        .expect("it compiles")
+        .value;
         // Either of two equal nodes may be the one that is removed.
         let is_it =
             |removal: &&Removal| removal.path.to_string() == node || removal.proof == Proof::Equal;
@@ -472,7 +483,7 @@ fn every_kind_of_removal_changes_no_bit() {
 fn live_values_are_never_proved_by_ranges() {
     for (_, node, nodes, wires) in removable() {
         let look = removable_look(&nodes, &wires, node == "output");
-        let live = Options { live: Live::All, ..Options::default() };
+        let live = CompileOptions { live: Live::All, ..CompileOptions::default() };
         let shader = compile(&look.look, Library::built_in(), &live).expect("it compiles").value;
         let proved: Vec<_> =
             shader.removed.iter().filter(|removal| removal.proof == Proof::Ranges).collect();
@@ -517,9 +528,9 @@ fn attributes_textures_lights_and_passes_exist_only_while_something_needs_them()
     let problems = wanted.expect_err("the image is needed and is not there");
     assert!(problems.iter().any(|problem| problem.code == "missing-asset"), "{}", told(&problems));
 
-    let unneeded = plan(&with_factor(0.0), Cull::All);
+    let unneeded = plan(&with_factor(0.0), CullMode::All);
     let shader = &unneeded.draws[0].look;
-    assert_eq!(shader.needs.attributes(), [Attribute::Position, Attribute::Normal]);
+    assert_eq!(shader.needs.attributes(), [VertexAttribute::Position, VertexAttribute::Normal]);
     assert!(!shader.needs.context(Context::KAPPA) && !shader.needs.context(Context::named("uv")));
     let names: Vec<&str> = shader.bindings.iter().map(|binding| binding.name.as_str()).collect();
     assert_eq!(names, ["view", "object"], "no image, no uniform, no curvature");
@@ -717,7 +728,7 @@ fn pictures_that_only_the_detail_normals_read_are_read() {
     let (mesh, fitted) = shape("sphere");
     let setup =
         scene_of(vec![(bumpy(folder.path(), [1.0, 1.0, 1.0]), mesh, fitted)], Scene::default());
-    let plan = plan(&setup, Cull::All);
+    let plan = plan(&setup, CullMode::All);
     let draw = &plan.draws[0];
     assert!(draw.images_of(Stage::DetailNormals).iter().any(|image| image.size == [48, 64]));
     assert!(
@@ -727,7 +738,7 @@ fn pictures_that_only_the_detail_normals_read_are_read() {
     let bumpy = pixels(&plan);
     let mut flat = setup.clone();
     flat.looks[0].look.graph.nodes["bump"].values.insert("scale".into(), Value::Number(0.0));
-    assert_ne!(bumpy, pixels(&self::plan(&flat, Cull::All)));
+    assert_ne!(bumpy, pixels(&self::plan(&flat, CullMode::All)));
 }
 
 /// Costs are counted in the shader itself: the costs of a look's nodes add up to the cost of the
@@ -749,7 +760,7 @@ fn every_effect_has_its_cost() {
             {"from": "idle", "to": "output.color"}
         ]}));
     let setup = scene_of(vec![(stack, mesh.clone(), fitted)], Scene::default());
-    let plan = plan(&setup, Cull::All);
+    let plan = plan(&setup, CullMode::All);
     let mut effects = effects(&plan, &HashMap::new());
     let of = |kind| effects.iter().filter(move |effect| effect.kind == kind);
     let runs = |effect: &&Effect| effect.state != EffectState::Dropped;

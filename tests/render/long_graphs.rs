@@ -1,13 +1,13 @@
 //! Long looks: they compile in pieces, without recursion, to the right value.
 
 use crate::support;
-use chiaro::compile::{Live, Options, Stage, compile};
-use chiaro::document::{Loaded, Look};
+use chiaro::compile::{CompileOptions, Live, Stage, compile};
+use chiaro::document::{LoadedDocument, Look};
 use chiaro::library::Library;
 use serde_json::json;
 
 /// A chain of multiplications and additions, x -> a x + b, begun with the surface's curvature.
-fn chain(count: usize) -> Loaded<Look> {
+fn chain(count: usize) -> LoadedDocument<Look> {
     let mut nodes = vec![json!({"id": "start", "kind": "kappa"})];
     let mut wires = Vec::new();
     let mut from = "start".to_owned();
@@ -28,7 +28,7 @@ fn chain(count: usize) -> Loaded<Look> {
     loaded
 }
 
-fn look_of(chain: Loaded<Look>) -> Look {
+fn look_of(chain: LoadedDocument<Look>) -> Look {
     chain.value.expect("a look")
 }
 
@@ -48,7 +48,7 @@ fn lines_of_longest_function(wgsl: &str) -> usize {
 }
 
 fn compiles(count: usize) {
-    let shader = compile(&look_of(chain(count)), Library::built_in(), &Options::default())
+    let shader = compile(&look_of(chain(count)), Library::built_in(), &CompileOptions::default())
         .expect("it compiles")
         .value;
     assert!(shader.wgsl.len() > 20 * count, "where did {count} nodes go?");
@@ -61,8 +61,12 @@ fn two_thousand_nodes_compile_for_every_stage_and_liveness() {
     let look = look_of(chain(2000));
     for stage in [Stage::Draw, Stage::Eval] {
         for live in [Live::Keyed, Live::All] {
-            compile(&look, Library::built_in(), &Options { stage, live, ..Options::default() })
-                .expect("it compiles");
+            compile(
+                &look,
+                Library::built_in(),
+                &CompileOptions { stage, live, ..CompileOptions::default() },
+            )
+            .expect("it compiles");
         }
     }
     compiles(2000);
@@ -120,7 +124,7 @@ fn what_is_read_again_much_later_is_handed_on() {
     let loaded = Look::read(&json!({"nodes": nodes, "wires": wires}).to_string(), "later.json");
     let source = loaded.source.clone().into();
     let look = loaded.value.expect("a look");
-    let options = Options { live: Live::All, ..Options::default() };
+    let options = CompileOptions { live: Live::All, ..CompileOptions::default() };
     let shader = compile(&look, Library::built_in(), &options).expect("it compiles").value;
     assert!(
         lines_of_longest_function(&shader.wgsl) < 150,

@@ -2,7 +2,7 @@
 #![cfg(feature = "gpu")]
 
 use crate::support::eval::{eval, look};
-use chiaro::compile::{Options, compile};
+use chiaro::compile::{CompileOptions, compile};
 use chiaro::document::Look;
 use chiaro::frame::EvalSample;
 use chiaro::library::Library;
@@ -150,7 +150,8 @@ fn every_kind_that_needs_no_stack_can_be_muted_alone() {
             ],
             "wires": wires
         }));
-        if let Err(problems) = compile(&look.look, Library::built_in(), &Options::default()) {
+        if let Err(problems) = compile(&look.look, Library::built_in(), &CompileOptions::default())
+        {
             panic!("{kind} muted: {problems:?}");
         }
         count += 1;
@@ -174,7 +175,7 @@ fn every_node_of_every_example_can_be_muted() {
         for id in original.graph.nodes.keys() {
             let mut look = original.clone();
             look.graph.nodes[id].muted = true;
-            if let Err(problems) = compile(&look, Library::built_in(), &Options::default()) {
+            if let Err(problems) = compile(&look, Library::built_in(), &CompileOptions::default()) {
                 panic!("{} with {id} muted: {problems:?}", path.display());
             }
             count += 1;

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use crate::support;
 use crate::support::wait::block_on;
-use chiaro::compile::{CompiledShader, Options, compile};
-use chiaro::diag::{Diagnostic, Severity, Warned};
+use chiaro::compile::{CompileOptions, CompiledShader, compile};
+use chiaro::diag::{Diagnostic, Severity, WithWarnings};
 use chiaro::document::Look;
 use chiaro::export::{LANGUAGES, export};
 use chiaro::frame::{Assets, MAX_DEPTH, too_deep};
@@ -31,8 +31,8 @@ fn read(json: &Json) -> Look {
     loaded.value.expect("a look")
 }
 
-fn compiled(code: &str) -> Result<Warned<CompiledShader>, Vec<Diagnostic>> {
-    compile(&read(&look_json(code)), Library::built_in(), &Options::default())
+fn compiled(code: &str) -> Result<WithWarnings<CompiledShader>, Vec<Diagnostic>> {
+    compile(&read(&look_json(code)), Library::built_in(), &CompileOptions::default())
 }
 
 /// The only problem of the code, in a look and in a node file.
@@ -156,8 +156,9 @@ fn a_project_s_loops_are_noted_once_and_have_the_same_end() {
     assert!(library.problems.is_empty(), "{:?}", library.problems);
     let mut json = look_json("");
     json["nodes"][1] = json!({"id": "own", "kind": "f"});
-    let (shader, warnings) =
-        compile(&read(&json), &library, &Options::default()).expect("it compiles").into_parts();
+    let (shader, warnings) = compile(&read(&json), &library, &CompileOptions::default())
+        .expect("it compiles")
+        .into_parts();
     assert!(shader.wgsl.contains("rounds == 4096u"), "{}", shader.wgsl);
     assert_eq!(
         warnings[0].to_string().lines().next(),
@@ -175,8 +176,9 @@ fn the_interpreter_ends_where_the_shader_does() {
         "fn f() -> f32 { var y = 0.0; loop { y += 1.0; if (y < 0.0) { break; } } return y; }";
     let mut json = look_json(endless);
     json["wires"] = json!([{"from": "own", "to": "output.color"}]);
-    let shader =
-        compile(&read(&json), Library::built_in(), &Options::default()).expect("it compiles").value;
+    let shader = compile(&read(&json), Library::built_in(), &CompileOptions::default())
+        .expect("it compiles")
+        .value;
     assert!(!shader.wgsl.contains("rounds") && shader.wgsl.contains("4096.0"), "{}", shader.wgsl);
 }
 
@@ -233,7 +235,7 @@ fn sines(count: usize) -> Json {
 #[test]
 fn what_a_driver_would_recurse_over_is_told() {
     let depth = |count| {
-        let shader = compile(&read(&sines(count)), Library::built_in(), &Options::default())
+        let shader = compile(&read(&sines(count)), Library::built_in(), &CompileOptions::default())
             .expect("it compiles")
             .value;
         too_deep(&shader)

@@ -7,7 +7,7 @@ use chiaro::document::Look;
 use chiaro::frame::{Assets, PlanOptions, Planner, SetupLook, default_setup};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::reference::{Options, WireValue, execute, probe_wires};
+use chiaro::reference::{ReferenceOptions, WireValue, execute, probe_wires};
 use serde_json::{Value as Json, json};
 
 const SIZE: u32 = 64;
@@ -29,8 +29,8 @@ fn probed(look: &Json, pixel: [u32; 2]) -> (Option<Vec<WireValue>>, [f64; 4]) {
         .unwrap()
         .value;
     let modules = chiaro::reference::Modules::new(&plan, chiaro::interp::Precision::F64).unwrap();
-    let picture = execute(&plan, &modules, &Options::default(), &Progress::new()).unwrap();
-    let wires = probe_wires(&plan, pixel, &Options::default(), &Progress::new()).unwrap();
+    let picture = execute(&plan, &modules, &ReferenceOptions::default(), &Progress::new()).unwrap();
+    let wires = probe_wires(&plan, pixel, &ReferenceOptions::default(), &Progress::new()).unwrap();
     (wires, picture.straight(pixel[0], pixel[1]))
 }
 

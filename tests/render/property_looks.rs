@@ -5,12 +5,12 @@
 use crate::support;
 use crate::support::eval::{draw, eval_with, options, scene_of, shape};
 use crate::support::random::Random;
-use chiaro::compile::{Live, Options, Stage, compile};
+use chiaro::compile::{CompileOptions, Live, Stage, compile};
 use chiaro::diag::{Diagnostic, has_errors};
 use chiaro::document::{Document, Look, Scene};
 use chiaro::frame::{EvalSample, SetupLook};
 use chiaro::ids::PortName;
-use chiaro::library::{Fallback, Input, Library, NodeDef, Parameter, Special, Type};
+use chiaro::library::{ArgumentSource, Fallback, Input, Library, NodeDef, Treatment, Type};
 use glam::{DMat3, DVec2};
 use proptest::prelude::{ProptestConfig, any};
 use proptest::test_runner::{TestCaseError, TestRunner};
@@ -76,8 +76,8 @@ fn value_for(input: &Input, random: &mut Random) -> Option<Json> {
 
 /// True if a function for a wider type takes this number as that type.
 fn is_widened(def: &NodeDef, port: &PortName) -> bool {
-    let is_wide = |parameter: &Parameter| {
-        let Parameter::Input(index, ty) = parameter else { return false };
+    let is_wide = |parameter: &ArgumentSource| {
+        let ArgumentSource::Input(index, ty) = parameter else { return false };
         def.inputs[*index].name == *port && *ty != Type::Float
     };
     def.variants.iter().any(|variant| variant.parameters.iter().any(is_wide))
@@ -108,7 +108,8 @@ impl Growing {
             // A node of any width takes any width, but the same on all inputs.
             let widens = input.ty == Type::Float && is_widened(def, &input.name);
             let first_of_width = widens && fed.is_empty();
-            let ty = if def.special == Special::Reroute || (first_of_width && random.chance(0.5)) {
+            let ty = if def.special == Treatment::Reroute || (first_of_width && random.chance(0.5))
+            {
                 random.pick(&[Type::Float, Type::Vec3, Type::Color]).clone()
             } else {
                 input.ty.clone()
@@ -118,7 +119,7 @@ impl Growing {
                     wires.push(
                         json!({"from": source.endpoint, "to": format!("{id}.{}", input.name)}),
                     );
-                    if widens || def.special == Special::Reroute {
+                    if widens || def.special == Treatment::Reroute {
                         fed.push(source.ty.clone());
                     }
                 }
@@ -137,10 +138,10 @@ impl Growing {
         let has_variant =
             |ty: &Type| def.variants.iter().any(|variant| variant.width.as_ref() == Some(ty));
         for output in &def.outputs {
-            let is_open = output.ty == Type::Float && is_wide || def.special == Special::Reroute;
+            let is_open = output.ty == Type::Float && is_wide || def.special == Treatment::Reroute;
             let ty = match fed.as_slice() {
                 _ if !is_open => output.ty.clone(),
-                [ty] if def.special == Special::Reroute || has_variant(ty) => ty.clone(),
+                [ty] if def.special == Treatment::Reroute || has_variant(ty) => ty.clone(),
                 [] | [Type::Float | Type::Angle | Type::Int | Type::Bool] => Type::Float,
                 _ => continue,
             };
@@ -173,7 +174,7 @@ impl Growing {
     fn grow(&mut self, count: usize, random: &mut Random) {
         let library = Library::built_in();
         let defs: Vec<_> =
-            library.nodes.values().filter(|def| def.special != Special::Output).collect();
+            library.nodes.values().filter(|def| def.special != Treatment::Output).collect();
         // The graph begins with a source of each type.
         for kind in ["base", "light", "parametrization", "facing", "vertex_color", "uv"] {
             self.add(&library.nodes[kind], random);
@@ -277,8 +278,12 @@ fn check_valid(seed: u64, with_gpu: bool) -> Result<(), TestCaseError> {
     for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals, Stage::Eval] {
         for live in [Live::Keyed, Live::Exposed, Live::All] {
             for unspecialized in [false, true] {
-                let options =
-                    Options { stage, live: live.clone(), unspecialized, ..Options::default() };
+                let options = CompileOptions {
+                    stage,
+                    live: live.clone(),
+                    unspecialized,
+                    ..CompileOptions::default()
+                };
                 // naga validates the module in `compile`.
                 compile(&look, library, &options).map_err(|problems| {
                     fail(format!("{options:?}: {}", support::eval::told(&problems)), &json)
@@ -432,7 +437,7 @@ fn problems_of(text: &str) -> Vec<Diagnostic> {
     let loaded = Look::read(text, "broken.json");
     let mut problems = loaded.diagnostics;
     if let Some(look) = loaded.value {
-        match compile(&look, Library::built_in(), &Options::default()) {
+        match compile(&look, Library::built_in(), &CompileOptions::default()) {
             Ok(shader) => problems.extend(shader.warnings),
             Err(found) => problems.extend(found),
         }

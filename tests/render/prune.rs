@@ -4,11 +4,11 @@
 use crate::support::eval::{content, eval_with, look, options, renderer};
 use crate::support::examples::{looks, samples};
 use crate::support::halved;
-use crate::support::ledger::{Key, Ledger, is_found_false};
+use crate::support::ledger::{Ledger, ProofKey, is_found_false};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use crate::support::stacks::idle_stack;
-use chiaro::compile::{Live, Options, compile};
+use chiaro::compile::{CompileOptions, Live, compile};
 use chiaro::document::Value;
 use chiaro::frame::SetupLook;
 use chiaro::library::{BypassResult, Fallback, Library, Limit, NodeDef, Test, Type};
@@ -16,11 +16,17 @@ use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
 
 /// Compares one way of compiling a look with another.
-fn compare(errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
+fn compare(errors: &mut Errors, look: &SetupLook, a: &CompileOptions, b: &CompileOptions) {
     compare_in(Library::built_in(), errors, look, a, b);
 }
 
-fn compare_in(library: &Library, errors: &mut Errors, look: &SetupLook, a: &Options, b: &Options) {
+fn compare_in(
+    library: &Library,
+    errors: &mut Errors,
+    look: &SetupLook,
+    a: &CompileOptions,
+    b: &CompileOptions,
+) {
     let samples = samples(3, 300);
     let (left, right) =
         (eval_with(look, library, a, &samples), eval_with(look, library, b, &samples));
@@ -32,28 +38,37 @@ fn compare_in(library: &Library, errors: &mut Errors, look: &SetupLook, a: &Opti
 }
 
 /// Ways of compiling that are compared with baked code, with their error bounds.
-fn ways() -> [(&'static str, Options, f64); 2] {
+fn ways() -> [(&'static str, CompileOptions, f64); 2] {
     [
-        ("unspecialized", Options { unspecialized: true, ..Options::default() }, 1.0 / 255.0),
-        ("live", Options { live: Live::All, ..Options::default() }, 1e-5),
+        (
+            "unspecialized",
+            CompileOptions { unspecialized: true, ..CompileOptions::default() },
+            1.0 / 255.0,
+        ),
+        ("live", CompileOptions { live: Live::All, ..CompileOptions::default() }, 1e-5),
     ]
 }
 
 /// Key of the verdict on a look that is compiled in two ways.
-fn key(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Key {
-    let mut key = Key::of_judges(&["tests/render/prune.rs"])
+fn key(library: &Library, look: &SetupLook, other: &CompileOptions, bound: f64) -> ProofKey {
+    let mut key = ProofKey::of_judges(&["tests/render/prune.rs"])
         .with(renderer().gpu().info.driver_info.as_bytes())
         .with(&bound.to_le_bytes());
-    for options in [&Options::default(), other] {
+    for options in [&CompileOptions::default(), other] {
         content(look, library, options, &samples(3, 300), &mut |bytes| key.add(bytes));
     }
     key
 }
 
 /// The largest difference between a look as it is baked and as it is compiled in another way.
-fn proof(library: &Library, look: &SetupLook, other: &Options, bound: f64) -> Result<f64, String> {
+fn proof(
+    library: &Library,
+    look: &SetupLook,
+    other: &CompileOptions,
+    bound: f64,
+) -> Result<f64, String> {
     let mut errors = Errors::new("baked against another way", bound);
-    compare_in(library, &mut errors, look, &Options::default(), other);
+    compare_in(library, &mut errors, look, &CompileOptions::default(), other);
     errors.verdict()
 }
 
@@ -98,16 +113,16 @@ fn random_stacks_are_the_same_unspecialized_and_live() {
         compare(
             &mut pruned,
             &look,
-            &Options::default(),
-            &Options { unspecialized: true, ..Options::default() },
+            &CompileOptions::default(),
+            &CompileOptions { unspecialized: true, ..CompileOptions::default() },
         );
         compare(
             &mut live,
             &look,
-            &Options::default(),
-            &Options { live: Live::All, ..Options::default() },
+            &CompileOptions::default(),
+            &CompileOptions { live: Live::All, ..CompileOptions::default() },
         );
-        removed += compile(&look.look, Library::built_in(), &Options::default())
+        removed += compile(&look.look, Library::built_in(), &CompileOptions::default())
             .expect("it compiles")
             .value
             .removed
@@ -267,7 +282,7 @@ fn every_bypass_gives_what_the_node_gives() {
                     let without = eval_with(
                         &look,
                         library,
-                        &Options { unspecialized: true, ..options("node") },
+                        &CompileOptions { unspecialized: true, ..options("node") },
                         &samples,
                     );
                     for (x, y) in with.iter().flatten().zip(without.iter().flatten()) {
@@ -299,8 +314,9 @@ fn every_bypass_is_taken() {
     for def in library.nodes.values() {
         for (index, bypass) in def.bypasses.iter().enumerate() {
             let look = bypassed(def, index, &Type::Float, &mut random);
-            let shader =
-                compile(&look.look, library, &Options::default()).expect("it compiles").value;
+            let shader = compile(&look.look, library, &CompileOptions::default())
+                .expect("it compiles")
+                .value;
             let (node, call) = (chiaro::ids::NodePath::parse("node"), format!("{}(", def.kind));
             let is_gone = shader.removed.iter().any(|removal| removal.path == node)
                 || !shader.wgsl.contains(&call);
@@ -319,7 +335,7 @@ fn every_bypass_is_taken() {
 fn a_value_that_is_edited_prunes_nothing() {
     let mut look = idle_stack(&mut Random::new(73));
     let library = Library::built_in();
-    let live = Options { live: Live::All, ..Options::default() };
+    let live = CompileOptions { live: Live::All, ..CompileOptions::default() };
     let before = compile(&look.look, library, &live).expect("it compiles").value;
     for node in look.look.graph.nodes.values_mut().filter(|node| node.kind == "light_layer") {
         node.values.insert("opacity".into(), Value::Number(0.4));

@@ -108,7 +108,8 @@ impl Folder {
         let truth = plan(Planner::for_truth(assets.clone()), &Live::All);
         let modules =
             Modules::new(&truth, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
-        let drawn = execute(&truth, &modules, &reference::Options::default(), &Progress::new());
+        let drawn =
+            execute(&truth, &modules, &reference::ReferenceOptions::default(), &Progress::new());
         [baked, edited, drawn.unwrap_or_else(|problem| panic!("{problem}")).to_picture()]
     }
 

@@ -28,7 +28,7 @@ pub fn mirrored(n: DVec3, v: DVec3) -> DVec3 {
 }
 
 /// Offset, fall-off and cut-off put in order (D2), in radians.
-pub fn sanitised([tau, f, c]: [f64; 3]) -> [f64; 3] {
+pub fn sanitized([tau, f, c]: [f64; 3]) -> [f64; 3] {
     let tau = tau.clamp(0.0, PI);
     let c = c.clamp(tau, PI);
     [tau, f.clamp(tau, c), c]
@@ -61,7 +61,7 @@ pub fn alpha(u: f64, shift: f64, parameters: [f64; 3]) -> f64 {
 
 /// The limits of docs/math.md 2.2 around a formula for 0 < f' < c'.
 fn limits(u: f64, shift: f64, parameters: [f64; 3], formula: impl Fn(f64, f64, f64) -> f64) -> f64 {
-    let [tau, f, c] = sanitised(parameters);
+    let [tau, f, c] = sanitized(parameters);
     let x = (u - shift.clamp(-PI, PI)).clamp(0.0, PI) - tau;
     let (f, c) = (f - tau, c - tau);
     if x <= 0.0 || tau >= PI - 1e-5 {

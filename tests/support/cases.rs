@@ -14,7 +14,7 @@ use chiaro_language::diag::{Diagnostic, Severity};
 use crate::{files, root};
 
 /// Largest number of characters shown of a line of the input.
-const SHOWN: usize = 90;
+const EXCERPT_LENGTH: usize = 90;
 
 /// Holds every case of a subject to the text beside it. `read` gets the input's file name and
 /// bytes, and gives whether the input was read, and its diagnostics.
@@ -34,7 +34,7 @@ pub fn hold(subject: &str, read: impl Fn(&str, &[u8]) -> (bool, Vec<Diagnostic>)
         let name = input.file_name().unwrap_or_default().to_string_lossy();
         let bytes = fs::read(input).unwrap_or_else(|error| panic!("{name}: {error}"));
         let (is_read, problems) = read(&name, &bytes);
-        let said = said(is_read, &problems, &String::from_utf8_lossy(&bytes));
+        let said = described(is_read, &problems, &String::from_utf8_lossy(&bytes));
         let path = input.with_extension("txt");
         if is_blessing {
             fs::write(&path, &said).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
@@ -57,7 +57,7 @@ pub fn hold(subject: &str, read: impl Fn(&str, &[u8]) -> (bool, Vec<Diagnostic>)
 }
 
 /// The text beside an input: `read` or `refused`, then each diagnostic with its excerpt and hints.
-fn said(is_read: bool, problems: &[Diagnostic], input: &str) -> String {
+fn described(is_read: bool, problems: &[Diagnostic], input: &str) -> String {
     let mut text = String::from(if is_read { "read\n" } else { "refused\n" });
     for problem in problems {
         let severity = match problem.severity {
@@ -96,12 +96,12 @@ fn said(is_read: bool, problems: &[Diagnostic], input: &str) -> String {
 fn excerpt(input: &str, line: usize, column: usize) -> String {
     let Some(line) = input.lines().nth(line.saturating_sub(1)) else { return String::new() };
     let column = column.saturating_sub(1);
-    let is_short = line.chars().count() <= SHOWN;
-    let from = if is_short { 0 } else { column.saturating_sub(SHOWN / 2) };
+    let is_short = line.chars().count() <= EXCERPT_LENGTH;
+    let from = if is_short { 0 } else { column.saturating_sub(EXCERPT_LENGTH / 2) };
     let shown: String = line
         .chars()
         .skip(from)
-        .take(SHOWN)
+        .take(EXCERPT_LENGTH)
         .map(|letter| if letter.is_control() { '\u{fffd}' } else { letter })
         .collect();
     format!("    | {}\n    | {}^\n", shown.trim_end(), " ".repeat(column - from))

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use crate::ledger::Key;
+use crate::ledger::ProofKey;
 use crate::scan::{self, Reference};
 use crate::{files, root};
 
@@ -111,10 +111,10 @@ pub const COMPUTING: &[&str] = &[
     "zune-jpeg",
 ];
 
-impl Key {
+impl ProofKey {
     /// Key of a verdict of the sweep in these files and folders, with everything that judges it.
     pub fn of_judges(sweep: &[&str]) -> Self {
-        static KNOWN: Mutex<Option<HashMap<String, Key>>> = Mutex::new(None);
+        static KNOWN: Mutex<Option<HashMap<String, ProofKey>>> = Mutex::new(None);
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
         let make = || {
             let judges = judges(sweep);

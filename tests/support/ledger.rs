@@ -25,18 +25,18 @@ use siphasher::sip128::{Hasher128 as _, SipHasher13};
 use crate::{files, root};
 
 /// Number of commits within which each case is proved anew, on average.
-const TURNS: u64 = 10;
+const COMMITS_PER_PROOF: u64 = 10;
 /// Factor up to which the figures of two proofs of one case are alike: drivers vectorize for the
 /// processor that they find.
-const ALIKE: f64 = 2.0;
+const ALIKE_FACTOR: f64 = 2.0;
 /// Figure below which all figures count as alike: three units in the last place of 1.
-const NOTHING: f64 = 4e-7;
+const ALIKE_BELOW: f64 = 4e-7;
 
 /// Hash of everything that a verdict depends on.
 #[derive(Clone)]
-pub struct Key(SipHasher13);
+pub struct ProofKey(SipHasher13);
 
-impl Key {
+impl ProofKey {
     /// Key of a verdict that depends on the sources under these folders of the project alone,
     /// without comments.
     pub fn of_sources(folders: &[&str]) -> Self {
@@ -119,14 +119,14 @@ fn code(text: &str) -> String {
 
 /// A line of a ledger, without the name of its case.
 #[derive(Clone, Debug, PartialEq)]
-struct Row {
+struct LedgerRow {
     key: String,
     figure: f64,
 }
 
 /// The cases of a ledger that are proved anew.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mode {
+pub enum ProofMode {
     /// Cases with another key, and cases whose turn has come in this commit.
     Turns,
     /// All cases.
@@ -138,11 +138,11 @@ pub enum Mode {
 /// A ledger in use: the lines of its file, and the results of this run.
 pub struct Ledger {
     path: PathBuf,
-    mode: Mode,
+    mode: ProofMode,
     /// The commit's hash, which chooses the cases whose turn has come.
     commit: String,
-    known: BTreeMap<String, Row>,
-    now: BTreeMap<String, Row>,
+    known: BTreeMap<String, LedgerRow>,
+    now: BTreeMap<String, LedgerRow>,
     proved: usize,
     stand: usize,
     /// Complaints about cases that were proved and about false lines.
@@ -154,9 +154,9 @@ impl Ledger {
     pub fn open(name: &str) -> Self {
         let root = root();
         let mode = match env::var("CHIARO_LEDGER").as_deref() {
-            Ok("all") => Mode::All,
-            Ok("write") => Mode::Write,
-            _ => Mode::Turns,
+            Ok("all") => ProofMode::All,
+            Ok("write") => ProofMode::Write,
+            _ => ProofMode::Turns,
         };
         let head = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output();
         let commit = head
@@ -166,12 +166,12 @@ impl Ledger {
     }
 
     /// Opens the ledger in a file, as at a commit.
-    pub fn at(path: &Path, mode: Mode, commit: &str) -> Self {
+    pub fn at(path: &Path, mode: ProofMode, commit: &str) -> Self {
         let text = fs::read_to_string(path).unwrap_or_default();
         let row = |line: &str| {
             let mut parts = line.splitn(3, ' ');
             let (key, figure, case) = (parts.next()?, parts.next()?, parts.next()?);
-            Some((case.to_owned(), Row { key: key.to_owned(), figure: figure.parse().ok()? }))
+            Some((case.to_owned(), LedgerRow { key: key.to_owned(), figure: figure.parse().ok()? }))
         };
         let lines = text.lines().filter(|line| !line.starts_with('#'));
         let known = lines.map(|line| {
@@ -190,14 +190,14 @@ impl Ledger {
     }
 
     /// True if a case has to be proved; if not, its line stands.
-    pub fn is_due(&mut self, case: &str, key: &Key) -> bool {
+    pub fn is_due(&mut self, case: &str, key: &ProofKey) -> bool {
         let Some(row) = self.known.get(case).filter(|row| row.key == key.text()) else {
             return true;
         };
         let is_due = match self.mode {
-            Mode::All => true,
-            Mode::Write => false,
-            Mode::Turns => self.has_turn(case),
+            ProofMode::All => true,
+            ProofMode::Write => false,
+            ProofMode::Turns => self.has_turn(case),
         };
         if !is_due {
             self.stand += 1;
@@ -211,11 +211,11 @@ impl Ledger {
         let mut hasher = SipHasher13::new();
         hasher.write(self.commit.as_bytes());
         hasher.write(case.as_bytes());
-        hasher.finish128().h1.is_multiple_of(TURNS)
+        hasher.finish128().h1.is_multiple_of(COMMITS_PER_PROOF)
     }
 
     /// Notes the result of a proof of a case: its figure, or a complaint.
-    pub fn note(&mut self, case: &str, key: &Key, proof: Result<f64, String>) {
+    pub fn note(&mut self, case: &str, key: &ProofKey, proof: Result<f64, String>) {
         self.proved += 1;
         let figure = match proof {
             Ok(figure) => figure,
@@ -224,7 +224,7 @@ impl Ledger {
                 return;
             }
         };
-        let row = Row { key: key.text(), figure };
+        let row = LedgerRow { key: key.text(), figure };
         if let Some(known) = self.known.get(case).filter(|known| known.key == row.key)
             && !are_alike(known.figure, figure)
         {
@@ -237,7 +237,12 @@ impl Ledger {
     }
 
     /// Proves a case where it is due.
-    pub fn prove(&mut self, case: &str, key: &Key, proof: impl FnOnce() -> Result<f64, String>) {
+    pub fn prove(
+        &mut self,
+        case: &str,
+        key: &ProofKey,
+        proof: impl FnOnce() -> Result<f64, String>,
+    ) {
         if self.is_due(case, key) {
             let proof = proof();
             self.note(case, key, proof);
@@ -254,13 +259,13 @@ impl Ledger {
         [self.proved, self.stand]
     }
 
-    /// Writes the ledger in `Mode::Write`, and fails with all complaints.
+    /// Writes the ledger in `ProofMode::Write`, and fails with all complaints.
     #[allow(clippy::print_stdout, reason = "`--nocapture` shows what was proved")]
     pub fn close(self) {
         let name = self.path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         let [proved, stand] = self.counts();
         println!("{name}: {proved} proved, {stand} as the ledger has them");
-        if self.mode == Mode::Write {
+        if self.mode == ProofMode::Write {
             let mut text = String::from(
                 "# What was proved: key, figure, case. CHIARO_LEDGER=write writes it.\n",
             );
@@ -279,7 +284,7 @@ impl Ledger {
 /// commit that proves the case anew.
 pub fn is_found_false(
     case: &str,
-    key: &Key,
+    key: &ProofKey,
     figure: f64,
     proof: impl FnOnce() -> Result<f64, String>,
 ) -> bool {
@@ -288,7 +293,7 @@ pub fn is_found_false(
     fs::write(&path, format!("{} {figure:e} {case}\n", key.text())).expect("it can be written");
     let mut commits = (0..1000).map(|commit: u32| format!("{commit:040x}"));
     let due = commits.find_map(|commit| {
-        let mut ledger = Ledger::at(&path, Mode::Turns, &commit);
+        let mut ledger = Ledger::at(&path, ProofMode::Turns, &commit);
         ledger.is_due(case, key).then_some(ledger)
     });
     let mut ledger = due.expect("each case has its turn within some tens of commits");
@@ -299,5 +304,8 @@ pub fn is_found_false(
 /// True if two figures can come from the same proof.
 fn are_alike(one: f64, other: f64) -> bool {
     let (least, most) = (one.min(other), one.max(other));
-    one == other || (least.is_finite() && most.is_finite() && most <= (ALIKE * least).max(NOTHING))
+    one == other
+        || (least.is_finite()
+            && most.is_finite()
+            && most <= (ALIKE_FACTOR * least).max(ALIKE_BELOW))
 }

@@ -17,7 +17,7 @@ pub enum Reference {
 
 /// A path and its place in the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Found {
+pub struct FoundPath {
     /// The target of the path.
     pub reference: Reference,
     /// The path as it would be written out, up to the name of the module or crate.
@@ -27,7 +27,7 @@ pub struct Found {
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Kind {
+enum TokenKind {
     Word(String),
     /// `::`
     Separator,
@@ -36,23 +36,23 @@ enum Kind {
 
 #[derive(Clone, Debug)]
 struct Token {
-    kind: Kind,
+    kind: TokenKind,
     line: usize,
 }
 
 /// Every path in `text` that names a top-level module or another crate. `depth` is the number of
 /// modules that the file is deep: 1 for `ids.rs` and `compile/mod.rs`, 2 for `compile/emit.rs`.
-pub fn references(text: &str, depth: usize) -> Vec<Found> {
+pub fn references(text: &str, depth: usize) -> Vec<FoundPath> {
     let tokens = tokens(text);
     let mut found = Vec::new();
     let mut braces = Vec::new();
     for at in 0..tokens.len() {
         match &tokens[at].kind {
-            Kind::Mark('{') => braces.push(Brace::of(&tokens, at)),
-            Kind::Mark('}') => {
+            TokenKind::Mark('{') => braces.push(Brace::of(&tokens, at)),
+            TokenKind::Mark('}') => {
                 braces.pop();
             }
-            Kind::Word(first)
+            TokenKind::Word(first)
                 if braces.last() != Some(&Brace::Group) && !continues_path(&tokens, at) =>
             {
                 let inline = braces.iter().filter(|&&brace| brace == Brace::Module).count();
@@ -76,7 +76,7 @@ enum Brace {
 
 impl Brace {
     fn of(tokens: &[Token], at: usize) -> Self {
-        if at >= 1 && tokens[at - 1].kind == Kind::Separator {
+        if at >= 1 && tokens[at - 1].kind == TokenKind::Separator {
             Self::Group
         } else if at >= 2 && is_word(tokens, at - 2, "mod") && word(tokens, at - 1).is_some() {
             Self::Module
@@ -87,7 +87,7 @@ impl Brace {
 }
 
 /// Every path in `text` that starts at the crate `name`, as a program outside that crate writes it.
-pub fn crate_paths(text: &str, name: &str) -> Vec<Found> {
+pub fn crate_paths(text: &str, name: &str) -> Vec<FoundPath> {
     let tokens = tokens(text);
     let mut found = Vec::new();
     for at in 0..tokens.len() {
@@ -101,14 +101,14 @@ pub fn crate_paths(text: &str, name: &str) -> Vec<Found> {
 /// Every word in `text` outside of comments and strings, with its line.
 pub fn words(text: &str) -> Vec<(String, usize)> {
     let word = |token: Token| match token.kind {
-        Kind::Word(word) => Some((word, token.line)),
+        TokenKind::Word(word) => Some((word, token.line)),
         _ => None,
     };
     tokens(text).into_iter().filter_map(word).collect()
 }
 
 /// Every path in `text` that goes through the module `name`, up to the member below it.
-pub fn members(text: &str, name: &str) -> Vec<Found> {
+pub fn members(text: &str, name: &str) -> Vec<FoundPath> {
     let tokens = tokens(text);
     let mut found = Vec::new();
     for at in 0..tokens.len() {
@@ -141,17 +141,19 @@ pub fn literals(text: &str) -> Vec<&str> {
 
 /// True if the word at `at` follows `name::`. A leading `::` starts a path, and so does `self::`.
 fn continues_path(tokens: &[Token], at: usize) -> bool {
-    let separated = at >= 1 && tokens[at - 1].kind == Kind::Separator;
-    separated && at >= 2 && matches!(&tokens[at - 2].kind, Kind::Word(before) if before != "self")
+    let separated = at >= 1 && tokens[at - 1].kind == TokenKind::Separator;
+    separated
+        && at >= 2
+        && matches!(&tokens[at - 2].kind, TokenKind::Word(before) if before != "self")
 }
 
 /// Records the path that starts at `at` with the word `first`, in a module `depth` levels under the
 /// root.
-fn start(tokens: &[Token], at: usize, first: &str, depth: usize, found: &mut Vec<Found>) {
+fn start(tokens: &[Token], at: usize, first: &str, depth: usize, found: &mut Vec<FoundPath>) {
     match first {
         "crate" => below(tokens, at, 0, "crate", found),
         "super" => below(tokens, at, depth.saturating_sub(1), "super", found),
-        other if follows(tokens, at, &Kind::Separator) => found.push(Found {
+        other if follows(tokens, at, &TokenKind::Separator) => found.push(FoundPath {
             reference: Reference::Crate(other.to_owned()),
             path: other.to_owned(),
             line: tokens[at].line,
@@ -161,11 +163,11 @@ fn start(tokens: &[Token], at: usize, first: &str, depth: usize, found: &mut Vec
 }
 
 /// Records the elements below the path that ends at `at`, `levels` modules under the root.
-fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
-    if follows(tokens, at, &Kind::Separator) {
+fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<FoundPath>) {
+    if follows(tokens, at, &TokenKind::Separator) {
         element(tokens, at + 2, levels, path, found);
     } else if levels == 0 && is_word(tokens, at + 1, "as") {
-        found.push(Found {
+        found.push(FoundPath {
             reference: Reference::WholeCrate,
             path: path.to_owned(),
             line: tokens[at].line,
@@ -175,26 +177,26 @@ fn below(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec
 
 /// Records one element of a path, `levels` modules under the root: a name, a glob, or a group of
 /// elements in braces.
-fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<Found>) {
+fn element(tokens: &[Token], at: usize, levels: usize, path: &str, found: &mut Vec<FoundPath>) {
     let Some(token) = tokens.get(at) else { return };
     match &token.kind {
-        Kind::Mark('{') => {
+        TokenKind::Mark('{') => {
             for start in group(tokens, at) {
                 element(tokens, start, levels, path, found);
             }
         }
-        Kind::Word(word) if word == "super" => {
+        TokenKind::Word(word) if word == "super" => {
             below(tokens, at, levels.saturating_sub(1), &format!("{path}::super"), found);
         }
         // Any other element stays inside of the file's own top-level module.
         _ if levels > 0 => {}
-        Kind::Word(word) if word != "self" => found.push(Found {
+        TokenKind::Word(word) if word != "self" => found.push(FoundPath {
             reference: Reference::Module(word.clone()),
             path: format!("{path}::{word}"),
             line: token.line,
         }),
-        Kind::Word(_) | Kind::Mark('*') => {
-            found.push(Found {
+        TokenKind::Word(_) | TokenKind::Mark('*') => {
+            found.push(FoundPath {
                 reference: Reference::WholeCrate,
                 path: path.to_owned(),
                 line: token.line,
@@ -210,14 +212,14 @@ fn group(tokens: &[Token], open: usize) -> Vec<usize> {
     let mut nesting = 0_usize;
     for (at, token) in tokens.iter().enumerate().skip(open) {
         match token.kind {
-            Kind::Mark('{') => nesting += 1,
-            Kind::Mark('}') => nesting -= 1,
+            TokenKind::Mark('{') => nesting += 1,
+            TokenKind::Mark('}') => nesting -= 1,
             _ => {}
         }
         if nesting == 0 {
             break;
         }
-        let begins = matches!(token.kind, Kind::Mark('{' | ','));
+        let begins = matches!(token.kind, TokenKind::Mark('{' | ','));
         if begins && nesting == 1 {
             starts.push(at + 1);
         }
@@ -227,7 +229,7 @@ fn group(tokens: &[Token], open: usize) -> Vec<usize> {
 
 fn word(tokens: &[Token], at: usize) -> Option<&str> {
     match &tokens.get(at)?.kind {
-        Kind::Word(word) => Some(word),
+        TokenKind::Word(word) => Some(word),
         _ => None,
     }
 }
@@ -236,7 +238,7 @@ fn is_word(tokens: &[Token], at: usize, expected: &str) -> bool {
     word(tokens, at) == Some(expected)
 }
 
-fn follows(tokens: &[Token], at: usize, kind: &Kind) -> bool {
+fn follows(tokens: &[Token], at: usize, kind: &TokenKind) -> bool {
     tokens.get(at + 1).is_some_and(|token| &token.kind == kind)
 }
 
@@ -252,15 +254,15 @@ fn tokens(text: &str) -> Vec<Token> {
         if first == '_' || first.is_alphanumeric() {
             let name = lexer.take_word();
             if !first.is_numeric() {
-                tokens.push(Token { kind: Kind::Word(name), line });
+                tokens.push(Token { kind: TokenKind::Word(name), line });
             }
         } else if lexer.rest.starts_with("::") {
             lexer.advance(2);
-            tokens.push(Token { kind: Kind::Separator, line });
+            tokens.push(Token { kind: TokenKind::Separator, line });
         } else {
             lexer.advance(first.len_utf8());
             if !first.is_whitespace() {
-                tokens.push(Token { kind: Kind::Mark(first), line });
+                tokens.push(Token { kind: TokenKind::Mark(first), line });
             }
         }
     }

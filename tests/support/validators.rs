@@ -75,7 +75,7 @@ fn say(line: &str) {
 
 /// The shader stage of a GLSL source, which the source does not name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
+pub enum ShaderStage {
     /// `vert`.
     Vertex,
     /// `frag`.
@@ -87,14 +87,14 @@ pub enum Stage {
 /// Has glslang compile `source`. `flags` are glslang's own, e.g. `["-V"]` for the rules of Vulkan;
 /// without flags the source's `#version` decides. A refusal is told with glslang's messages and the
 /// source's lines, numbered.
-pub fn glslang(source: &str, stage: Stage, flags: &[&str]) -> Result<(), String> {
+pub fn glslang(source: &str, stage: ShaderStage, flags: &[&str]) -> Result<(), String> {
     if !Tool::Glslang.is_here() {
         return Tool::Glslang.missing();
     }
     let stage = match stage {
-        Stage::Vertex => "vert",
-        Stage::Fragment => "frag",
-        Stage::Compute => "comp",
+        ShaderStage::Vertex => "vert",
+        ShaderStage::Fragment => "frag",
+        ShaderStage::Compute => "comp",
     };
     // glslang may write SPIR-V into the current folder, hence a folder of its own.
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
@@ -121,7 +121,7 @@ pub fn glslang_hlsl(source: &str) -> Result<(), String> {
         "-o",
         "out.spv",
     ];
-    for (stage, entry) in [(Stage::Vertex, "vs_main"), (Stage::Fragment, "fs_main")] {
+    for (stage, entry) in [(ShaderStage::Vertex, "vs_main"), (ShaderStage::Fragment, "fs_main")] {
         glslang(&source, stage, &[&["-D", "-e", entry], &vulkan[..]].concat())?;
     }
     Ok(())

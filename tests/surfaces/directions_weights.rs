@@ -154,7 +154,7 @@ fn keys_without_direction_have_no_weight() {
 }
 
 #[test]
-fn a_query_without_direction_favours_no_key() {
+fn a_query_without_direction_favors_no_key() {
     for scheme in ALL {
         for nowhere in [DVec3::ZERO, DVec3::NAN, DVec3::INFINITY] {
             assert_eq!(keys(&some_keys(), scheme).weights(nowhere), [0.25; 4]);
@@ -253,7 +253,7 @@ fn weights_are_flat_at_keys_from_every_side() {
 
 #[test]
 fn weights_are_continuously_differentiable_everywhere() {
-    // On a great circle through keys and through lines where weights are clamped, neighbouring
+    // On a great circle through keys and through lines where weights are clamped, neighboring
     // difference quotients differ by O(h log h): no kink.
     let directions = some_keys();
     let from = directions[0].normalize();

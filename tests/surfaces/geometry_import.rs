@@ -1,13 +1,13 @@
 //! Small mesh files of every format: whole, wrong and cut short.
 
 use crate::support::cases::hold;
-use chiaro::diag::{Diagnostic, LineColumn, Warned};
+use chiaro::diag::{Diagnostic, LineColumn, WithWarnings};
 use chiaro::files::Disk;
 use chiaro::geometry::{Mesh, Siblings, import, load, no_siblings};
 use glam::{Vec3, Vec4};
 use proptest::prelude::*;
 
-fn read(name: &str, bytes: impl AsRef<[u8]>) -> Warned<Mesh> {
+fn read(name: &str, bytes: impl AsRef<[u8]>) -> WithWarnings<Mesh> {
     import(name, bytes.as_ref(), &no_siblings)
         .unwrap_or_else(|problems| panic!("{name}: {problems:#?}"))
 }
@@ -76,7 +76,7 @@ f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
 
 #[test]
 fn a_cube_keeps_its_edges() {
-    let Warned { value: mesh, warnings: notes } = read("dir/cube.obj", CUBE);
+    let WithWarnings { value: mesh, warnings: notes } = read("dir/cube.obj", CUBE);
     check(&mesh);
     assert_eq!(mesh.name, "cube");
     assert_eq!((mesh.positions.len(), mesh.triangle_count()), (24, 12));
@@ -108,7 +108,7 @@ fn a_faceted_ball_becomes_smooth() {
                 &format!("f {} {} {} {}\n", at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i));
         }
     }
-    let Warned { value: mesh, warnings: notes } = read("ball.obj", &text);
+    let WithWarnings { value: mesh, warnings: notes } = read("ball.obj", &text);
     check(&mesh);
     for (p, n) in mesh.positions.iter().zip(&mesh.normals) {
         assert!(Vec3::from(*p).normalize().angle_between(Vec3::from(*n)) < 0.03, "{p:?} {n:?}");
@@ -147,7 +147,7 @@ fn attributes_of_obj() {
     let text = "\
 v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 0.5\nvt 0 0\nvt 1 0\nvt 0 1\nvn 0 0 2
 f 1/1/1 2/2/1 3/3/1\n";
-    let Warned { value: mesh, warnings: notes } = read("x.obj", text);
+    let WithWarnings { value: mesh, warnings: notes } = read("x.obj", text);
     check(&mesh);
     assert!(mesh.has_uvs && mesh.has_colors && mesh.has_normals && notes.is_empty());
     assert_eq!(mesh.colors[2], [0.0, 0.0, 0.5, 1.0]);
@@ -207,7 +207,7 @@ fn all_mistakes_of_an_obj_are_told_up_to_a_bound() {
 #[test]
 fn degenerate_triangles_are_counted() {
     let text = format!("{CUBE}f 1 1 2\nf 1 2 2 1\n");
-    let Warned { value: mesh, warnings: notes } = read("x.obj", text);
+    let WithWarnings { value: mesh, warnings: notes } = read("x.obj", text);
     assert_eq!(mesh.triangle_count(), 12);
     assert!(notes[0].message.starts_with("3 of 15 triangles"), "{}", notes[0]);
 }
@@ -292,7 +292,7 @@ fn ply_strips_normals_and_corner_uvs() {
         property list int int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n1 \
         1 0 0 0 1\n\
         8 0 1 2 3 -1 0 1 2\n";
-    let Warned { value: mesh, warnings: notes } = read("x.ply", strips);
+    let WithWarnings { value: mesh, warnings: notes } = read("x.ply", strips);
     check(&mesh);
     assert!(mesh.has_normals && notes.is_empty());
     assert_eq!(mesh.indices, [0, 1, 2, 2, 1, 3, 0, 1, 2]);
@@ -440,7 +440,7 @@ fn gltf_by_data_uri_file_and_glb_is_the_same_mesh() {
         r#", "uri": "data:application/octet-stream;base64,{}""#,
         base64(&gltf_bytes())
     ));
-    let Warned { value: mesh, warnings: notes } = read("x.gltf", embedded);
+    let WithWarnings { value: mesh, warnings: notes } = read("x.gltf", embedded);
     check(&mesh);
     assert!(notes.is_empty(), "{notes:?}");
     assert!(mesh.has_normals && mesh.has_uvs && mesh.has_colors);
@@ -504,7 +504,7 @@ fn gltf_tangents_strips_and_sparse() {
      {"buffer": 0, "byteOffset": 8, "byteLength": 36},
       {"buffer": 0, "byteOffset": 44, "byteLength": 64}],
      "buffers": [{"byteLength": 108}]}"#;
-    let Warned { value: mesh, warnings: notes } = read("x.glb", glb(json, &bytes));
+    let WithWarnings { value: mesh, warnings: notes } = read("x.glb", glb(json, &bytes));
     check(&mesh);
     assert_eq!((mesh.triangle_count(), area(&mesh)), (2, 1.0));
     assert_eq!(mesh.tangents, [[0.0, 1.0, 0.0, -1.0]; 4]);
@@ -589,7 +589,7 @@ fn gltf_instances_are_copies() {
         );
         triangle_gltf(r#", "extensionsRequired": ["EXT_mesh_gpu_instancing"]"#, &node, "", "")
     };
-    let Warned { value: mesh, warnings: notes } =
+    let WithWarnings { value: mesh, warnings: notes } =
         read("x.gltf", with(r#""TRANSLATION": 1, "_ID": 0"#));
     check(&mesh);
     assert_eq!(mesh.triangle_count(), 3);
@@ -706,7 +706,7 @@ proptest! {
                 _ => { bytes.remove(i); }
             }
         }
-        if let Ok(Warned { value: mesh, .. }) = import(name, &bytes, &no_siblings) {
+        if let Ok(WithWarnings { value: mesh, .. }) = import(name, &bytes, &no_siblings) {
             check(&mesh);
         }
     }

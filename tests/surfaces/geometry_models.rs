@@ -3,14 +3,14 @@
 use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
-use chiaro::diag::Warned;
+use chiaro::diag::WithWarnings;
 use chiaro::files::Disk;
 use chiaro::geometry::{Mesh, load};
 use glam::{Vec3, Vec4};
 
 /// Text of a mesh file, and the mesh read from it; `None` where the folder of trial meshes is
 /// missing.
-fn model(name: &str) -> Option<(String, Warned<Mesh>)> {
+fn model(name: &str) -> Option<(String, WithWarnings<Mesh>)> {
     let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
     let path =
         ["../shared/models", "../../shared/models"].map(|folder| root.join(folder).join(name));
@@ -45,7 +45,8 @@ fn creased(mesh: &Mesh) -> f64 {
 #[test]
 fn real_meshes_have_what_their_files_say() {
     for name in ["spot", "suzanne", "teapot", "stanford-bunny", "nefertiti", "rocker-arm"] {
-        let Some((text, Warned { value: mesh, warnings: notes })) = model(&format!("{name}.obj"))
+        let Some((text, WithWarnings { value: mesh, warnings: notes })) =
+            model(&format!("{name}.obj"))
         else {
             return;
         };

@@ -47,7 +47,7 @@ fn euler(mesh: &Mesh, name: &str) -> i64 {
 /// True if the triangles around every place form one ring.
 fn is_manifold(mesh: &Mesh) -> bool {
     let places = places(mesh);
-    // The next neighbour around a place, by place and neighbour.
+    // The next neighbor around a place, by place and neighbor.
     let mut next: HashMap<(usize, usize), usize> = HashMap::new();
     let mut degree: HashMap<usize, usize> = HashMap::new();
     for t in triangles(mesh) {
@@ -238,7 +238,7 @@ fn the_organic_shapes_are_dense_and_hollow() {
             "{name}: {}",
             mesh.triangle_count()
         );
-        // An edge is concave where the neighbour's far corner lies in front of the triangle.
+        // An edge is concave where the neighbor's far corner lies in front of the triangle.
         let places = places(&mesh);
         let mut apex: HashMap<(usize, usize), Vec3> = HashMap::new();
         let at = |i: usize| Vec3::from(mesh.positions[i]);

@@ -170,7 +170,7 @@ fn mirrored_and_cut_uvs_have_the_references_tangents() {
     }
 }
 
-/// Triangles whose UVs span no area take the tangents of their neighbours; a file that repeats its
+/// Triangles whose UVs span no area take the tangents of their neighbors; a file that repeats its
 /// points gives the same tangents.
 #[test]
 fn triangles_without_area_have_the_references_tangents() {

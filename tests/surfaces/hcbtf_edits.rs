@@ -6,7 +6,9 @@ use chiaro::document::relief::{Channel, PRESETS, Pattern};
 use chiaro::document::{
     Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile,
 };
-use chiaro::files::journal::{About, Found, Journal, Op, Slot, recover, recover_any};
+use chiaro::files::journal::{
+    DocumentInfo, Journal, JournalSlot, Op, RecoveredDocument, recover, recover_any,
+};
 use chiaro::hcbtf::write;
 use proptest::prelude::*;
 
@@ -200,8 +202,8 @@ proptest! {
             let edit = random.edit(history.document());
             let _ = history.apply(edit);
         }
-        let slot = Slot::new(folder.path()).unwrap();
-        let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+        let slot = JournalSlot::new(folder.path()).unwrap();
+        let mut journal = Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap();
         for gesture in 0..after as u64 {
             let edit = random.edit(history.document());
             let revision = history.revision();
@@ -221,7 +223,7 @@ proptest! {
             .map_err(|problem| TestCaseError::fail(problem.to_string()))?;
         prop_assert!(found.damage.is_empty(), "{:?}", found.damage);
         prop_assert_eq!(all_of(found.history), all_of(history));
-        prop_assert!(matches!(recover_any(slot.path()), Ok(Found::Hcbtf(_))));
+        prop_assert!(matches!(recover_any(slot.path()), Ok(RecoveredDocument::Hcbtf(_))));
         slot.discard();
     }
 }

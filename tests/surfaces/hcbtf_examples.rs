@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use chiaro::compile::{Options, compile};
+use chiaro::compile::{CompileOptions, compile};
 use chiaro::document::{Address, Look, Tier, Value};
 use chiaro::files::Disk;
 use chiaro::hcbtf::fill::sample;
@@ -66,7 +66,7 @@ fn the_looks_beside_them_show_them() {
         );
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
             look.tier = tier;
-            let compiled = compile(&look, Library::built_in(), &Options::default());
+            let compiled = compile(&look, Library::built_in(), &CompileOptions::default());
             assert!(compiled.is_ok(), "{}: {:?}", path.display(), compiled.err());
         }
     }

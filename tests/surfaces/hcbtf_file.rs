@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use crate::support::cases::hold;
 use crate::support::random::Random;
-use chiaro::diag::{Diagnostic, Warned};
+use chiaro::diag::{Diagnostic, WithWarnings};
 use chiaro::document::{
     Address, Bundle, Directions, Grid, Hcbtf, HcbtfAngle, Placement, Relief, Rule, StrokeTones,
     Strokes, Tile,
 };
-use chiaro::hcbtf::{Picture, fill::fill, read, sheet, write};
+use chiaro::hcbtf::{BytePicture, fill::fill, read, sheet, write};
 use chiaro::progress::Progress;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
@@ -101,7 +101,7 @@ fn with_manifest(from: &str, to: &str) -> Vec<u8> {
 
 fn png(size: [u32; 2], byte: u8) -> Vec<u8> {
     let rgba = vec![byte; 4 * size[0] as usize * size[1] as usize];
-    Picture { size, rgba }.to_png().unwrap()
+    BytePicture { size, rgba }.to_png().unwrap()
 }
 
 /// Diagnostics of a file that must be refused.
@@ -450,7 +450,7 @@ fn mutated_files_never_panic() {
                 bytes[at] = if random.chance(0.3) { 0xff } else { random.bits() as u8 };
             }
         }
-        if let Ok(Warned { value: hcbtf, .. }) = read(&bytes, "fuzzed.hcbtf") {
+        if let Ok(WithWarnings { value: hcbtf, .. }) = read(&bytes, "fuzzed.hcbtf") {
             read_well += 1;
             assert!(hcbtf.painted.values().all(|tile| tile.size() == hcbtf.grid.size));
             if hcbtf.grid.texels() as u64 * hcbtf.grid.sample_count() < 1 << 16 {
@@ -492,7 +492,7 @@ fn mutated_manifests_never_panic() {
             let end = (at + random.index(6)).min(text.len());
             text.splice(at..end, random.pick(&words).bytes());
         }
-        if let Ok(Warned { value: hcbtf, .. }) =
+        if let Ok(WithWarnings { value: hcbtf, .. }) =
             read(&pack(&changed, CompressionMethod::Stored), "fuzzed.hcbtf")
         {
             assert!(hcbtf.grid.check().is_ok() && write(&hcbtf).is_ok());

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use chiaro::document::{Address, Directions, Grid};
 use chiaro::files::{FileMetadata, Files, FoundFiles, MemoryFiles, ReadError, WalkBounds};
 use chiaro::frame::{AssetStore, Assets, open};
-use chiaro::hcbtf::exchange::{Form, fitted, import};
+use chiaro::hcbtf::exchange::{ExchangeFormat, fitted, import};
 use chiaro::hcbtf::folder::file_name;
 use chiaro::hcbtf::{self, LayerOptions};
 use chiaro::progress::Progress;
@@ -74,13 +74,15 @@ fn a_folder_of_samples_comes_from_memory_and_its_size_is_bounded() {
     let directions = Directions { theta: 2, phi: 3 };
     let grid = Grid { size: [1, 1], light: directions, view: directions };
     let from = Path::new("images");
-    assert_eq!(Form::guessed(&files, from), Form::Folder);
-    let grid = fitted(&files, from, Form::Folder, grid, 0);
+    assert_eq!(ExchangeFormat::guessed(&files, from), ExchangeFormat::Folder);
+    let grid = fitted(&files, from, ExchangeFormat::Folder, grid, 0);
     assert_eq!(grid.size, [4, 4]);
-    let hcbtf = import(&files, from, Form::Folder, grid, 0, &Progress::new()).unwrap().value;
+    let hcbtf =
+        import(&files, from, ExchangeFormat::Folder, grid, 0, &Progress::new()).unwrap().value;
     assert_eq!(hcbtf.painted.len(), 1);
     // A folder of more entries than any HCBTF has samples is not looked through.
-    let told = import(&Endless, from, Form::Folder, grid, 0, &Progress::new()).unwrap_err();
+    let told =
+        import(&Endless, from, ExchangeFormat::Folder, grid, 0, &Progress::new()).unwrap_err();
     assert_eq!(told[0].code, "too-large");
 }
 

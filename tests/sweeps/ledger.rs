@@ -4,31 +4,32 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use chiaro::library::Library;
-use chiaro::sweeps::{Case, Effort, Lab};
+use chiaro::sweeps::{Case, Effort, Laboratory};
 
 use crate::nodes;
 use crate::support::eval::renderer;
-use crate::support::ledger::{Key, Ledger, Mode};
+use crate::support::ledger::{Ledger, ProofKey, ProofMode};
 use crate::support::{files, halved};
 
-fn written(folder: &Path, lines: &[(&str, &Key, f64)]) -> PathBuf {
+fn written(folder: &Path, lines: &[(&str, &ProofKey, f64)]) -> PathBuf {
     let path = folder.join("sweep.txt");
-    let line =
-        |(case, key, figure): &(&str, &Key, f64)| format!("{} {figure:e} {case}\n", key.text());
+    let line = |(case, key, figure): &(&str, &ProofKey, f64)| {
+        format!("{} {figure:e} {case}\n", key.text())
+    };
     fs::write(&path, lines.iter().map(line).collect::<String>()).unwrap();
     path
 }
 
 /// Cases of a ledger that a commit proves anew.
-fn proved(path: &Path, commit: &str, cases: &[String], key: &Key) -> Vec<String> {
-    let mut ledger = Ledger::at(path, Mode::Turns, commit);
+fn proved(path: &Path, commit: &str, cases: &[String], key: &ProofKey) -> Vec<String> {
+    let mut ledger = Ledger::at(path, ProofMode::Turns, commit);
     cases.iter().filter(|case| ledger.is_due(case, key)).cloned().collect()
 }
 
 #[test]
 fn every_line_has_its_turn_and_a_commit_proves_a_tenth() {
     let folder = tempfile::tempdir().unwrap();
-    let key = Key::of_sources(&["tests/support"]);
+    let key = ProofKey::of_sources(&["tests/support"]);
     let cases: Vec<String> = (0..500).map(|number| format!("case {number}")).collect();
     let lines: Vec<_> = cases.iter().map(|case| (case.as_str(), &key, 1e-7)).collect();
     let path = written(folder.path(), &lines);
@@ -44,10 +45,10 @@ fn every_line_has_its_turn_and_a_commit_proves_a_tenth() {
 #[test]
 fn a_forged_line_is_found_when_its_turn_comes() {
     let folder = tempfile::tempdir().unwrap();
-    let key = Key::of_sources(&["tests/support"]);
+    let key = ProofKey::of_sources(&["tests/support"]);
     let path = written(folder.path(), &[("node add", &key, 1e-7)]);
     let run = |commit: u32, truth: f64| {
-        let mut ledger = Ledger::at(&path, Mode::Turns, &format!("{commit:040x}"));
+        let mut ledger = Ledger::at(&path, ProofMode::Turns, &format!("{commit:040x}"));
         ledger.prove("node add", &key, || Ok(truth));
         ledger.complaints
     };
@@ -62,9 +63,9 @@ fn a_forged_line_is_found_when_its_turn_comes() {
 #[test]
 fn a_line_with_another_key_counts_for_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    let key = Key::of_sources(&["tests/support"]);
+    let key = ProofKey::of_sources(&["tests/support"]);
     let path = written(folder.path(), &[("node add", &key.with(b"another"), 1e-7)]);
-    let mut ledger = Ledger::at(&path, Mode::Turns, "");
+    let mut ledger = Ledger::at(&path, ProofMode::Turns, "");
     ledger.prove("node add", &key, || Err("off by 3".into()));
     assert_eq!(
         (ledger.counts(), ledger.complaints),
@@ -84,9 +85,9 @@ fn a_changed_interpreter_is_another_key() {
         fs::create_dir_all(to.parent().unwrap()).unwrap();
         fs::copy(&path, to).unwrap();
     }
-    let key = || Key::of_sources_in(folder.path(), &["interp"]).text();
+    let key = || ProofKey::of_sources_in(folder.path(), &["interp"]).text();
     let before = key();
-    assert_eq!(before, Key::of_sources(&["src/language/interp"]).text());
+    assert_eq!(before, ProofKey::of_sources(&["src/language/interp"]).text());
     let file = copy.join("math.rs");
     let text = fs::read_to_string(&file).unwrap();
     fs::write(&file, format!("// Of another mind.\n\n{text}")).unwrap();
@@ -103,7 +104,7 @@ fn a_changed_interpreter_is_another_key() {
 fn a_changed_constant_in_a_shader_is_another_key() {
     let key = |library: &Library, node: &str| {
         let mut renderer = renderer();
-        let mut lab = Lab::new(library, &mut renderer).unwrap();
+        let mut lab = Laboratory::new(library, &mut renderer).unwrap();
         let case = Case::of(&library.nodes[node]).remove(0);
         nodes::key(&mut lab, &case, &Effort { ordinary: 8, extreme: 8, rounds: 0 }).text()
     };

@@ -5,9 +5,9 @@
 use std::path::Path;
 
 use crate::support::eval::{renderer, told};
-use crate::support::ledger::{Key, Ledger};
+use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::wait::block_on;
-use chiaro::accuracy::{Colors, MeasureError, Truth};
+use chiaro::accuracy::{MeasureError, PremultipliedPicture, Truth};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Projection, Tier};
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup, open};
@@ -30,8 +30,8 @@ fn flawless<T>(result: Result<T, MeasureError>) -> T {
 }
 
 /// The key of the verdict on a look's pictures.
-fn key(path: &Path, precise: &Renderer, effort: &str, meshes: &[&str], tiers: &[Tier]) -> Key {
-    let mut key = Key::of_judges(&["tests/sweeps/looks.rs"])
+fn key(path: &Path, precise: &Renderer, effort: &str, meshes: &[&str], tiers: &[Tier]) -> ProofKey {
+    let mut key = ProofKey::of_judges(&["tests/sweeps/looks.rs"])
         .with(precise.gpu().info.driver_info.as_bytes())
         .with(effort.as_bytes());
     let told = content(path, meshes, tiers, Library::built_in(), &mut |bytes| key.add(bytes));
@@ -194,7 +194,7 @@ fn only_what_a_step_of_the_grid_explains_is_settled() {
 
     // The leaping pixel gets the color that the camera aside sees; the still pixel gets a wrong
     // one.
-    let mut got = Colors { size: [side; 2], rgba: here.clone().into() };
+    let mut got = PremultipliedPicture { size: [side; 2], rgba: here.clone().into() };
     got.rgba.to_mut()[leaping] = there[leaping];
     let wrong = 2.0 * apart(leaping);
     got.rgba.to_mut()[still][1] += wrong;

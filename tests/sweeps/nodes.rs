@@ -4,17 +4,19 @@
 use std::sync::{Arc, Mutex};
 
 use crate::support::eval::{renderer, told};
-use crate::support::ledger::{Key, Ledger};
+use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::wait::block_on;
 use chiaro::accuracy::MeasureError;
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::sweeps::{Case, CaseFigures, Effort, Lab, LookEffort, StabilityEffort, Survey, survey};
+use chiaro::sweeps::{
+    Case, CaseFigures, Effort, Laboratory, LookEffort, StabilityEffort, Survey, survey,
+};
 
 fn sweep(effort: &Effort) -> Vec<CaseFigures> {
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+    let mut lab = Laboratory::new(Library::built_in(), &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
     kinds.sort_unstable();
@@ -63,8 +65,8 @@ fn hold(all: &[CaseFigures]) {
 }
 
 /// The key of a case's verdict.
-pub(crate) fn key(lab: &mut Lab<'_>, case: &Case, effort: &Effort) -> Key {
-    let mut key = Key::of_judges(&["tests/sweeps/nodes.rs"])
+pub(crate) fn key(lab: &mut Laboratory<'_>, case: &Case, effort: &Effort) -> ProofKey {
+    let mut key = ProofKey::of_judges(&["tests/sweeps/nodes.rs"])
         .with(lab.renderer.gpu().info.driver_info.as_bytes());
     let content = lab.content(case, effort, &mut |bytes| key.add(bytes));
     content.unwrap_or_else(|problems| panic!("{}: {}", case.name(), told(&problems)));
@@ -76,7 +78,7 @@ fn every_node_keeps_its_bound() {
     let effort = Effort::QUICK;
     let mut ledger = Ledger::open("nodes");
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+    let mut lab = Laboratory::new(Library::built_in(), &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut kinds: Vec<&str> = Library::built_in().nodes.keys().map(String::as_str).collect();
     kinds.sort_unstable();
@@ -103,7 +105,7 @@ fn soak_every_node_keeps_its_bound() {
 /// Outputs of a node on the GPU and in the truth, for inputs with these numbers; others are 0.
 fn one(node: &str, inputs: &[(&str, &[f64])]) -> [Vec<f64>; 2] {
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+    let mut lab = Laboratory::new(Library::built_in(), &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let case = Case::of(&Library::built_in().nodes[node]).remove(0);
     let bench = lab.bench(&case).unwrap_or_else(|problems| panic!("{}", told(&problems)));
@@ -168,7 +170,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
     }
     let tiny = LookEffort {
         meshes: vec!["shape:sphere"],
-        stations: 2,
+        viewpoints: 2,
         sides: vec![24],
         ..LookEffort::quick()
     };
@@ -206,7 +208,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
     );
     assert_eq!(report.stability.iter().map(|one| one.look.as_str()).collect::<String>(), "aabb");
     let mut renderer = renderer();
-    let mut lab = Lab::new(library, &mut renderer)
+    let mut lab = Laboratory::new(library, &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", self::told(&problems)));
     let mut alone = Vec::new();
     for kind in ["add", "facing", "profile"] {

@@ -4,16 +4,16 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::support::eval::{renderer, told};
-use crate::support::ledger::{Key, Ledger};
+use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::wait::block_on;
 use chiaro::diag::Diagnostic;
 use chiaro::library::Library;
-use chiaro::sweeps::{Case, Lab, Worst, bound, search};
+use chiaro::sweeps::{Case, Laboratory, WorstInput, bound, search};
 
 #[test]
 fn the_worst_inputs_stay_within_their_bounds() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/worst");
-    let mut by_case: BTreeMap<Case, Vec<Worst>> = BTreeMap::new();
+    let mut by_case: BTreeMap<Case, Vec<WorstInput>> = BTreeMap::new();
     for file in std::fs::read_dir(folder).expect("the folder is there").flatten() {
         for worst in search::read(&file.path()).unwrap_or_else(|problem| panic!("{problem}")) {
             by_case.entry(worst.case.clone()).or_default().push(worst);
@@ -21,7 +21,7 @@ fn the_worst_inputs_stay_within_their_bounds() {
     }
     assert!(by_case.len() > 150, "only {} cases are kept", by_case.len());
     let mut renderer = renderer();
-    let mut lab = Lab::new(Library::built_in(), &mut renderer)
+    let mut lab = Laboratory::new(Library::built_in(), &mut renderer)
         .unwrap_or_else(|problems| panic!("{}", told(&problems)));
     let mut ledger = Ledger::open("worst");
     for (case, kept) in by_case {
@@ -30,7 +30,7 @@ fn the_worst_inputs_stay_within_their_bounds() {
             .iter()
             .map(|worst| worst.numbers(&bench).unwrap_or_else(|problem| panic!("{problem}")))
             .collect();
-        let mut key = Key::of_judges(&["tests/sweeps/worst.rs"])
+        let mut key = ProofKey::of_judges(&["tests/sweeps/worst.rs"])
             .with(lab.renderer.gpu().info.driver_info.as_bytes());
         let content = lab.content_of(&bench, &all, &mut |bytes| key.add(bytes));
         content.unwrap_or_else(|problems| panic!("{}", told(&problems)));

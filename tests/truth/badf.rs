@@ -196,7 +196,7 @@ fn check_alpha(
     for ((value, (_, shift, parameters)), u) in
         eval(look, "tone.tone", &samples).iter().zip(&cases).zip(angles)
     {
-        let [tau, f, c] = badf::sanitised(*parameters);
+        let [tau, f, c] = badf::sanitized(*parameters);
         let x = (u - shift).clamp(0.0, PI) - tau;
         // At the very edge of a step one rounding of u decides; `hard_cases` tests those edges one
         // by one.
@@ -219,7 +219,7 @@ fn check_alpha(
     errors.finish();
 }
 
-/// A grid of sanitised parameters around an offset, with fall-offs from `least` on.
+/// A grid of sanitized parameters around an offset, with fall-offs from `least` on.
 fn grid(offsets: &[f64], least: f64) -> Vec<(f64, f64, [f64; 3])> {
     let mut cases = Vec::new();
     for &tau in offsets {
@@ -317,7 +317,7 @@ fn alpha_of_parameters_out_of_order() {
     let mut cases = Vec::new();
     while cases.len() < 8000 {
         let parameters = [odd(&mut random), odd(&mut random), odd(&mut random)];
-        let [tau, f, c] = badf::sanitised(parameters);
+        let [tau, f, c] = badf::sanitized(parameters);
         // Narrow and near-ambient profiles have tests of their own; at the corner f' = c' = pi the
         // exponent depends on the last digit of pi.
         let is_plain = |x: f64| x == 0.0 || (0.2..3.0).contains(&x);

@@ -81,7 +81,7 @@ fn plan(look: &Json, mesh: Mesh, camera: Camera) -> FramePlan {
 
 fn picture(plan: &FramePlan) -> ReferencePicture {
     let modules = Modules::new(plan, Precision::F64).expect("it compiles");
-    reference::execute(plan, &modules, &reference::Options::default(), &Progress::new())
+    reference::execute(plan, &modules, &reference::ReferenceOptions::default(), &Progress::new())
         .expect("it is drawn")
 }
 

@@ -86,6 +86,6 @@ fn a_picture_that_is_not_wanted_any_more_is_not_made() {
         let progress = Progress::new();
         progress.stop();
         let stopped = block_on(executor.picture(&plan, &progress)).expect_err("it was stopped");
-        assert_eq!(stopped.code, chiaro::progress::Stopped::CODE, "{}", executor.name());
+        assert_eq!(stopped.code, chiaro::progress::Interruption::CODE, "{}", executor.name());
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::support::badf::{angle, held, mirrored};
 use crate::support::color::{to_linear, to_srgb};
-use crate::support::held::{In, library, numeric, run_at, width, words};
+use crate::support::held::{SampleInputs, library, numeric, run_at, width, words};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use chiaro::frame::{EvalSample, LightOverride};
@@ -23,7 +23,7 @@ struct Place {
     depth: f64,
 }
 
-type Truth = fn(In<'_>, &Place) -> Vec<f64>;
+type Truth = fn(SampleInputs<'_>, &Place) -> Vec<f64>;
 
 fn v3(numbers: &[f64]) -> DVec3 {
     DVec3::from_slice(numbers)
@@ -38,7 +38,7 @@ fn half(l: DVec3, v: DVec3) -> DVec3 {
 }
 
 /// Direction and unit axes, from the first three inputs.
-fn bent(i: In<'_>) -> [DVec3; 3] {
+fn bent(i: SampleInputs<'_>) -> [DVec3; 3] {
     [0, 1, 2].map(|k| v3(&i[k]).normalize())
 }
 
@@ -110,12 +110,12 @@ fn non_separable(mode: &str, a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     }
 }
 
-fn mixed(i: In<'_>, blended: [f64; 3]) -> Vec<f64> {
+fn mixed(i: SampleInputs<'_>, blended: [f64; 3]) -> Vec<f64> {
     let t = i[2][0].clamp(0.0, 1.0);
     (0..3).map(|k| (1.0 - t) * i[0][k] + t * blended[k]).chain([i[0][3]]).collect()
 }
 
-fn each(i: In<'_>, f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
+fn each(i: SampleInputs<'_>, f: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     [0, 1, 2].map(|k| f(i[0][k], i[1][k]))
 }
 
@@ -403,7 +403,7 @@ fn near(position: &[f64], center: &[f64], radius: f64, hardness: f64) -> f64 {
 
 /// The tone of Rusinkiewicz et al. 2006, section 3: detail at each scale, and the smoothest normal
 /// under the light itself.
-fn exaggerated(i: In<'_>, l: DVec3, scales: usize) -> f64 {
+fn exaggerated(i: SampleInputs<'_>, l: DVec3, scales: usize) -> f64 {
     let (contrast, detail) = (i[1][0].max(0.0), i[2][0]);
     let normals: Vec<DVec3> = std::iter::once(&i[0])
         .chain(&i[3..3 + scales])
@@ -433,7 +433,7 @@ fn eigenvalues(tensor: &[f64]) -> [f64; 2] {
 }
 
 /// Ink of a line where x is above the limit, fading at the outline.
-fn lined(x: f64, i: In<'_>, p: &Place) -> f64 {
+fn lined(x: f64, i: SampleInputs<'_>, p: &Place) -> f64 {
     let (limit, soft) = (i[1][0].max(0.0), unit(i[2][0]));
     let width = limit * soft;
     let above = if width > 0.0 { unit(0.5 + (x - limit) / width) } else { f64::from(x >= limit) };

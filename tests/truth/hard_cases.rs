@@ -11,7 +11,7 @@ use crate::support::random::Random;
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Projection, Scene, Tier, Value};
 use chiaro::frame::{EvalSample, SetupLook};
-use chiaro::geometry::{Mesh, Part};
+use chiaro::geometry::{Mesh, MeshPart};
 use chiaro::interp::{Precision, Value as Number};
 use chiaro::library::Library;
 use chiaro::render::Picture;
@@ -120,7 +120,7 @@ fn check(cases: &[Case]) -> Vec<f64> {
             };
             // A warp turns the angle, and the steeper the profile is, the more the warp's error
             // shows.
-            let [tau, f, _] = badf::sanitised(case.profile);
+            let [tau, f, _] = badf::sanitized(case.profile);
             let turned = if case.shift == 0.0 || f <= tau { 0.0 } else { 0.05 * more / (f - tau) };
             if tier != Tier::Exact && !(1e-15..1e18).contains(&case.normal.length()) {
                 // Cheaper tiers state that they find no direction at such lengths.
@@ -370,7 +370,7 @@ fn case_13_parameters_out_of_order() {
         [1e-30, 1e-30, 1e-30],
     ];
     for profile in wild {
-        let [tau, f, c] = badf::sanitised(profile);
+        let [tau, f, c] = badf::sanitized(profile);
         let mut last = 1.0;
         let us: Vec<f64> = (0..=90).map(|i| PI * f64::from(i) / 90.0).collect();
         let cases: Vec<Case> = us
@@ -517,7 +517,7 @@ fn add_vertex(mesh: &mut Mesh, position: DVec3, normal: DVec3) {
 }
 
 fn one_part(mut mesh: Mesh) -> Mesh {
-    let part = Part {
+    let part = MeshPart {
         material: "default".to_owned(),
         indices: 0..mesh.indices.len() as u32,
         two_sided: true,
@@ -737,7 +737,7 @@ fn exact_coverage(
             );
             let p = at - center;
             let z2 = 1.0 - p.length_squared();
-            // Two pixels inside of the silhouette all neighbours of a pixel have normals of the
+            // Two pixels inside of the silhouette all neighbors of a pixel have normals of the
             // ball.
             if z2 < 0.06 {
                 return None;

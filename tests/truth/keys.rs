@@ -179,10 +179,10 @@ fn blended_profiles_stay_in_order() {
         .collect();
     for (value, sample) in eval(&look, "tone.tone", &samples).iter().zip(&samples) {
         let w = weights.weights(sample.view);
-        let sanitised: Vec<[f64; 3]> =
-            triples.iter().map(|triple| support::badf::sanitised(*triple)).collect();
+        let sanitized: Vec<[f64; 3]> =
+            triples.iter().map(|triple| support::badf::sanitized(*triple)).collect();
         let blended = [0, 1, 2]
-            .map(|i| w.iter().zip(&sanitised).map(|(w, triple)| w * triple[i]).sum::<f64>());
+            .map(|i| w.iter().zip(&sanitized).map(|(w, triple)| w * triple[i]).sum::<f64>());
         let [tau, f, c] = blended;
         assert!(tau <= f + 1e-12 && f <= c + 1e-12);
         // Narrow profiles multiply the rounding of u.
@@ -480,7 +480,7 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
             assert!((weights.weights(*place)[key] - 1.0).abs() < 1e-9);
         }
     }
-    // Two keys in one place share a weight, a single key has all weight, and a NaN favours no key.
+    // Two keys in one place share a weight, a single key has all weight, and a NaN favors no key.
     let (shared, problems) = KeyWeights::at_places(&[DVec3::X, DVec3::X, DVec3::Y]).into_parts();
     assert!(problems.iter().any(|problem| problem.code == "merged-keys"));
     assert_eq!(shared.weights(DVec3::X), [0.5, 0.5, 0.0]);
@@ -488,7 +488,7 @@ fn weights_between_drivers_are_smooth_and_know_no_units() {
     assert_eq!(shared.weights(DVec3::NAN), [0.25, 0.25, 0.5]);
 }
 
-/// Drivers of a scene are each object's own distance, front and neighbours; an object that does not
+/// Drivers of a scene are each object's own distance, front and neighbors; an object that does not
 /// exist is told of.
 #[test]
 fn every_object_is_driven_by_its_own_place() {
@@ -513,10 +513,10 @@ fn every_object_is_driven_by_its_own_place() {
         seen.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
         (seen, warnings)
     };
-    // The objects are 6 apart, and an object is no neighbour of itself.
+    // The objects are 6 apart, and an object is no neighbor of itself.
     let (seen, warnings) =
         pictured(json!([{"near": "object_0"}]), &[(&[6.0], 0.25), (&[7.0], 0.75)]);
-    assert_eq!(seen, [0.25, 0.75], "the neighbour, and what is far from any");
+    assert_eq!(seen, [0.25, 0.75], "the neighbor, and what is far from any");
     assert!(warnings.iter().any(|problem| problem.code == "unknown-object"), "{warnings:?}");
     let (_, warnings) = pictured(json!([{"near": "nobody"}]), &[(&[6.0], 0.25)]);
     assert!(

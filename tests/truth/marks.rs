@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::support::badf::{f32_of, held};
 use crate::support::eval::{eval_with, look, options, renderer, told};
-use crate::support::held::{In, library, numeric, run_at, words};
+use crate::support::held::{SampleInputs, library, numeric, run_at, words};
 use crate::support::noise::{lattice, noise, unit3};
 use crate::support::random::Random;
 use crate::support::report::Errors;
@@ -39,7 +39,7 @@ fn covered_by_disk(radius: f64) -> f64 {
     4.0 * (0..STRIPS).map(strip).sum::<f64>() * 0.5 / STRIPS as f64
 }
 
-fn halftone(shape: &str, i: In<'_>) -> Vec<f64> {
+fn halftone(shape: &str, i: SampleInputs<'_>) -> Vec<f64> {
     let share = 1.0 - unit(i[0][0]);
     let cell = DVec2::from_angle(i[3][0]).rotate(v2(&i[1]) * i[2][0].max(0.0));
     let near = cell - cell.round();
@@ -84,7 +84,7 @@ fn bayer(side: usize) -> Vec<Vec<f64>> {
     (0..side).map(|y| (0..side).map(|x| at(x, y)).collect()).collect()
 }
 
-fn dither(pattern: &str, i: In<'_>, tile: &[f64]) -> Vec<f64> {
+fn dither(pattern: &str, i: SampleInputs<'_>, tile: &[f64]) -> Vec<f64> {
     let cell = (v2(&i[1]) / i[4][0].max(1e-3)).floor().to_array().map(|x| x as i64);
     let threshold = match pattern {
         "blue" => blue(cell, tile),
@@ -143,7 +143,7 @@ fn stroke(line: [i64; 2], x: f64, level: f64, [length, taper]: [f64; 2], seed: u
 }
 
 /// 1 where there is ink: a search through every drawn line of every octave near the place.
-fn hatching(i: In<'_>) -> Vec<f64> {
+fn hatching(i: SampleInputs<'_>) -> Vec<f64> {
     let number = |k: usize| i[k][0];
     let ink = 1.0 - unit(number(0));
     let (p, stretch) = spaced(&i[1], &i[2], number(3));
@@ -224,7 +224,7 @@ fn octaves(stretch: [f64; 3]) -> (f64, [f64; 2]) {
     (level.floor(), [1.0 - f, (1.0 - (1.0 - f) * cells) / (4.0 * cells)])
 }
 
-fn stippling(i: In<'_>, tile: &[f64]) -> Vec<f64> {
+fn stippling(i: SampleInputs<'_>, tile: &[f64]) -> Vec<f64> {
     let (p, stretch) = spaced(&i[1], &i[2], i[3][0]);
     let (size, scatter, seed) = (i[4][0].clamp(0.0, 1.4), unit(i[5][0]), seed_of(i[6][0]));
     let (zoom, shares) = octaves(stretch);
@@ -252,7 +252,7 @@ fn stippling(i: In<'_>, tile: &[f64]) -> Vec<f64> {
     vec![0.0]
 }
 
-fn paper_grain(i: In<'_>) -> Vec<f64> {
+fn paper_grain(i: SampleInputs<'_>) -> Vec<f64> {
     let (p, stretch) = spaced(&i[1], &i[2], i[3][0]);
     let area = area_square(stretch);
     let level = (-0.25 * area.max(1e-60).log2()).clamp(-16.0, 16.0);
@@ -276,7 +276,7 @@ const MAGNIFICATION: Context = Context::named("magnification");
 
 /// A place and how its coordinates change along the picture: by stepping aside in the picture and
 /// going on along the line of sight to the surface.
-fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
+fn mark_place(follow: &str, i: SampleInputs<'_>, at: &EvalSample) -> Vec<f64> {
     let (n, v) = (at.normal.normalize(), at.view.normalize());
     let turned = |place: DVec2, angle: f64| DVec2::from_angle(-angle).rotate(place);
     let size = 1.0 / at.contexts[&MAGNIFICATION][0];
@@ -335,7 +335,13 @@ fn mark_place(follow: &str, i: In<'_>, at: &EvalSample) -> Vec<f64> {
     }
 }
 
-fn truth(kind: &str, word: &str, i: In<'_>, at: &EvalSample, tile: &[f64]) -> Option<Vec<f64>> {
+fn truth(
+    kind: &str,
+    word: &str,
+    i: SampleInputs<'_>,
+    at: &EvalSample,
+    tile: &[f64],
+) -> Option<Vec<f64>> {
     Some(match kind {
         "screen_place" => {
             let [x, y] = v2(&at.contexts[&PIXEL]).to_array();

@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use crate::support::badf::f32_of;
 use crate::support::color::{to_linear, to_srgb};
 use crate::support::eval::{eval, look};
-use crate::support::held::{In, library, numeric, run, width, words};
+use crate::support::held::{SampleInputs, library, numeric, run, width, words};
 use crate::support::noise::{lattice, noise, pcg3d, unit3};
 use crate::support::random::Random;
 use crate::support::report::Errors;
@@ -22,7 +22,7 @@ use serde_json::{Value as Json, json};
 const MOST: f64 = f32::MAX as f64;
 
 /// The truth of a node: the numbers of one output after another.
-type Truth = fn(In<'_>) -> Vec<f64>;
+type Truth = fn(SampleInputs<'_>) -> Vec<f64>;
 
 fn bounded(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x.clamp(-MOST, MOST) }
@@ -34,19 +34,19 @@ fn bounded_f32(x: f64) -> f64 {
 }
 
 /// A function of one number, for each component of a vector.
-fn each(inputs: In<'_>, f: impl Fn(f64) -> f64) -> Vec<f64> {
+fn each(inputs: SampleInputs<'_>, f: impl Fn(f64) -> f64) -> Vec<f64> {
     inputs[0].iter().map(|x| bounded(f(*x))).collect()
 }
 
 /// A function of two numbers, component by component; of colors (four components) the first one's
 /// alpha stays.
-fn pair(inputs: In<'_>, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+fn pair(inputs: SampleInputs<'_>, f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     let (a, b) = (&inputs[0], &inputs[1]);
     let at = |i: usize| if i == 3 { a[3] } else { bounded(f(a[i], b[i.min(b.len() - 1)])) };
     (0..a.len()).map(at).collect()
 }
 
-fn rgb(inputs: In<'_>, f: impl Fn(f64) -> f64) -> Vec<f64> {
+fn rgb(inputs: SampleInputs<'_>, f: impl Fn(f64) -> f64) -> Vec<f64> {
     let c = &inputs[0];
     vec![f(c[0]), f(c[1]), f(c[2]), c[3]]
 }
@@ -104,7 +104,7 @@ fn rgb_of([h, s, v]: [f64; 3]) -> [f64; 3] {
 }
 
 /// Blend modes of the W3C's Compositing and Blending.
-fn mixed_colors(mode: &str, inputs: In<'_>) -> Vec<f64> {
+fn mixed_colors(mode: &str, inputs: SampleInputs<'_>) -> Vec<f64> {
     let (a, b, factor) = (&inputs[0], &inputs[1], inputs[2][0].clamp(0.0, 1.0));
     let hard = |cb: f64, cs: f64| {
         if cs <= 0.5 { cb * 2.0 * cs } else { cb + (2.0 * cs - 1.0) - cb * (2.0 * cs - 1.0) }
@@ -371,7 +371,7 @@ fn type_rows(def: &NodeDef) -> Vec<Vec<Type>> {
         }
         let mut row = own.clone();
         for parameter in &variant.parameters {
-            if let chiaro::library::Parameter::Input(index, ty) = parameter
+            if let chiaro::library::ArgumentSource::Input(index, ty) = parameter
                 && let Some(place) =
                     inputs.iter().position(|input| input.name == def.inputs[*index].name)
             {
@@ -833,7 +833,7 @@ fn curves_and_ramps() {
                 ),
             };
             if word == "smooth" {
-                // The curve is monotone between neighbouring points, and goes through its points.
+                // The curve is monotone between neighboring points, and goes through its points.
                 let (low, high) = (points[a][1].min(points[b][1]), points[a][1].max(points[b][1]));
                 assert!(
                     y[0] >= low - 1e-6 && y[0] <= high + 1e-6,
@@ -975,7 +975,7 @@ fn cells_are_around_their_points() {
             let mut errors = Errors::new(format!("cells {output}"), 1e-5);
             for (got, s) in eval(&look, &format!("node.{output}"), &samples).iter().zip(&samples) {
                 let expected = cell(2.0 * s.position, seed);
-                // At a border the random number of either neighbour is right.
+                // At a border the random number of either neighbor is right.
                 if index != 1 || expected[0] > 1e-4 {
                     errors.note(got[0], expected[index], || format!("{}", s.position));
                 }
@@ -1106,7 +1106,7 @@ fn a_tone_map_is_read_from_left_to_right_and_up() {
             );
         }
     }
-    // A linear filter mixes the colors of neighbouring texels.
+    // A linear filter mixes the colors of neighboring texels.
     let mut linear = look;
     let node = linear.look.graph.nodes.get_mut("node").expect("as above");
     node.values.insert("filter".into(), Value::Text("linear".into()));

@@ -11,11 +11,11 @@
 
 use crate::support::eval::content;
 use crate::support::examples::{looks, samples};
-use crate::support::ledger::{Key, Ledger, is_found_false};
+use crate::support::ledger::{Ledger, ProofKey, is_found_false};
 use crate::support::random::Random;
 use crate::support::report::Errors;
 use crate::support::{halved, stacks};
-use chiaro::compile::{Live, Options, compile};
+use chiaro::compile::{CompileOptions, Live, compile};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Node, Value};
 use chiaro::frame::{Assets, SetupLook, eval_batches};
@@ -30,7 +30,7 @@ fn told(problems: &[Diagnostic]) -> String {
 fn evaluate(
     look: &SetupLook,
     library: &Library,
-    options: &Options,
+    options: &CompileOptions,
     precision: Precision,
 ) -> Vec<[f64; 4]> {
     let samples = samples(5, 400);
@@ -48,7 +48,7 @@ fn evaluate(
 /// Two ways of compiling a look that are compared, and the difference that they may have.
 struct Comparison {
     name: &'static str,
-    ways: [Options; 2],
+    ways: [CompileOptions; 2],
     precision: Precision,
     bound: f64,
 }
@@ -69,8 +69,8 @@ impl Comparison {
     }
 
     /// The key of the verdict.
-    fn key(&self, look: &SetupLook, library: &Library) -> Key {
-        let mut key = Key::of_judges(&["tests/truth/pruned.rs"])
+    fn key(&self, look: &SetupLook, library: &Library) -> ProofKey {
+        let mut key = ProofKey::of_judges(&["tests/truth/pruned.rs"])
             .with(format!("{:?} {:e}", self.precision, self.bound).as_bytes());
         for way in &self.ways {
             content(look, library, way, &samples(5, 400), &mut |bytes| key.add(bytes));
@@ -84,12 +84,12 @@ impl Comparison {
     }
 }
 
-fn unspecialized(live: Live) -> Options {
-    Options { live, unspecialized: true, ..Options::default() }
+fn unspecialized(live: Live) -> CompileOptions {
+    CompileOptions { live, unspecialized: true, ..CompileOptions::default() }
 }
 
-fn specialized(live: Live) -> Options {
-    Options { live, ..Options::default() }
+fn specialized(live: Live) -> CompileOptions {
+    CompileOptions { live, ..CompileOptions::default() }
 }
 
 /// Example looks, and 40 random stacks.

@@ -9,7 +9,7 @@ use crate::support::wait::block_on;
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Projection, Scene, Tier};
 use chiaro::frame::{FramePlan, PassId, PlanOptions, Planner, SetupLook};
-use chiaro::geometry::{Mesh, Part};
+use chiaro::geometry::{Mesh, MeshPart};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -64,7 +64,7 @@ fn raised(
         }
     }
     let count = positions.len();
-    let part = Part { indices: 0..indices.len() as u32, ..Part::default() };
+    let part = MeshPart { indices: 0..indices.len() as u32, ..MeshPart::default() };
     Mesh {
         positions,
         normals,
@@ -155,7 +155,7 @@ fn smooth_normals_are_the_waves_that_are_left() {
         let mut worst = 0.0_f64;
         for (index, got) in got.iter().enumerate() {
             let (x, y) = place(index);
-            // Pixels at the picture's sides lack neighbours on one side.
+            // Pixels at the picture's sides lack neighbors on one side.
             if x.abs() < 1.5 - 31.0 * pixel && y.abs() < 1.0 - 31.0 * pixel {
                 worst = worst.max(
                     (got.expect("it fills the picture") - left * height * (omega * x).cos()).abs(),
@@ -167,7 +167,7 @@ fn smooth_normals_are_the_waves_that_are_left() {
 }
 
 /// Smooth normals mix in no other object and no part of the same object behind, and keep normals
-/// that turn evenly: neighbours that are missing at a border on one side do not bend the normal
+/// that turn evenly: neighbors that are missing at a border on one side do not bend the normal
 /// toward the other.
 #[test]
 fn smooth_normals_keep_to_their_surface() {
@@ -431,9 +431,13 @@ fn passes_are_there_for_who_reads_them() {
         let plan = plan_of(vec![(look, waves())], [60, 40]);
         let modules =
             Modules::new(&plan, Precision::F64).unwrap_or_else(|problem| panic!("{problem}"));
-        let truth =
-            reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new())
-                .unwrap_or_else(|problem| panic!("{problem}"));
+        let truth = reference::execute(
+            &plan,
+            &modules,
+            &reference::ReferenceOptions::default(),
+            &Progress::new(),
+        )
+        .unwrap_or_else(|problem| panic!("{problem}"));
         let picture = block_on(renderer().picture(&plan)).unwrap_or_else(|error| panic!("{error}"));
         let pairs = picture.rgba.iter().zip(truth.color.values.chunks_exact(4));
         let worst =

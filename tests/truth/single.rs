@@ -21,7 +21,7 @@ use chiaro::frame::{Assets, EvalSample, PlanOptions, Planner, Setup, SetupLook, 
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::reference::{self, ImageRounding, Modules, ReferencePicture, Snap};
+use chiaro::reference::{self, ImageRounding, Modules, ReferencePicture, SnapGrid};
 use chiaro::render::{Picture, Renderer};
 use glam::{DVec2, DVec3};
 use image::{Rgba, RgbaImage};
@@ -301,8 +301,11 @@ fn pictures(setup: &Setup, live: &Live, images: ImageRounding) -> (Picture, Refe
         .value;
     let modules = Modules::new(&plan, Precision::F32).expect("it compiles");
     // Coverage alone is snapped, as on GPUs: see `triangles`.
-    let options =
-        reference::Options { snap: Snap::Subpixel(8), images, ..reference::Options::default() };
+    let options = reference::ReferenceOptions {
+        snap: SnapGrid::Subpixel(8),
+        images,
+        ..reference::ReferenceOptions::default()
+    };
     let reference =
         reference::execute(&plan, &modules, &options, &Progress::new()).expect("it is drawn");
     let gpu = renderer().gpu().precise();

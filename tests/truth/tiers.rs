@@ -14,7 +14,7 @@ use chiaro::compile::Live;
 use chiaro::document::{Scene, Tier, Value, Values};
 use chiaro::frame::{EvalSample, LightOverride, PlanOptions, Planner, SetupLook};
 use chiaro::interp::{Precision, Scalar, Value as Number};
-use chiaro::library::{Library, NodeDef, Parameter, Type, Variant};
+use chiaro::library::{ArgumentSource, Library, NodeDef, NodeFunction, Type};
 use glam::{DMat3, DVec3};
 use serde_json::{Value as Json, json};
 
@@ -53,7 +53,7 @@ fn every_cheaper_tier_states_its_error() {
         // A tier exists for every choice of the exact tier, or a choice would make a look dearer.
         for tier in def.tiers() {
             let choices =
-                |tier| def.variants.iter().filter(move |v: &&Variant| v.tier == tier).count();
+                |tier| def.variants.iter().filter(move |v: &&NodeFunction| v.tier == tier).count();
             let count = choices(tier);
             assert!(
                 count == 0 || count == choices(Tier::Exact),
@@ -238,7 +238,7 @@ fn profiles_in_every_tier() {
                 eval(&of_tier, "tone.tone", &samples).iter().zip(&cases).zip(&samples)
             {
                 let u = angle(sample.normal, DVec3::Z).max(0.0 * u);
-                let [tau, f, c] = badf::sanitised(*p);
+                let [tau, f, c] = badf::sanitized(*p);
                 let x = (u - shift).clamp(0.0, PI) - tau;
                 let base = 1.0 - ((0.5 * x).sin() / (0.5 * (c - tau)).sin()).powi(2);
                 let errors = if f - tau > FRAC_PI_2 - 0.1 && base < 1e-3 {
@@ -668,10 +668,10 @@ fn every_tier_is_total() {
                     .parameters
                     .iter()
                     .map(|parameter| match parameter {
-                        Parameter::Input(index, ty) if *ty == def.inputs[*index].ty => {
+                        ArgumentSource::Input(index, ty) if *ty == def.inputs[*index].ty => {
                             inputs[*index].clone()
                         }
-                        Parameter::Prepared => prepared.clone(),
+                        ArgumentSource::Prepared => prepared.clone(),
                         _ => None,
                     })
                     .collect();

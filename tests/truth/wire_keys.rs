@@ -6,7 +6,7 @@ use crate::support;
 use crate::support::eval::{eval, eval_with, look, options, truth};
 use crate::support::random::Random;
 use crate::support::report::Errors;
-use chiaro::compile::{HostInputs, Live, Options, check, compile};
+use chiaro::compile::{CompileOptions, HostInputs, Live, check, compile};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Driver, Edit, GraphId, History, KeyDirection, Look, Value};
 use chiaro::frame::{EvalSample, LightOverride, SetupLook};
@@ -428,9 +428,12 @@ fn an_export_carries_the_wires() {
             },
             "call" => {
                 let name = step["function"].as_str().expect("a name");
-                let program =
-                    interp::Program::compile(&valid.module, name, interp::Options::default())
-                        .expect("it runs");
+                let program = interp::Program::compile(
+                    &valid.module,
+                    name,
+                    interp::FunctionOptions::default(),
+                )
+                .expect("it runs");
                 let arguments = step["arguments"].as_array().expect("steps").iter();
                 let arguments: Vec<_> = arguments
                     .map(|at| values[at.as_u64().expect("an index") as usize].clone())
@@ -457,7 +460,8 @@ fn every_way_of_compiling_has_the_wires() {
     let setup = look(&wired(&json!([{"wire": "d"}]), &[(vec![0.0], 0.0), (vec![3.0], 1.0)]));
     for live in [Live::Keyed, Live::Exposed, Live::All] {
         for unspecialized in [false, true] {
-            let options = Options { live: live.clone(), unspecialized, ..Options::default() };
+            let options =
+                CompileOptions { live: live.clone(), unspecialized, ..CompileOptions::default() };
             let shader =
                 compile(&setup.look, Library::built_in(), &options).expect("it compiles").value;
             let inputs = HostInputs {
@@ -473,7 +477,8 @@ fn every_way_of_compiling_has_the_wires() {
             assert_eq!(value, 2.0, "{live:?} {unspecialized}");
         }
     }
-    let options = Options { stage: chiaro::compile::Stage::Normals, ..Options::default() };
+    let options =
+        CompileOptions { stage: chiaro::compile::Stage::Normals, ..CompileOptions::default() };
     assert!(
         compile(&setup.look, Library::built_in(), &options)
             .expect("it compiles")

@@ -77,7 +77,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let (plan, warnings) = planner.plan(&setup, &library, &live, &options)?.into_parts();
     output.diagnostics(&warnings);
     #[cfg_attr(not(feature = "gpu"), expect(unused_mut, reason = "only a GPU adds times"))]
-    let mut report = report::Report::new(&setup, &plan, &library)?;
+    let mut report = report::ExplainReport::new(&setup, &plan, &library)?;
     #[cfg(feature = "gpu")]
     if arguments.measure {
         measure(&mut report, &plan, output).await.map_err(|problem| vec![problem])?;
@@ -94,7 +94,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
 
 #[cfg(feature = "gpu")]
 async fn measure(
-    report: &mut report::Report,
+    report: &mut report::ExplainReport,
     plan: &FramePlan,
     output: &Output,
 ) -> Result<(), Diagnostic> {

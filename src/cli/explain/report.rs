@@ -6,15 +6,15 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::compile::{
-    Attribute, BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, check,
+    BindingKind, CompiledShader, HostStep, Removal, TypedGraph, TypedSource, VertexAttribute, check,
 };
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
 use crate::frame::{
-    Draw, Dropped, Effect, FramePlan, Pass, PassId, Setup, effects, structural_look,
+    Draw, DroppedEffect, Effect, FramePlan, Pass, PassId, Setup, effects, structural_look,
 };
 use crate::ids::NodePath;
-use crate::library::{Context, Library, Rate, Special};
+use crate::library::{Context, Library, Rate, Treatment};
 
 /// Reason of a [`Removal`] for a node that is folded, so that nothing of it is lost.
 const FOLDED: &str = "its value is known before drawing";
@@ -24,9 +24,9 @@ const MAX_FROM: usize = 32;
 
 /// Report on a frame plan: passes, effects, looks.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
+pub(super) struct ExplainReport {
     pub(super) passes: Vec<Pass>,
-    pub(super) dropped: Vec<Dropped>,
+    pub(super) dropped: Vec<DroppedEffect>,
     /// All effects that the picture may cost time for.
     pub(super) effects: Vec<Effect>,
     /// Size of the uniforms that every module reads, in bytes.
@@ -47,7 +47,7 @@ pub(super) struct LookReport {
     pub(super) attributes_not_read: Vec<&'static str>,
     pub(super) surroundings: Vec<SurroundingsReport>,
     pub(super) images: Vec<ImageReport>,
-    pub(super) uniforms: Vec<Uniform>,
+    pub(super) uniforms: Vec<UniformReport>,
     pub(super) keys: Vec<KeysReport>,
     pub(super) nodes: Nodes,
     #[serde(skip)]
@@ -91,7 +91,7 @@ pub(super) struct ImageReport {
 
 /// A member of the `Look` uniform, computed on the host in f64.
 #[derive(Debug, Serialize)]
-pub(super) struct Uniform {
+pub(super) struct UniformReport {
     pub(super) name: String,
     #[serde(rename = "type")]
     pub(super) ty: String,
@@ -108,14 +108,14 @@ pub(super) struct KeysReport {
     pub(super) name: String,
     pub(super) object: String,
     /// Drivers of the keys, with their current values.
-    pub(super) by: Vec<Deciding>,
+    pub(super) by: Vec<DecidingDriver>,
     /// Weight of each key; their sum is 1.
     pub(super) weights: Vec<f64>,
 }
 
 /// A driver that decides between keys.
 #[derive(Debug, Serialize)]
-pub(super) struct Deciding {
+pub(super) struct DecidingDriver {
     pub(super) what: String,
     /// Current value: a number, or a unit direction.
     pub(super) now: Vec<f64>,
@@ -133,7 +133,7 @@ pub(super) struct Nodes {
     pub(super) removed: Vec<Removal>,
 }
 
-impl Report {
+impl ExplainReport {
     /// # Errors
     /// Problems of a look; a look that was planned has none.
     pub(super) fn new(
@@ -225,7 +225,7 @@ impl LookReport {
                 .iter()
                 .map(|attribute| attribute_report(*attribute, &surroundings))
                 .collect(),
-            attributes_not_read: Attribute::ALL
+            attributes_not_read: VertexAttribute::ALL
                 .iter()
                 .filter(|a| !read.contains(a))
                 .map(|a| a.name())
@@ -262,7 +262,7 @@ fn reading(
         input.as_ref().is_some_and(|input| input.source == TypedSource::Context(context))
     };
     // The Output's normal is read by the modules that draw normals.
-    let is_plain = |node: &crate::compile::TypedNode| node.def.special != Special::Output;
+    let is_plain = |node: &crate::compile::TypedNode| node.def.special != Treatment::Output;
     let reader = |node: &&crate::compile::TypedNode| {
         node.inputs.iter().any(reads) && is_plain(node) && emitted.contains(&node.path)
     };
@@ -275,15 +275,19 @@ fn reading(
     }
 }
 
-fn attribute_report(attribute: Attribute, surroundings: &[SurroundingsReport]) -> AttributeReport {
-    let is_made =
-        |report: &&SurroundingsReport| Attribute::read_by(report.context).contains(&attribute);
+fn attribute_report(
+    attribute: VertexAttribute,
+    surroundings: &[SurroundingsReport],
+) -> AttributeReport {
+    let is_made = |report: &&SurroundingsReport| {
+        VertexAttribute::read_by(report.context).contains(&attribute)
+    };
     let told = surroundings.iter().filter(is_made);
     let told: Vec<String> =
         told.map(|reading| format!("`{}` for {}", reading.word, names(&reading.readers))).collect();
     let why = match (attribute, told.is_empty()) {
-        (Attribute::Position, true) => "it places the mesh in the picture".to_owned(),
-        (Attribute::Position, false) => {
+        (VertexAttribute::Position, true) => "it places the mesh in the picture".to_owned(),
+        (VertexAttribute::Position, false) => {
             format!("it places the mesh in the picture, and gives {}", told.join(", "))
         }
         _ => format!("it gives {}", told.join(", ")),
@@ -303,7 +307,7 @@ pub(super) fn names(paths: &[String]) -> String {
 }
 
 /// The members of the `Look` uniform, with the values that each depends on.
-fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
+fn uniforms(shader: &CompiledShader) -> Vec<UniformReport> {
     let steps = shader.host.source().steps;
     // Steps read only earlier steps, so one pass over them is enough.
     let mut known: Vec<(Rate, BTreeSet<String>)> = Vec::with_capacity(steps.len());
@@ -329,7 +333,7 @@ fn uniforms(shader: &CompiledShader) -> Vec<Uniform> {
     }
     let uniform = |member: &crate::compile::UniformMember| {
         let (rate, from) = known.get(member.step).cloned().unwrap_or_default();
-        Uniform {
+        UniformReport {
             name: member.name.clone(),
             ty: member.ty.wgsl().to_owned(),
             offset: member.offset,
@@ -352,8 +356,9 @@ fn keys(look: &Look, draw: &Draw) -> Vec<KeysReport> {
     look.direction_keys.iter().zip(&draw.decided).map(tell).collect()
 }
 
-fn deciding(by: &KeyDirection, now: glam::DVec3) -> Vec<Deciding> {
-    let direction = |what: String| vec![Deciding { what, now: now.to_array().to_vec(), unit: "" }];
+fn deciding(by: &KeyDirection, now: glam::DVec3) -> Vec<DecidingDriver> {
+    let direction =
+        |what: String| vec![DecidingDriver { what, now: now.to_array().to_vec(), unit: "" }];
     let drivers = match by {
         KeyDirection::Light(light) => {
             return direction(format!("the direction of light `{light}`"));
@@ -369,7 +374,7 @@ fn deciding(by: &KeyDirection, now: glam::DVec3) -> Vec<Deciding> {
             Driver::Near(object) => format!("the distance to object `{object}`"),
             Driver::Wire(wire) => format!("the wire `{wire}`"),
         };
-        Deciding { what, now: vec![now], unit: if driver.is_angle() { "rad" } else { "" } }
+        DecidingDriver { what, now: vec![now], unit: if driver.is_angle() { "rad" } else { "" } }
     };
     drivers.iter().zip(now.to_array()).map(driver).collect()
 }

@@ -2,11 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::report::{Deciding, LookReport, Report, names};
+use super::report::{DecidingDriver, ExplainReport, LookReport, names};
 use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
 use crate::library::Rate;
 
-pub(super) fn tell(report: &Report, document: &str) -> String {
+pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
     for pass in report.effects.iter().filter(|effect| effect.pass.is_some()) {
         let _ =
@@ -43,7 +43,7 @@ pub(super) fn tell(report: &Report, document: &str) -> String {
     text.trim_end().to_owned()
 }
 
-fn tell_look(look: &LookReport, report: &Report) -> String {
+fn tell_look(look: &LookReport, report: &ExplainReport) -> String {
     let name = if look.name.is_empty() {
         "A look".to_owned()
     } else {
@@ -124,7 +124,7 @@ fn tell_keys(look: &LookReport) -> String {
     let mut text = "\n  Keys, with what decides now\n".to_owned();
     for keys in look.keys.iter().take(MOST) {
         let number = |x: &f64| format!("{x:.4}");
-        let now = |by: &Deciding| match by.now.as_slice() {
+        let now = |by: &DecidingDriver| match by.now.as_slice() {
             [one] => format!(
                 "{} is {}{}{}",
                 by.what,
@@ -155,7 +155,7 @@ fn tell_keys(look: &LookReport) -> String {
 }
 
 /// A node with its operations, and the stage that it runs in.
-fn with_cost(path: &str, look: &LookReport, report: &Report) -> String {
+fn with_cost(path: &str, look: &LookReport, report: &ExplainReport) -> String {
     let is_it = |effect: &&Effect| {
         effect.kind == EffectKind::Node
             && effect.node.as_deref() == Some(path)
@@ -168,7 +168,7 @@ fn with_cost(path: &str, look: &LookReport, report: &Report) -> String {
     }
 }
 
-fn tell_nodes(look: &LookReport, report: &Report) -> String {
+fn tell_nodes(look: &LookReport, report: &ExplainReport) -> String {
     let nodes = &look.nodes;
     let mut text = format!("\n  Nodes: {} once groups are opened\n", nodes.total);
     let kinds = [

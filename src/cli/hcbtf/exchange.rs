@@ -14,7 +14,7 @@ use chiaro_scene::hcbtf::{SampleChoice, exchange};
 
 /// How samples lie in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
+enum FormatChoice {
     /// The thesis's flattened texture, with padding rows and copies at the normal
     Sheet,
     /// A folder of images, one a sample: l2.3_v1.4.png, or numbered in the grid's order
@@ -26,13 +26,13 @@ enum Form {
     Ktx2,
 }
 
-impl From<Form> for exchange::Form {
-    fn from(form: Form) -> Self {
+impl From<FormatChoice> for exchange::ExchangeFormat {
+    fn from(form: FormatChoice) -> Self {
         match form {
-            Form::Sheet => Self::Sheet,
-            Form::Folder => Self::Folder,
-            Form::Contact => Self::Contact,
-            Form::Ktx2 => Self::Ktx2,
+            FormatChoice::Sheet => Self::Sheet,
+            FormatChoice::Folder => Self::Folder,
+            FormatChoice::Contact => Self::Contact,
+            FormatChoice::Ktx2 => Self::Ktx2,
         }
     }
 }
@@ -48,7 +48,7 @@ pub(super) struct ImportArguments {
     /// What it is [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of
     /// shaders]
     #[arg(long = "as", value_enum)]
-    form: Option<Form>,
+    form: Option<FormatChoice>,
     #[arg(long, help = format!("Texels, lights and views, as 32x32,6x10,6x10 [default: \
                                 {GRID_HELP}]"))]
     grid: Option<GridText>,
@@ -68,12 +68,16 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     let from = &arguments.from;
     let outputs = outputs(arguments.force, [from]);
     check_free(&path, &outputs)?;
-    let form =
-        arguments.form.map_or_else(|| exchange::Form::guessed(&Disk, from), exchange::Form::from);
+    let form = arguments.form.map_or_else(
+        || exchange::ExchangeFormat::guessed(&Disk, from),
+        exchange::ExchangeFormat::from,
+    );
     let grid = arguments.grid.map(|grid| grid.0);
     // Images of a folder tell their size themselves.
     let fitted = || match form {
-        exchange::Form::Folder => exchange::fitted(&Disk, from, form, Grid::THESIS, arguments.gap),
+        exchange::ExchangeFormat::Folder => {
+            exchange::fitted(&Disk, from, form, Grid::THESIS, arguments.gap)
+        }
         _ => Grid::THESIS,
     };
     let grid_or_fitted = grid.unwrap_or_else(fitted);
@@ -104,7 +108,7 @@ pub(super) struct ExportArguments {
     /// What to write [default: what the name of the output says: x.png a sheet, x.ktx2 the texture
     /// of shaders, x/ a folder]
     #[arg(long, value_enum)]
-    to: Option<Form>,
+    to: Option<FormatChoice>,
     /// The PNG, the KTX2 file or the folder; a folder is made where there is none
     #[arg(short, long)]
     output: OutputPath,
@@ -126,7 +130,7 @@ pub(super) struct ExportArguments {
 pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
     let path = arguments.output.as_ref();
     let form = written_form(path, arguments.to).map_err(|problem| vec![problem])?;
-    if arguments.painted && matches!(form, Form::Sheet | Form::Ktx2) {
+    if arguments.painted && matches!(form, FormatChoice::Sheet | FormatChoice::Ktx2) {
         let problem =
             Diagnostic::error("bad-argument", "--painted goes with --to folder and --to contact");
         return Err(vec![problem.hint("a sheet and a texture hold every sample")]);
@@ -136,14 +140,14 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
         (_, true) => Storage::Blocks,
         _ => Storage::Quick,
     };
-    if storage != Storage::Quick && form != Form::Ktx2 {
+    if storage != Storage::Quick && form != FormatChoice::Ktx2 {
         let message = format!("--{} goes with --to ktx2", storage.word());
         return Err(vec![Diagnostic::error("bad-argument", message)]);
     }
     let outputs = outputs(arguments.force, [&arguments.file]);
     for found in exchange::in_the_way(form.into(), path) {
         if let Err(mut problem) = outputs.check(&found, OutputKind::DOCUMENT) {
-            if form == Form::Folder {
+            if form == FormatChoice::Folder {
                 problem.hints = vec![
                     "choose another folder, or replace the export that is in it with --force"
                         .to_owned(),
@@ -155,7 +159,7 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { SampleChoice::Painted } else { SampleChoice::All };
-    let manner = exchange::Manner { which, gap: arguments.gap, storage };
+    let manner = exchange::ExportOptions { which, gap: arguments.gap, storage };
     let told = output.watch("writing", |progress| {
         exchange::export(&filled, form.into(), manner, path, progress)
     })?;
@@ -169,27 +173,27 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
 ///
 /// # Errors
 /// A name that says no form, or another form than was asked for.
-fn written_form(path: &Path, asked: Option<Form>) -> Result<Form, Diagnostic> {
+fn written_form(path: &Path, asked: Option<FormatChoice>) -> Result<FormatChoice, Diagnostic> {
     let is_folder = path.is_dir() || path.as_os_str().to_string_lossy().ends_with(['/', '\\']);
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
     let said = match ending.as_deref() {
-        _ if is_folder => Some(Form::Folder),
-        Some("png") => Some(Form::Sheet),
-        Some("ktx2") => Some(Form::Ktx2),
+        _ if is_folder => Some(FormatChoice::Folder),
+        Some("png") => Some(FormatChoice::Sheet),
+        Some("ktx2") => Some(FormatChoice::Ktx2),
         _ => None,
     };
-    let ends = |form: Form| match form {
-        Form::Sheet | Form::Contact => "a PNG: its name must end in .png",
-        Form::Ktx2 => "a KTX2 file: its name must end in .ktx2",
-        Form::Folder => "a folder: its name ends in no .png and no .ktx2",
+    let ends = |form: FormatChoice| match form {
+        FormatChoice::Sheet | FormatChoice::Contact => "a PNG: its name must end in .png",
+        FormatChoice::Ktx2 => "a KTX2 file: its name must end in .ktx2",
+        FormatChoice::Folder => "a folder: its name ends in no .png and no .ktx2",
     };
     let wrong = |message: String| {
         Diagnostic::error("bad-argument", format!("-o {}: {message}", path.display()))
     };
     match (asked, said) {
-        (Some(Form::Contact), Some(Form::Sheet)) => Ok(Form::Contact),
+        (Some(FormatChoice::Contact), Some(FormatChoice::Sheet)) => Ok(FormatChoice::Contact),
         (Some(asked), Some(said)) if asked == said => Ok(asked),
-        (Some(Form::Folder), None) => Ok(Form::Folder),
+        (Some(FormatChoice::Folder), None) => Ok(FormatChoice::Folder),
         (None, Some(said)) => Ok(said),
         (Some(asked), _) => {
             let word = asked
@@ -214,26 +218,26 @@ mod tests {
     fn names_say_what_is_written_and_nothing_else_is() {
         let form = |path: &str, asked| written_form(Path::new(path), asked);
         for (path, asked, written) in [
-            ("a.png", None, Form::Sheet),
-            ("a.PNG", Some(Form::Contact), Form::Contact),
-            ("a.ktx2", None, Form::Ktx2),
-            ("a.ktx2", Some(Form::Ktx2), Form::Ktx2),
-            ("images/", None, Form::Folder),
-            ("images", Some(Form::Folder), Form::Folder),
-            ("v1.2", Some(Form::Folder), Form::Folder),
-            (".", None, Form::Folder),
+            ("a.png", None, FormatChoice::Sheet),
+            ("a.PNG", Some(FormatChoice::Contact), FormatChoice::Contact),
+            ("a.ktx2", None, FormatChoice::Ktx2),
+            ("a.ktx2", Some(FormatChoice::Ktx2), FormatChoice::Ktx2),
+            ("images/", None, FormatChoice::Folder),
+            ("images", Some(FormatChoice::Folder), FormatChoice::Folder),
+            ("v1.2", Some(FormatChoice::Folder), FormatChoice::Folder),
+            (".", None, FormatChoice::Folder),
         ] {
             assert_eq!(form(path, asked), Ok(written), "{path}");
         }
         for (path, asked) in [
-            ("a.ktx2", Some(Form::Sheet)),
-            ("a.png", Some(Form::Ktx2)),
-            ("a.png", Some(Form::Folder)),
-            ("a.jpg", Some(Form::Sheet)),
-            ("a", Some(Form::Contact)),
+            ("a.ktx2", Some(FormatChoice::Sheet)),
+            ("a.png", Some(FormatChoice::Ktx2)),
+            ("a.png", Some(FormatChoice::Folder)),
+            ("a.jpg", Some(FormatChoice::Sheet)),
+            ("a", Some(FormatChoice::Contact)),
             ("a", None),
             ("a.dds", None),
-            ("images/", Some(Form::Sheet)),
+            ("images/", Some(FormatChoice::Sheet)),
         ] {
             let problem = form(path, asked).unwrap_err();
             assert!(

@@ -3,12 +3,12 @@
 use crate::document::{Tier, Value};
 use crate::library::{
     CATEGORIES, CUSTOM_CODE, CUSTOM_KIND, Fallback, GroupDef, Input, Library, NodeDef, Output,
-    Preset, Special, TierError, Type,
+    Preset, TierError, Treatment, Type,
 };
 
 /// Documentation of one kind of node.
 #[derive(Debug)]
-pub(super) struct Entry {
+pub(super) struct NodeEntry {
     pub(super) kind: String,
     pub(super) label: String,
     pub(super) category: String,
@@ -26,7 +26,7 @@ pub(super) struct Entry {
     pub(super) is_group: bool,
 }
 
-impl Entry {
+impl NodeEntry {
     /// The words that the inputs offer.
     pub(super) fn choices(&self) -> impl Iterator<Item = &str> {
         self.inputs.iter().flat_map(|input| input.options.iter().map(|(word, _)| word.as_str()))
@@ -40,29 +40,29 @@ impl Entry {
 
 /// All kinds of the library, by category: those of [`CATEGORIES`] in their order, then others by
 /// name.
-pub(super) fn entries(library: &Library) -> Vec<Entry> {
+pub(super) fn entries(library: &Library) -> Vec<NodeEntry> {
     let groups = library.groups.values().map(|group| of_group(group, library));
-    let mut entries: Vec<Entry> =
+    let mut entries: Vec<NodeEntry> =
         groups.chain(library.nodes.values().map(|def| of_node(def))).collect();
     entries.push(custom());
-    let rank = |entry: &Entry| {
+    let rank = |entry: &NodeEntry| {
         CATEGORIES.iter().position(|known| *known == entry.category).unwrap_or(usize::MAX)
     };
     entries.sort_by(|a, b| (rank(a), &a.category).cmp(&(rank(b), &b.category)));
     entries
 }
 
-fn of_node(def: &NodeDef) -> Entry {
+fn of_node(def: &NodeDef) -> NodeEntry {
     let mut widths: Vec<Type> = Vec::new();
     for variant in &def.variants {
         widths.extend(variant.width.clone().filter(|width| !widths.contains(width)));
     }
     let mut outputs = def.outputs.clone();
-    if def.special == Special::Output {
+    if def.special == Treatment::Output {
         // The Output is what the window shows; no wire leaves it.
         outputs.clear();
     }
-    Entry {
+    NodeEntry {
         kind: def.kind.clone(),
         label: def.label.clone(),
         category: def.category.clone(),
@@ -78,10 +78,10 @@ fn of_node(def: &NodeDef) -> Entry {
     }
 }
 
-fn of_group(group: &GroupDef, library: &Library) -> Entry {
+fn of_group(group: &GroupDef, library: &Library) -> NodeEntry {
     let ports = group.ports(library);
     let definition = &group.definition;
-    Entry {
+    NodeEntry {
         kind: group.id.clone(),
         label: if definition.label.is_empty() {
             group.id.clone()
@@ -102,7 +102,7 @@ fn of_group(group: &GroupDef, library: &Library) -> Entry {
 }
 
 /// The custom node, whose WGSL is one of its values.
-fn custom() -> Entry {
+fn custom() -> NodeEntry {
     let code = Input {
         name: CUSTOM_CODE.into(),
         label: "Code".to_owned(),
@@ -120,7 +120,7 @@ fn custom() -> Entry {
     let help = "A node of your own, written in the look itself. Its first function is the node: \
                 parameters are inputs, \
                 the result is the output `value`, or each member of a struct is an output.";
-    Entry {
+    NodeEntry {
         kind: CUSTOM_KIND.to_owned(),
         label: "Custom WGSL".to_owned(),
         category: "utility".to_owned(),

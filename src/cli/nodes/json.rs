@@ -2,14 +2,14 @@
 
 use serde_json::{Value as Json, json};
 
-use super::entry::Entry;
+use super::entry::NodeEntry;
 use crate::library::{Fallback, Input};
 
 pub(super) fn pretty(value: &Json) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default()
 }
 
-pub(super) fn entry(entry: &Entry) -> Json {
+pub(super) fn entry(entry: &NodeEntry) -> Json {
     let outputs = entry.outputs.iter().map(|output| {
         json!({
             "name": output.name, "label": output.label, "type": output.ty.to_string(),

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::entry::{Entry, default_text, json_text, range_text};
+use super::entry::{NodeEntry, default_text, json_text, range_text};
 use crate::document::Tier;
 use crate::library::{Context, Conversion, Input, Rate, Type};
 
@@ -12,13 +12,13 @@ const CUSTOM: &str = include_str!("custom.md");
 type Samples = serde_json::Map<String, serde_json::Value>;
 
 /// The whole document.
-pub(super) fn document(entries: &[Entry]) -> String {
+pub(super) fn document(entries: &[NodeEntry]) -> String {
     let mut text = HEAD
         .replace("{{conversions}}", &conversions())
         .replace("{{surroundings}}", &surroundings());
     text += "\n## All nodes\n\n";
     for (category, entries) in by_category(entries) {
-        let link = |entry: &Entry| format!("[`{0}`](#{0})", entry.kind);
+        let link = |entry: &NodeEntry| format!("[`{0}`](#{0})", entry.kind);
         let links: Vec<String> = entries.iter().map(|entry| link(entry)).collect();
         let _ = writeln!(text, "- **{category}**: {}", links.join(", "));
     }
@@ -33,8 +33,8 @@ pub(super) fn document(entries: &[Entry]) -> String {
     text
 }
 
-fn by_category(entries: &[Entry]) -> Vec<(&str, Vec<&Entry>)> {
-    let mut categories: Vec<(&str, Vec<&Entry>)> = Vec::new();
+fn by_category(entries: &[NodeEntry]) -> Vec<(&str, Vec<&NodeEntry>)> {
+    let mut categories: Vec<(&str, Vec<&NodeEntry>)> = Vec::new();
     for entry in entries {
         match categories.last_mut().filter(|last| last.0 == entry.category) {
             Some(last) => last.1.push(entry),
@@ -44,7 +44,7 @@ fn by_category(entries: &[Entry]) -> Vec<(&str, Vec<&Entry>)> {
     categories
 }
 
-fn section(entry: &Entry, samples: &Samples) -> String {
+fn section(entry: &NodeEntry, samples: &Samples) -> String {
     let group = if entry.is_group { " (a group)" } else { "" };
     let mut text = format!(
         "\n<a id=\"{}\"></a>\n\n### `{}`: {}{group}\n",
@@ -101,7 +101,7 @@ fn section(entry: &Entry, samples: &Samples) -> String {
 }
 
 /// The node as the canvas draws it, and its output if there is something to see of it.
-fn pictures(entry: &Entry, samples: &Samples) -> String {
+fn pictures(entry: &NodeEntry, samples: &Samples) -> String {
     if entry.kind == crate::catalog::CUSTOM_KIND {
         return String::new();
     }

@@ -17,7 +17,7 @@ use crate::library::Library;
 use chiaro_laboratory::gallery::nodes::{check_nodes, write_nodes};
 #[cfg(feature = "gpu")]
 use chiaro_render::Gpu;
-use entry::Entry;
+use entry::NodeEntry;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -106,7 +106,7 @@ async fn draw(
 /// # Errors
 /// An unknown name, with near names as a hint; an unknown choice, with the node's choices as a
 /// hint.
-fn find<'e>(name: &str, entries: &'e [Entry]) -> Result<&'e Entry, Diagnostic> {
+fn find<'e>(name: &str, entries: &'e [NodeEntry]) -> Result<&'e NodeEntry, Diagnostic> {
     let mut words = name.split('.');
     let kind = words.next().unwrap_or_default();
     let by_label =
@@ -119,7 +119,7 @@ fn find<'e>(name: &str, entries: &'e [Entry]) -> Result<&'e Entry, Diagnostic> {
     }
 }
 
-fn no_choice(entry: &Entry, choice: &str) -> Diagnostic {
+fn no_choice(entry: &NodeEntry, choice: &str) -> Diagnostic {
     let problem =
         Diagnostic::error("unknown-choice", format!("`{}` has no choice `{choice}`", entry.kind));
     let words: Vec<String> = entry.choices().map(|word| format!("`{word}`")).collect();
@@ -130,7 +130,7 @@ fn no_choice(entry: &Entry, choice: &str) -> Diagnostic {
 }
 
 /// Error of an unknown kind, with near names of kinds and of labels.
-fn unknown(kind: &str, entries: &[Entry]) -> Diagnostic {
+fn unknown(kind: &str, entries: &[NodeEntry]) -> Diagnostic {
     if kind.starts_with("by.") {
         let problem =
             Diagnostic::error("unknown-kind", format!("`{kind}` is no node but what keys follow"));

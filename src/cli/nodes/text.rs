@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 
-use super::entry::{Entry, default_text, json_text, range_text};
+use super::entry::{NodeEntry, default_text, json_text, range_text};
 use super::markdown::tier_word;
 use crate::library::Input;
 
 /// Table with one line a node, by category.
-pub(super) fn table(entries: &[Entry]) -> String {
-    let width = |of: fn(&Entry) -> &str| {
+pub(super) fn table(entries: &[NodeEntry]) -> String {
+    let width = |of: fn(&NodeEntry) -> &str| {
         entries.iter().map(|entry| of(entry).chars().count()).max().unwrap_or(0)
     };
     let (kinds, labels) = (width(|entry| &entry.kind), width(|entry| &entry.label));
@@ -31,7 +31,7 @@ pub(super) fn table(entries: &[Entry]) -> String {
 }
 
 /// All documentation of one node.
-pub(super) fn whole(entry: &Entry) -> String {
+pub(super) fn whole(entry: &NodeEntry) -> String {
     let what = if entry.is_group { "a group of" } else { "of" };
     let mut text =
         format!("{} ({}), {what} the category {}\n", entry.label, entry.kind, entry.category);

@@ -8,12 +8,12 @@ use std::sync::Arc;
 
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, PortName};
-use crate::library::{Fallback, Library, NodeDef, Preset, Special, Type, load_node};
+use crate::library::{Fallback, Library, NodeDef, Preset, Treatment, Type, load_node};
 
 /// The kind of a node whose WGSL is a value of its own.
 pub const CUSTOM_KIND: &str = "wgsl";
 /// Name of the value that holds the WGSL of a custom node.
-pub const CODE: &str = "code";
+pub const CODE_VALUE: &str = "code";
 /// The code of a new custom node.
 pub const CUSTOM_CODE: &str = "\
 /// My node
@@ -82,7 +82,7 @@ impl Port {
 
 /// Kind of node as people see it.
 #[derive(Clone, Debug)]
-pub struct Kind {
+pub struct NodeKind {
     /// Name of the kind in the library, id of a group, or [`CUSTOM_KIND`].
     pub id: String,
     /// Label that people read.
@@ -107,7 +107,7 @@ pub struct Kind {
     pub is_missing: bool,
 }
 
-impl Kind {
+impl NodeKind {
     /// Index of an input by name.
     pub fn input(&self, name: &str) -> Option<usize> {
         self.inputs.iter().position(|port| port.name.as_str() == name)
@@ -122,7 +122,7 @@ impl Kind {
     }
 
     fn of_node(def: &NodeDef) -> Self {
-        let is_reroute = def.special == Special::Reroute;
+        let is_reroute = def.special == Treatment::Reroute;
         Self {
             id: def.kind.clone(),
             label: def.label.as_str().into(),
@@ -152,18 +152,18 @@ impl Kind {
 }
 
 fn input_port(def: &NodeDef, index: usize) -> Port {
-    use crate::library::Parameter;
+    use crate::library::ArgumentSource;
     let input = &def.inputs[index];
     let mut accepts = vec![input.ty.clone()];
     for parameter in def.variants.iter().flat_map(|variant| &variant.parameters) {
-        if let Parameter::Input(of, ty) = parameter
+        if let ArgumentSource::Input(of, ty) = parameter
             && *of == index
             && !accepts.contains(ty)
         {
             accepts.push(ty.clone());
         }
     }
-    if def.special == Special::Reroute {
+    if def.special == Treatment::Reroute {
         accepts.extend([Type::Angle, Type::Light, Type::Mat3, Type::Curve, Type::Ramp]);
     }
     Port {
@@ -183,12 +183,12 @@ fn input_port(def: &NodeDef, index: usize) -> Port {
 /// All kinds that the nodes of a look may have.
 #[derive(Debug, Default)]
 pub struct Catalog {
-    library: HashMap<String, Arc<Kind>>,
+    library: HashMap<String, Arc<NodeKind>>,
     /// Kinds of the library in its order, for the palette.
-    order: Vec<Arc<Kind>>,
-    definitions: HashMap<String, Arc<Kind>>,
+    order: Vec<Arc<NodeKind>>,
+    definitions: HashMap<String, Arc<NodeKind>>,
     /// Custom nodes by their code.
-    custom: HashMap<String, Arc<Kind>>,
+    custom: HashMap<String, Arc<NodeKind>>,
 }
 
 impl Catalog {
@@ -196,7 +196,7 @@ impl Catalog {
     pub fn new(library: &Library) -> Self {
         let mut catalog = Self::default();
         for def in library.nodes.values() {
-            let mut kind = Kind::of_node(def);
+            let mut kind = NodeKind::of_node(def);
             kind.category = category(&def.category);
             catalog.add(kind);
         }
@@ -213,7 +213,7 @@ impl Catalog {
         catalog
     }
 
-    fn add(&mut self, kind: Kind) {
+    fn add(&mut self, kind: NodeKind) {
         let kind = Arc::new(kind);
         self.library.insert(kind.id.clone(), kind.clone());
         self.order.push(kind);
@@ -243,7 +243,7 @@ impl Catalog {
     }
 
     /// Kind of a node; `None` where no kind has the node's name.
-    pub fn of(&self, node: &Node) -> Option<&Arc<Kind>> {
+    pub fn of(&self, node: &Node) -> Option<&Arc<NodeKind>> {
         match custom_code(node) {
             Some(code) => self.custom.get(code),
             None => self.get(&node.kind),
@@ -251,23 +251,23 @@ impl Catalog {
     }
 
     /// Kind with an id.
-    pub fn get(&self, id: &str) -> Option<&Arc<Kind>> {
+    pub fn get(&self, id: &str) -> Option<&Arc<NodeKind>> {
         self.definitions.get(id).or_else(|| self.library.get(id))
     }
 
     /// Kinds that can be added: the look's own groups first, then the library.
-    pub fn all(&self) -> impl Iterator<Item = &Arc<Kind>> {
+    pub fn all(&self) -> impl Iterator<Item = &Arc<NodeKind>> {
         self.definitions.values().chain(&self.order)
     }
 
     /// The two ends of a group, seen from inside: the node that gives the group's inputs and the
     /// node that takes its outputs.
-    pub fn ends(&self, group: &str) -> Option<[Kind; 2]> {
+    pub fn ends(&self, group: &str) -> Option<[NodeKind; 2]> {
         let kind = self.get(group)?;
         let end = |id: &str, label: &str, help: &str, inputs: Vec<Port>, outputs: Vec<Port>| {
             let known = Self::stand_in(id, &[], &[]);
             let (label, help) = (label.into(), help.to_owned());
-            Kind {
+            NodeKind {
                 label,
                 help,
                 category: "input".to_owned(),
@@ -297,7 +297,7 @@ impl Catalog {
 
     /// Stand-ins for the kinds of a graph's nodes that do not exist, with the ports that wires and
     /// values name.
-    pub fn missing_in(&self, graph: &Graph) -> HashMap<NodeId, Arc<Kind>> {
+    pub fn missing_in(&self, graph: &Graph) -> HashMap<NodeId, Arc<NodeKind>> {
         let is_missing =
             |(_, node): &(&NodeId, &Node)| self.of(node).is_none_or(|kind| kind.is_missing);
         let mut ports: HashMap<&NodeId, (Vec<PortName>, Vec<PortName>)> = HashMap::new();
@@ -331,10 +331,10 @@ impl Catalog {
     }
 
     /// Stand-in for a kind that does not exist, with the ports that the look names.
-    pub fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> Kind {
+    pub fn stand_in(id: &str, inputs: &[PortName], outputs: &[PortName]) -> NodeKind {
         let ports =
             |names: &[PortName]| names.iter().map(|name| Port::named(name.as_str())).collect();
-        Kind {
+        NodeKind {
             id: id.to_owned(),
             label: format!("{id}?").into(),
             category: String::new(),
@@ -354,15 +354,15 @@ fn custom_code(node: &Node) -> Option<&str> {
     if node.kind != CUSTOM_KIND {
         return None;
     }
-    match node.values.get(CODE) {
+    match node.values.get(CODE_VALUE) {
         Some(Value::Text(code)) => Some(code),
         _ => Some(""),
     }
 }
 
-fn custom_kind(code: &str) -> Kind {
+fn custom_kind(code: &str) -> NodeKind {
     let mut kind = match load_node("custom.wgsl", code, Some(CUSTOM_KIND)) {
-        Ok(def) => Kind::of_node(&def),
+        Ok(def) => NodeKind::of_node(&def),
         Err(_) => {
             let mut kind = Catalog::stand_in(CUSTOM_KIND, &[], &[]);
             kind.label = "WGSL node".into();
@@ -372,7 +372,8 @@ fn custom_kind(code: &str) -> Kind {
     };
     kind.category = "utility".to_owned();
     let text = Fallback::Value(Value::Text(CUSTOM_CODE.to_owned()));
-    let code = Port { label: "Code".into(), ty: Type::Text, fallback: text, ..Port::named(CODE) };
+    let code =
+        Port { label: "Code".into(), ty: Type::Text, fallback: text, ..Port::named(CODE_VALUE) };
     kind.inputs.push(code);
     kind
 }
@@ -389,8 +390,8 @@ fn group_kind<'a>(
     library: &Library,
     find: &dyn Fn(&str) -> Option<&'a Definition>,
     depth: usize,
-) -> Kind {
-    let inner = |node: &Node| -> Option<Kind> {
+) -> NodeKind {
+    let inner = |node: &Node| -> Option<NodeKind> {
         if node.kind == CUSTOM_KIND {
             return Some(custom_kind(custom_code(node)?));
         }
@@ -398,7 +399,7 @@ fn group_kind<'a>(
             return (depth < MAX_DEPTH)
                 .then(|| group_kind(&node.kind, inner, library, find, depth + 1));
         }
-        library.nodes.get(&node.kind).map(|def| Kind::of_node(def))
+        library.nodes.get(&node.kind).map(|def| NodeKind::of_node(def))
     };
     let graph = &definition.graph;
     let found: Vec<_> =
@@ -419,7 +420,7 @@ fn group_kind<'a>(
         }
         named_by(own, port)
     });
-    Kind {
+    NodeKind {
         id: id.to_owned(),
         label: if definition.label.is_empty() { id } else { &definition.label }.into(),
         category: "group".to_owned(),
@@ -442,7 +443,7 @@ fn group_kind<'a>(
 fn inner_input(
     graph: &Graph,
     port: &InterfacePort,
-    kind_of: &dyn Fn(&Node) -> Option<Kind>,
+    kind_of: &dyn Fn(&Node) -> Option<NodeKind>,
 ) -> Option<(NodeId, Port)> {
     let mut from = (GROUP_INPUTS.to_owned(), port.name.clone());
     for _ in 0..MAX_DEPTH {
@@ -464,7 +465,7 @@ fn inner_input(
 fn inner_output(
     graph: &Graph,
     port: &InterfacePort,
-    kind_of: &dyn Fn(&Node) -> Option<Kind>,
+    kind_of: &dyn Fn(&Node) -> Option<NodeKind>,
 ) -> Option<Port> {
     let mut to = (GROUP_OUTPUTS.to_owned(), port.name.clone());
     for _ in 0..MAX_DEPTH {

@@ -54,7 +54,7 @@ pub fn context_words(context: Context) -> String {
 
 /// Display of an unwired input in a node's row.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Shown {
+pub enum InputDisplay {
     /// Only the name of the input.
     Nothing,
     /// Source of the value, in quiet words.
@@ -66,24 +66,24 @@ pub enum Shown {
 }
 
 /// Display of an unwired input of `node` in `look`.
-pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
+pub fn shown(port: &Port, node: &Node, look: &Look) -> InputDisplay {
     let value = match (node.values.get(&port.name), &port.fallback) {
         (Some(value), _) | (None, Fallback::Value(value)) => value,
         (None, Fallback::Same(other)) => {
-            return Shown::Source(format!("as {}", words(other.as_str())));
+            return InputDisplay::Source(format!("as {}", words(other.as_str())));
         }
-        (None, Fallback::Context(context)) => return Shown::Source(context_words(*context)),
-        (None, Fallback::Wire) => return Shown::Nothing,
+        (None, Fallback::Context(context)) => return InputDisplay::Source(context_words(*context)),
+        (None, Fallback::Wire) => return InputDisplay::Nothing,
     };
     if matches!(port.ty, Type::Color | Type::Composite)
         && let Some(color) = value.color()
     {
-        return Shown::Color(color);
+        return InputDisplay::Color(color);
     }
     match (&port.ty, value) {
         (Type::LightName, Value::Text(id)) => {
             let light = look.lights.get(id.as_str());
-            Shown::Text(
+            InputDisplay::Text(
                 light
                     .map(|light| &light.name)
                     .filter(|name| !name.is_empty())
@@ -91,8 +91,8 @@ pub fn shown(port: &Port, node: &Node, look: &Look) -> Shown {
                     .clone(),
             )
         }
-        (Type::Text, _) => Shown::Nothing,
-        _ => Shown::Text(short(port, value)),
+        (Type::Text, _) => InputDisplay::Nothing,
+        _ => InputDisplay::Text(short(port, value)),
     }
 }
 

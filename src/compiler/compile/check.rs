@@ -10,11 +10,12 @@ use petgraph::graph::{DiGraph, NodeIndex};
 use super::drivers::{self, TypedDriver};
 use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
 use super::value::{describe, expected, typed_value};
-use crate::diag::{Diagnostic, Severity, Warned, bounded, has_errors};
-use crate::document::{ColorSpace, Exposed, Light, LightField, Look, Target, Tier, Value};
+use crate::diag::{Diagnostic, Severity, WithWarnings, bounded, has_errors};
+use crate::document::{ColorSpace, ExposedValue, Light, LightField, Look, Target, Tier, Value};
 use crate::ids::{LightId, NodeId, NodePath, PortName};
 use crate::library::{
-    Context, Conversion, Fallback, Input, Library, NodeDef, Parameter, Special, Type, Variant,
+    ArgumentSource, Context, Conversion, Fallback, Input, Library, NodeDef, NodeFunction,
+    Treatment, Type,
 };
 
 /// A look in which every value has a type and every problem was reported.
@@ -31,7 +32,7 @@ pub struct TypedGraph {
     /// The look's lights.
     pub lights: IndexMap<LightId, Light>,
     /// The parameters that may be set by name.
-    pub exposed: Vec<Exposed>,
+    pub exposed: Vec<ExposedValue>,
     /// The targets that direction and time keys move.
     pub keyed: Vec<Target>,
     /// The outputs that drive direction keys, each once.
@@ -97,7 +98,7 @@ pub enum TypedSource {
 
 impl TypedNode {
     /// Its function.
-    pub fn variant(&self) -> &Variant {
+    pub fn variant(&self) -> &NodeFunction {
         &self.def.variants[self.variant]
     }
 
@@ -122,9 +123,9 @@ pub fn check(
     look: &Look,
     library: &Library,
     root: Option<&(NodePath, PortName)>,
-) -> Result<Warned<TypedGraph>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
     match check_all(look, library, root) {
-        Ok(warned) => Ok(Warned::new(warned.value, bounded(warned.warnings))),
+        Ok(warned) => Ok(WithWarnings::new(warned.value, bounded(warned.warnings))),
         Err(problems) => Err(bounded(problems)),
     }
 }
@@ -134,7 +135,7 @@ fn check_all(
     look: &Look,
     library: &Library,
     root: Option<&(NodePath, PortName)>,
-) -> Result<Warned<TypedGraph>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
     let Some(flat) = flatten(look, library, &mut problems) else { return Err(problems) };
     let order = order(&flat, &mut problems);
@@ -201,7 +202,7 @@ fn check_all(
     check_targets(&graph, look, &surroundings, &mut wrong_targets);
     let stops = has_errors(&wrong_targets);
     problems.append(&mut wrong_targets);
-    if stops { Err(problems) } else { Ok(Warned::new(graph, problems)) }
+    if stops { Err(problems) } else { Ok(WithWarnings::new(graph, problems)) }
 }
 
 /// Whether an error is of a node that the picture depends on, or of no node at all. A node of a
@@ -348,7 +349,7 @@ fn find_root(
         .nodes
         .iter()
         .enumerate()
-        .filter(|(_, node)| node.def.special == Special::Output)
+        .filter(|(_, node)| node.def.special == Treatment::Output)
         .collect();
     match outputs.as_slice() {
         [] => {
@@ -663,9 +664,9 @@ impl<'a> Typer<'a> {
             crate::document::LightKind::Point => "point",
             crate::document::LightKind::Spot => "spot",
         });
-        let fits = |variant: &Variant| match (&variant.choice, def.special) {
-            (Some((_, word)), Special::Light) => light_kind == Some(word),
-            (Some(_), Special::Output) => false,
+        let fits = |variant: &NodeFunction| match (&variant.choice, def.special) {
+            (Some((_, word)), Treatment::Light) => light_kind == Some(word),
+            (Some(_), Treatment::Output) => false,
             (Some((input, word)), _) => choices.get(input) == Some(word),
             (None, _) => true,
         };
@@ -900,20 +901,20 @@ fn taken_inputs(def: &NodeDef, variant: usize) -> Vec<(usize, Type)> {
     let mut taken = Vec::new();
     for parameter in &def.variants[variant].parameters {
         match parameter {
-            Parameter::Input(index, ty) => taken.push((*index, ty.clone())),
-            Parameter::Prepared => {
+            ArgumentSource::Input(index, ty) => taken.push((*index, ty.clone())),
+            ArgumentSource::Prepared => {
                 taken.extend(
                     def.prepare.iter().flat_map(|prepare| prepare.parameters.iter().cloned()),
                 );
             }
-            Parameter::Sampler(_) => {}
+            ArgumentSource::Sampler(_) => {}
         }
     }
-    if def.special == Special::Output {
+    if def.special == Treatment::Output {
         // The other roots' inputs, for the passes that they feed.
         for root in def.variants.iter().filter(|root| root.choice.is_some()) {
             taken.extend(root.parameters.iter().filter_map(|parameter| match parameter {
-                Parameter::Input(index, ty) => Some((*index, ty.clone())),
+                ArgumentSource::Input(index, ty) => Some((*index, ty.clone())),
                 _ => None,
             }));
         }

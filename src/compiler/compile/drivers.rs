@@ -14,7 +14,7 @@ use super::flatten::{FlatGraph, ParamId};
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Look, OutputPort, Target};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Conversion, Rate, Special, Type};
+use crate::library::{Conversion, Rate, Treatment, Type};
 
 /// An output that drives keys.
 #[derive(Clone, Debug)]
@@ -144,7 +144,7 @@ impl TypedGraph {
             let is_number = || node.output_type(output).convert_to(&Type::Float).is_some();
             rates[index] <= Rate::Object
                 && !is_moved[index]
-                && node.def.special != Special::Output
+                && node.def.special != Treatment::Output
                 && is_number()
         };
         let mut found = Vec::new();
@@ -215,13 +215,13 @@ impl TypedGraph {
 
 /// The inputs that a driver's wire depends on.
 #[derive(Default)]
-struct Reads {
+struct DriverInputs {
     params: HashSet<ParamId>,
     lights: HashSet<LightId>,
 }
 
-fn reads(graph: &TypedGraph, root: usize) -> Reads {
-    let mut reads = Reads::default();
+fn reads(graph: &TypedGraph, root: usize) -> DriverInputs {
+    let mut reads = DriverInputs::default();
     let (mut seen, mut open) = (HashSet::new(), vec![root]);
     while let Some(index) = open.pop() {
         if !seen.insert(index) {
@@ -257,7 +257,7 @@ pub(super) fn order(graph: &TypedGraph, look: &Look) -> (Vec<usize>, Vec<Diagnos
         .iter()
         .map(|keys| keys.keys.iter().flat_map(|key| key.values.keys()).collect())
         .collect();
-    let moves = |set: usize, reads: &Reads| {
+    let moves = |set: usize, reads: &DriverInputs| {
         targets[set].iter().any(|target| match target {
             Target::Input { node, port } => {
                 ids.get(&(node, port)).is_some_and(|id| reads.params.contains(id))
@@ -270,13 +270,13 @@ pub(super) fn order(graph: &TypedGraph, look: &Look) -> (Vec<usize>, Vec<Diagnos
         before.add_node(());
     }
     for (set, keys) in sets.iter().enumerate() {
-        let mut all = Reads::default();
+        let mut all = DriverInputs::default();
         for driver in keys
             .by
             .outputs()
             .filter_map(|wire| graph.drivers.iter().find(|driver| driver.wire == *wire))
         {
-            let Reads { params, lights } = reads(graph, driver.node);
+            let DriverInputs { params, lights } = reads(graph, driver.node);
             all.params.extend(params);
             all.lights.extend(lights);
         }

@@ -14,14 +14,14 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
-use self::groups::{GroupIndex, Groups};
+use self::groups::{GroupIndex, UsedGroups};
 
 use crate::diag::Diagnostic;
 use crate::document::{Definition, Graph, InterfacePort, Look, Node, Tier, Value, Wire};
 use crate::ids::{GROUP_INPUTS, GROUP_OUTPUTS, NodeId, NodePath, PortName};
 use crate::library::{
     CUSTOM_CODE, CUSTOM_KIND, Context, Fallback, GroupPorts, Input, Library, NodeDef, Output,
-    Special, Type, load_node,
+    Treatment, Type, load_node,
 };
 
 /// As many nodes as a look may have once its groups are inlined.
@@ -142,7 +142,7 @@ impl FlatGraph {
     }
 }
 
-enum Slot {
+enum FlatSlot {
     Flat(usize),
     Group(usize),
     Missing,
@@ -157,7 +157,7 @@ struct Scope<'a> {
     /// The tier of nodes in the scope that name none of their own.
     tier: Tier,
     parent: Option<(usize, &'a NodeId)>,
-    slots: HashMap<&'a str, Slot>,
+    slots: HashMap<&'a str, FlatSlot>,
     wires: HashMap<(&'a str, &'a str), &'a Wire>,
 }
 
@@ -169,12 +169,12 @@ struct Flattener<'a> {
     origins: Vec<(usize, &'a NodeId, &'a Node)>,
     flat: FlatGraph,
     param_ids: HashMap<(usize, &'a str, PortName), ParamId>,
-    groups: Groups<'a>,
+    groups: UsedGroups<'a>,
     /// The ports of muted groups, which let their inputs through.
     group_ports: RefCell<HashMap<&'a str, Arc<GroupPorts>>>,
     /// The ends behind inputs that lead on to others: those of reroutes and groups, and whatever
     /// they feed.
-    ends: HashMap<InputKey<'a>, End<'a>>,
+    ends: HashMap<InputKey<'a>, WireEnd<'a>>,
     /// The faults of the files of kinds, by kind.
     broken_kinds: HashMap<&'a str, &'a Diagnostic>,
     problems: Vec<Diagnostic>,
@@ -190,7 +190,7 @@ type InputKey<'a> = (usize, &'a str, PortName);
 
 /// The end that lies behind an input.
 #[derive(Clone)]
-enum End<'a> {
+enum WireEnd<'a> {
     /// An output of a node.
     Output {
         /// The node's index.
@@ -221,7 +221,7 @@ pub(super) fn flatten(
     library: &Library,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<FlatGraph> {
-    let groups = Groups::of(look, library).map_err(|problem| problems.push(*problem)).ok()?;
+    let groups = UsedGroups::of(look, library).map_err(|problem| problems.push(*problem)).ok()?;
     let mut flattener = Flattener::new(look, library, groups);
     flattener.run();
     problems.append(&mut flattener.problems);
@@ -241,7 +241,7 @@ fn broken_kinds(library: &Library) -> HashMap<&str, &Diagnostic> {
 }
 
 impl<'a> Flattener<'a> {
-    fn new(look: &'a Look, library: &'a Library, groups: Groups<'a>) -> Self {
+    fn new(look: &'a Look, library: &'a Library, groups: UsedGroups<'a>) -> Self {
         Self {
             look,
             library,
@@ -324,9 +324,9 @@ impl<'a> Flattener<'a> {
                     Some(def) => {
                         let region =
                             self.scopes[scope].region.clone().or_else(|| framed.get(id).cloned());
-                        Slot::Flat(self.push_node(scope, id, node, def, path, region))
+                        FlatSlot::Flat(self.push_node(scope, id, node, def, path, region))
                     }
-                    None => Slot::Missing,
+                    None => FlatSlot::Missing,
                 }
             };
             self.scopes[scope].slots.insert(id.as_str(), slot);
@@ -348,7 +348,7 @@ impl<'a> Flattener<'a> {
         group: GroupIndex,
         path: NodePath,
         frame: Option<Arc<str>>,
-    ) -> Slot {
+    ) -> FlatSlot {
         let (kind, definition) = (self.groups[group].kind, self.groups[group].definition);
         if self.scopes[scope].group.is_some_and(|outer| self.groups.is_recursive(outer, group)) {
             self.problems.push(
@@ -356,7 +356,7 @@ impl<'a> Flattener<'a> {
                     .node(path)
                     .hint("remove this node, or make a group of its own for what it holds"),
             );
-            return Slot::Missing;
+            return FlatSlot::Missing;
         }
         let label = if definition.label.is_empty() { kind } else { &definition.label };
         let own = if node.name.is_empty() { readable(id, label) } else { node.name.clone() };
@@ -368,7 +368,7 @@ impl<'a> Flattener<'a> {
         let is_known = |port: &str| inputs.contains_key(port);
         let unknown = self.unknown_values(node, &path, is_known, || port_names(&definition.inputs));
         self.problems.extend(unknown);
-        Slot::Group(self.push_scope(
+        FlatSlot::Group(self.push_scope(
             &definition.graph,
             Some(group),
             Some(path),
@@ -514,7 +514,7 @@ impl<'a> Flattener<'a> {
         }
         let kind = here.graph.nodes.get(id).map_or("", |node| node.kind.as_str());
         match here.slots.get(id.as_str())? {
-            Slot::Flat(index) => {
+            FlatSlot::Flat(index) => {
                 let inputs = || self.flat.nodes[*index].def.visible_inputs();
                 let is_known = inputs().any(|input| input.name == *port);
                 (!is_known).then(|| {
@@ -522,12 +522,12 @@ impl<'a> Flattener<'a> {
                     self.unknown_input(kind, &self.path_of(scope, id), port, known)
                 })
             }
-            Slot::Group(child) => {
+            FlatSlot::Group(child) => {
                 let group = &self.groups[self.scopes[*child].group?];
                 let is_known = group.inputs.contains_key(port.as_str());
                 told(kind, is_known, &|| port_names(&group.definition.inputs))
             }
-            Slot::Missing => None,
+            FlatSlot::Missing => None,
         }
     }
 
@@ -543,20 +543,20 @@ impl<'a> Flattener<'a> {
             return (!is_known).then(|| self.unknown_output(scope, wire, || port_names(ports)));
         }
         match here.slots.get(id.as_str())? {
-            Slot::Flat(index) => {
+            FlatSlot::Flat(index) => {
                 let outputs = &self.flat.nodes[*index].def.outputs;
                 let is_known =
                     outputs.iter().any(|output| output.name == *port) || is_first(outputs.len());
                 let known = || outputs.iter().map(|output| output.name.as_str()).collect();
                 (!is_known).then(|| self.unknown_output(scope, wire, known))
             }
-            Slot::Group(child) => {
+            FlatSlot::Group(child) => {
                 let group = &self.groups[self.scopes[*child].group?];
                 let ports = &group.definition.outputs;
                 let is_known = group.outputs.contains_key(port.as_str()) || is_first(ports.len());
                 (!is_known).then(|| self.unknown_output(scope, wire, || port_names(ports)))
             }
-            Slot::Missing => None,
+            FlatSlot::Missing => None,
         }
     }
 
@@ -621,13 +621,15 @@ impl<'a> Flattener<'a> {
     /// The source that an input is bound to.
     fn resolve(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> FlatInput {
         match self.end_of(scope, id, port) {
-            End::Output { node, output } => FlatInput::Wire { node, output },
-            End::Open { scope, id, port, fallback } => {
+            WireEnd::Output { node, output } => FlatInput::Wire { node, output },
+            WireEnd::Open { scope, id, port, fallback } => {
                 self.bind_fallback(scope, id, &port, fallback.as_ref())
             }
-            End::Zero { scope, id, port, zero } => self.bind_value(scope, id, &port, Some(&zero)),
-            End::Broken => FlatInput::Broken,
-            End::Ring => {
+            WireEnd::Zero { scope, id, port, zero } => {
+                self.bind_value(scope, id, &port, Some(&zero))
+            }
+            WireEnd::Broken => FlatInput::Broken,
+            WireEnd::Ring => {
                 let message = "this input is fed by a ring of reroutes or groups, and by no node";
                 let problem = Diagnostic::error("cycle", message).node(self.path_of(scope, id));
                 self.problems.push(problem.hint("remove one wire of the ring"));
@@ -638,7 +640,7 @@ impl<'a> Flattener<'a> {
 
     /// Walks from an input through groups and reroutes to the output or the open input that feeds
     /// it. The inputs on the way are walked through once, whoever comes to them later.
-    fn end_of(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> End<'a> {
+    fn end_of(&mut self, scope: usize, id: &'a NodeId, port: &PortName) -> WireEnd<'a> {
         let mut at = (scope, id, port.clone());
         // Each with what it has where the input behind it is open.
         let mut way: Vec<(InputKey<'a>, Option<Fallback>)> = Vec::new();
@@ -649,24 +651,26 @@ impl<'a> Flattener<'a> {
                 break known.clone();
             }
             let Some(&wire) = self.scopes[scope].wires.get(&(id.as_str(), port.as_str())) else {
-                break End::Open { scope, id, port, fallback: None };
+                break WireEnd::Open { scope, id, port, fallback: None };
             };
             match self.follow(scope, wire) {
-                None => break End::Broken,
-                Some(Source::Output { node, output }) => break End::Output { node, output },
-                Some(Source::Nothing { scope, id, port, zero }) => {
-                    break End::Zero { scope, id, port, zero };
+                None => break WireEnd::Broken,
+                Some(WireSource::Output { node, output }) => {
+                    break WireEnd::Output { node, output };
                 }
-                Some(Source::Input { scope, id, port, fallback }) => {
+                Some(WireSource::Nothing { scope, id, port, zero }) => {
+                    break WireEnd::Zero { scope, id, port, zero };
+                }
+                Some(WireSource::Input { scope, id, port, fallback }) => {
                     // Who comes back to it before its end is known goes round in a ring.
-                    self.ends.insert(key.clone(), End::Ring);
+                    self.ends.insert(key.clone(), WireEnd::Ring);
                     way.push((key, fallback));
                     at = (scope, id, port);
                 }
             }
         };
         for (key, passed) in way.into_iter().rev() {
-            if let End::Open { fallback, .. } = &mut end {
+            if let WireEnd::Open { fallback, .. } = &mut end {
                 // The fallback nearest to the open input holds.
                 *fallback = fallback.take().or(passed);
             }
@@ -676,7 +680,7 @@ impl<'a> Flattener<'a> {
     }
 
     /// Where a wire really comes from.
-    fn follow(&self, scope: usize, wire: &'a Wire) -> Option<Source<'a>> {
+    fn follow(&self, scope: usize, wire: &'a Wire) -> Option<WireSource<'a>> {
         #[cfg(test)]
         self.followed.set(self.followed.get() + 1);
         let mut scope = scope;
@@ -688,7 +692,7 @@ impl<'a> Flattener<'a> {
             {
                 let interface = self.groups[group].inputs.get(from.port.as_str());
                 let fallback = interface.and_then(|port| port.default.clone()).map(Fallback::Value);
-                return Some(Source::Input {
+                return Some(WireSource::Input {
                     scope: parent,
                     id,
                     port: from.port.clone(),
@@ -696,12 +700,12 @@ impl<'a> Flattener<'a> {
                 });
             }
             match here.slots.get(from.node.as_str())? {
-                Slot::Missing => return None,
-                Slot::Flat(node) => {
+                FlatSlot::Missing => return None,
+                FlatSlot::Flat(node) => {
                     let def = &self.flat.nodes[*node].def;
-                    if def.special == Special::Reroute {
+                    if def.special == Treatment::Reroute {
                         let (_, id, _) = self.origins[*node];
-                        return Some(Source::Input {
+                        return Some(WireSource::Input {
                             scope,
                             id,
                             port: def.inputs.first()?.name.clone(),
@@ -716,9 +720,9 @@ impl<'a> Flattener<'a> {
                     {
                         return Some(source);
                     }
-                    return Some(Source::Output { node: *node, output });
+                    return Some(WireSource::Output { node: *node, output });
                 }
-                Slot::Group(child) => {
+                FlatSlot::Group(child) => {
                     let group = &self.groups[self.scopes[*child].group?];
                     let definition = group.definition;
                     let first = definition.outputs.first().map_or("", |port| port.name.as_str());
@@ -764,9 +768,9 @@ impl<'a> Flattener<'a> {
         output: &Output,
         scope: usize,
         id: &'a NodeId,
-    ) -> Option<Source<'a>> {
+    ) -> Option<WireSource<'a>> {
         let Some(mut input) = let_through(inputs, output) else {
-            return Some(Source::Nothing {
+            return Some(WireSource::Nothing {
                 scope,
                 id,
                 port: output.name.clone(),
@@ -781,7 +785,7 @@ impl<'a> Flattener<'a> {
             };
             input = inputs.iter().find(|input| input.name == *other).unwrap_or(input);
         }
-        Some(Source::Input {
+        Some(WireSource::Input {
             scope,
             id,
             port: input.name.clone(),
@@ -847,7 +851,7 @@ impl<'a> Flattener<'a> {
     }
 }
 
-enum Source<'a> {
+enum WireSource<'a> {
     Output {
         node: usize,
         output: usize,

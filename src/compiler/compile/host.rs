@@ -17,7 +17,7 @@ use crate::document::{LightValues, OutputPort, Value};
 use crate::ids::LightId;
 use crate::interp::{self, Precision, Program};
 use crate::library::{Context, ContextSource, Conversion, HostSurroundings, Type};
-use crate::wgsl::{self, Source, Valid};
+use crate::wgsl::{self, NamedSource, ValidModule};
 
 /// Everything a host program reads: one object, in one view, at one time.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ pub struct HostInputs<'a> {
 
 /// A step of a host program; operands are indices of earlier steps.
 #[derive(Clone, Debug)]
-pub(super) enum Step {
+pub(super) enum ProgramStep {
     Constant(interp::Value),
     Param { id: ParamId, ty: Type, value: interp::Value },
     Context(Context, Option<LightId>),
@@ -49,7 +49,7 @@ pub(super) enum Step {
     Member { value: usize, index: usize },
 }
 
-impl Step {
+impl ProgramStep {
     /// The step's value, from the values of earlier steps.
     fn value<'v>(
         &self,
@@ -113,7 +113,7 @@ pub struct HostDriver {
 /// Computes the members of the `Look` uniform.
 #[derive(Clone, Debug, Default)]
 pub struct HostProgram {
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<ProgramStep>,
     /// The wired values that drive keys.
     pub drivers: Vec<HostDriver>,
     /// The sets of direction keys in the order in which they take effect.
@@ -141,7 +141,9 @@ impl HostProgram {
     /// The lights of which it reads anything.
     pub fn lights(&self) -> impl Iterator<Item = &LightId> {
         self.steps.iter().filter_map(|step| match step {
-            Step::Context(context, light) if context.light_input().is_some() => light.as_ref(),
+            ProgramStep::Context(context, light) if context.light_input().is_some() => {
+                light.as_ref()
+            }
             _ => None,
         })
     }
@@ -176,7 +178,7 @@ impl HostProgram {
     /// The inputs that an output depends on.
     pub fn params_of(&self, driver: &HostDriver) -> Vec<ParamId> {
         let param = |index: usize| {
-            if let Step::Param { id, .. } = &self.steps[index] { Some(*id) } else { None }
+            if let ProgramStep::Param { id, .. } = &self.steps[index] { Some(*id) } else { None }
         };
         self.steps_of(driver).into_iter().filter_map(param).collect()
     }
@@ -189,9 +191,10 @@ impl HostProgram {
                 continue;
             }
             match &self.steps[index] {
-                Step::Call { arguments, .. } => open.extend(arguments),
-                Step::Member { value, .. } => open.push(*value),
-                Step::Constant(_) | Step::Param { .. } | Step::Context(..) => {}
+                ProgramStep::Call { arguments, .. } => open.extend(arguments),
+                ProgramStep::Member { value, .. } => open.push(*value),
+                ProgramStep::Constant(_) | ProgramStep::Param { .. } | ProgramStep::Context(..) => {
+                }
             }
         }
         found
@@ -277,7 +280,7 @@ impl HostInputs<'_> {
 
 /// All conversions as WGSL functions, so that the CPU runs the same text that the shader inlines.
 struct Conversions {
-    valid: Option<Valid>,
+    valid: Option<ValidModule>,
     functions: HashMap<(Type, Type), (String, Arc<Program>)>,
 }
 
@@ -300,11 +303,13 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
             }
         }
     }
-    let linked = wgsl::link(&[Source { name: "conversions", text: &text }]).ok();
+    let linked = wgsl::link(&[NamedSource { name: "conversions", text: &text }]).ok();
     let valid = linked.as_ref().and_then(|linked| wgsl::parse(&linked.text).ok());
     let compiled = |(from, to, name): (Type, Type, String)| {
-        let options =
-            interp::Options { source: Some(&linked.as_ref()?.text), ..interp::Options::default() };
+        let options = interp::FunctionOptions {
+            source: Some(&linked.as_ref()?.text),
+            ..interp::FunctionOptions::default()
+        };
         let program = Program::compile(&valid.as_ref()?.module, &name, options).ok()?;
         Some(((from, to), (name, Arc::new(program))))
     };

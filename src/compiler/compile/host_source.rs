@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::flatten::ParamId;
-use super::host::{Callee, HostProgram, Step};
+use super::host::{Callee, HostProgram, ProgramStep};
 use super::items::{CollectedItems, Items};
 use super::names::Names;
 use crate::ids::LightId;
@@ -58,16 +58,18 @@ impl HostProgram {
     /// The program as data and text.
     pub fn source(&self) -> HostSource {
         let functions = Functions::collect(&self.steps);
-        let step = |step: &Step| match step {
-            Step::Constant(value) => HostStep::Constant(value.clone()),
-            Step::Param { id, ty, value } => {
+        let step = |step: &ProgramStep| match step {
+            ProgramStep::Constant(value) => HostStep::Constant(value.clone()),
+            ProgramStep::Param { id, ty, value } => {
                 HostStep::Param { id: *id, ty: ty.clone(), value: value.clone() }
             }
-            Step::Context(context, light) => HostStep::Context(*context, light.clone()),
-            Step::Call { callee, arguments, .. } => {
+            ProgramStep::Context(context, light) => HostStep::Context(*context, light.clone()),
+            ProgramStep::Call { callee, arguments, .. } => {
                 HostStep::Call { function: functions.name(callee), arguments: arguments.clone() }
             }
-            Step::Member { value, index } => HostStep::Member { value: *value, index: *index },
+            ProgramStep::Member { value, index } => {
+                HostStep::Member { value: *value, index: *index }
+            }
         };
         let steps = self.steps.iter().map(step).collect();
         HostSource { wgsl: functions.text, steps }
@@ -82,16 +84,16 @@ struct Functions {
 }
 
 impl Functions {
-    fn collect(steps: &[Step]) -> Self {
+    fn collect(steps: &[ProgramStep]) -> Self {
         let library = Library::built_in().nodes.values().next().map(|def| def.module.clone());
         let mut items = Items::default();
         let mut conversions = BTreeMap::new();
         for step in steps {
             match step {
-                Step::Call { callee: Callee::Function(function), .. } => {
+                ProgramStep::Call { callee: Callee::Function(function), .. } => {
                     items.want_function(function);
                 }
-                Step::Call { callee: Callee::Conversion { from, to }, .. } => {
+                ProgramStep::Call { callee: Callee::Conversion { from, to }, .. } => {
                     let Conversion::Template(template) =
                         from.convert_to(to).unwrap_or(Conversion::None)
                     else {

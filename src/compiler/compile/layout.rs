@@ -4,7 +4,7 @@ use crate::interp::{Scalar, Value};
 
 /// Where the numbers of a value lie.
 #[derive(Clone, Debug)]
-pub enum Layout {
+pub enum ValueLayout {
     /// A single number.
     Scalar,
     /// Two to four numbers in a row.
@@ -21,7 +21,7 @@ pub enum Layout {
         /// Bytes from element to element.
         stride: u32,
         /// Each of them.
-        element: Box<Layout>,
+        element: Box<ValueLayout>,
     },
     /// Members, each at its byte.
     Struct(StructLayout),
@@ -31,7 +31,7 @@ pub enum Layout {
 #[derive(Clone, Debug, Default)]
 pub struct StructLayout {
     /// Name, first byte and layout.
-    pub members: Vec<(String, u32, Layout)>,
+    pub members: Vec<(String, u32, ValueLayout)>,
     /// In bytes.
     pub size: u32,
 }
@@ -41,41 +41,41 @@ impl StructLayout {
     pub fn of(module: &naga::Module, name: &str) -> Option<Self> {
         let (handle, _) = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name))?;
         match layout(module, handle) {
-            Layout::Struct(layout) => Some(layout),
+            ValueLayout::Struct(layout) => Some(layout),
             _ => None,
         }
     }
 
     /// A member's first byte and layout.
-    pub fn member(&self, name: &str) -> Option<(u32, &Layout)> {
+    pub fn member(&self, name: &str) -> Option<(u32, &ValueLayout)> {
         self.members.iter().find(|member| member.0 == name).map(|member| (member.1, &member.2))
     }
 }
 
-fn layout(module: &naga::Module, ty: naga::Handle<naga::Type>) -> Layout {
+fn layout(module: &naga::Module, ty: naga::Handle<naga::Type>) -> ValueLayout {
     match &module.types[ty].inner {
-        naga::TypeInner::Vector { .. } => Layout::Vector,
+        naga::TypeInner::Vector { .. } => ValueLayout::Vector,
         naga::TypeInner::Matrix { rows, .. } => {
             let rows = *rows as u32;
-            Layout::Matrix { rows, stride: if rows == 2 { 8 } else { 16 } }
+            ValueLayout::Matrix { rows, stride: if rows == 2 { 8 } else { 16 } }
         }
         naga::TypeInner::Array { base, stride, .. } => {
-            Layout::Array { stride: *stride, element: Box::new(layout(module, *base)) }
+            ValueLayout::Array { stride: *stride, element: Box::new(layout(module, *base)) }
         }
         naga::TypeInner::Struct { members, span } => {
             let member = |m: &naga::StructMember| {
                 (m.name.clone().unwrap_or_default(), m.offset, layout(module, m.ty))
             };
-            Layout::Struct(StructLayout {
+            ValueLayout::Struct(StructLayout {
                 members: members.iter().map(member).collect(),
                 size: *span,
             })
         }
-        _ => Layout::Scalar,
+        _ => ValueLayout::Scalar,
     }
 }
 
-impl Layout {
+impl ValueLayout {
     /// Writes `value` at byte `at`. Numbers become the nearest finite f32, and NaN becomes 0: a
     /// project's own node may give either.
     pub fn write(&self, value: &Value, at: usize, bytes: &mut [u8]) {

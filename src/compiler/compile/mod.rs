@@ -21,21 +21,21 @@ mod value;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{LightField, Look, Value};
 use crate::ids::{LightId, NodePath, PortName};
-use crate::library::{Library, Special, Type};
-use crate::wgsl::{self, Valid};
+use crate::library::{Library, Treatment, Type};
+use crate::wgsl::{self, ValidModule};
 
 pub use crate::document::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
 pub use crate::library::Stage;
 pub use check::{TypedGraph, TypedInput, TypedNode, TypedSource, check};
 pub use drivers::TypedDriver;
-pub use emit::{Attribute, Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap};
+pub use emit::{Binding, BindingKind, ImageBinding, SAMPLES_PER_ROW, SpanMap, VertexAttribute};
 pub use flatten::{GroupOutputs, MAX_FLAT_NODES, Param, ParamId, can_be_muted};
 pub use host::{HostDriver, HostInputs, HostProgram, Uniform, UniformMember, push_numbers};
 pub use host_source::{HostSource, HostStep};
-pub use layout::{Layout, StructLayout};
+pub use layout::{StructLayout, ValueLayout};
 pub use removal::{Proof, Removal};
 pub use specialize::{ImageShape, ImageUse, Needs};
 pub use value::{document_value, typed_value};
@@ -59,7 +59,7 @@ pub enum Live {
 
 /// Options of a compilation.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Options {
+pub struct CompileOptions {
     /// Which values stay uniforms.
     pub live: Live,
     /// Inputs that stay live where a look is too long for [`Live::All`].
@@ -86,7 +86,7 @@ pub struct CompiledShader {
     /// The source.
     pub wgsl: String,
     /// naga's view of it.
-    pub valid: Valid,
+    pub valid: ValidModule,
     /// The purpose of the module.
     pub stage: Stage,
     /// The contexts and images that the module asks of meshes and passes.
@@ -144,7 +144,7 @@ pub enum AlphaCutoff {
 impl AlphaCutoff {
     fn of(typed: &TypedGraph, stage: Stage) -> Self {
         let output = &typed.nodes[typed.root.0];
-        if output.def.special != Special::Output || !stage.draws_meshes() {
+        if output.def.special != Treatment::Output || !stage.draws_meshes() {
             return Self::None;
         }
         let mut inputs = output.def.inputs.iter().zip(&output.inputs);
@@ -166,10 +166,10 @@ impl AlphaCutoff {
 pub fn compile(
     look: &Look,
     library: &Library,
-    options: &Options,
-) -> Result<Warned<CompiledShader>, Vec<Diagnostic>> {
+    options: &CompileOptions,
+) -> Result<WithWarnings<CompiledShader>, Vec<Diagnostic>> {
     let (typed, warnings) = check(look, library, options.root.as_ref())?.into_parts();
-    Ok(Warned::new(compile_typed(&typed, options)?, warnings))
+    Ok(WithWarnings::new(compile_typed(&typed, options)?, warnings))
 }
 
 /// The WGSL of a look that was checked, before naga has seen it: our own share of the work, for
@@ -177,7 +177,10 @@ pub fn compile(
 ///
 /// # Errors
 /// The diagnostics of constants that the interpreter refuses to fold.
-pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, Vec<Diagnostic>> {
+pub fn compile_source(
+    typed: &TypedGraph,
+    options: &CompileOptions,
+) -> Result<String, Vec<Diagnostic>> {
     let specialized = specialize::specialize(typed, options)?;
     Ok(emit::emit(typed, &specialized, options).text)
 }
@@ -189,7 +192,7 @@ pub fn compile_source(typed: &TypedGraph, options: &Options) -> Result<String, V
 /// naga found.
 pub fn compile_typed(
     typed: &TypedGraph,
-    options: &Options,
+    options: &CompileOptions,
 ) -> Result<CompiledShader, Vec<Diagnostic>> {
     let specialized = specialize::specialize(typed, options)?;
     let emitted = emit::emit(typed, &specialized, options);
@@ -198,7 +201,8 @@ pub fn compile_typed(
     // The reference, which alone runs what is unspecialized, has no bound, and wants every value at
     // f64.
     if host.size > MAX_UNIFORM_BYTES && options.live == Live::All && !options.unspecialized {
-        let fewer = Options { live: Live::Touched(options.touched.clone()), ..options.clone() };
+        let fewer =
+            CompileOptions { live: Live::Touched(options.touched.clone()), ..options.clone() };
         return compile_typed(typed, &fewer);
     }
     Ok(CompiledShader {

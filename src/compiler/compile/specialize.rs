@@ -18,12 +18,14 @@ use super::host::{conversion_program, conversion_ranges};
 use super::intervals::{self, Ranges};
 use super::removal::{Proof, Removal};
 use super::value::typed_value;
-use super::{Live, Options};
+use super::{CompileOptions, Live};
 use crate::diag::Diagnostic;
 use crate::document::{ColorSpace, LightField, LightInput, Storage, Target, Value};
 use crate::ids::{LightId, NodePath, PortName};
 use crate::interp;
-use crate::library::{Context, Conversion, NodeModule, Parameter, Rate, Special, StageValue, Type};
+use crate::library::{
+    ArgumentSource, Context, Conversion, NodeModule, Rate, StageValue, Treatment, Type,
+};
 
 /// An index into [`SpecializedGraph::values`].
 pub(super) type ValueId = usize;
@@ -56,7 +58,7 @@ pub(super) enum Operation {
 
 /// A value of the graph: an operation with its type, rate and origin.
 #[derive(Clone, Debug)]
-pub(super) struct Computed {
+pub(super) struct ComputedValue {
     pub(super) operation: Operation,
     pub(super) ty: Type,
     pub(super) rate: Rate,
@@ -134,7 +136,7 @@ impl Needs {
 /// A look as values, ready to be written down.
 #[derive(Clone, Debug)]
 pub(super) struct SpecializedGraph {
-    pub(super) values: Vec<Computed>,
+    pub(super) values: Vec<ComputedValue>,
     pub(super) root: ValueId,
     /// The look's color, where the root is something else.
     pub(super) color: Option<ValueId>,
@@ -152,7 +154,7 @@ pub(super) struct SpecializedGraph {
 /// A node that runs without end when it is folded.
 pub(super) fn specialize(
     graph: &TypedGraph,
-    options: &Options,
+    options: &CompileOptions,
 ) -> Result<SpecializedGraph, Vec<Diagnostic>> {
     let mut builder = Builder::new(graph, options);
     for &index in &graph.order {
@@ -165,7 +167,7 @@ pub(super) fn specialize(
 }
 
 #[derive(PartialEq, Eq, Hash)]
-enum Key {
+enum OperationKey {
     Constant(Type, Vec<u64>),
     Param(ParamId, Type),
     Context(Context, Option<LightId>),
@@ -176,10 +178,10 @@ enum Key {
 
 struct Builder<'a> {
     graph: &'a TypedGraph,
-    options: &'a Options,
+    options: &'a CompileOptions,
     live: HashSet<ParamId>,
-    values: Vec<Computed>,
-    known: HashMap<Key, ValueId>,
+    values: Vec<ComputedValue>,
+    known: HashMap<OperationKey, ValueId>,
     /// The outputs of each node; empty until it was built.
     outputs: Vec<Vec<ValueId>>,
     /// The values of the Output node's other roots.
@@ -193,7 +195,7 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(graph: &'a TypedGraph, options: &'a Options) -> Self {
+    fn new(graph: &'a TypedGraph, options: &'a CompileOptions) -> Self {
         Self {
             graph,
             options,
@@ -254,7 +256,7 @@ impl<'a> Builder<'a> {
         } else {
             vec![result]
         };
-        if node.def.special == Special::Output {
+        if node.def.special == Treatment::Output {
             self.output_roots(index, node, &inputs);
         }
     }
@@ -311,7 +313,7 @@ impl<'a> Builder<'a> {
             return self.constant(index, ty, zero);
         }
         let made = self.values.len();
-        let key = Key::Context(context, light.clone());
+        let key = OperationKey::Context(context, light.clone());
         let id = self.value(key, index, ty, context.rate(), Operation::Context(context, light));
         if id == made {
             self.values[id].ranges = Some(intervals::context_ranges(context));
@@ -329,7 +331,7 @@ impl<'a> Builder<'a> {
 
     /// A light that reaches nothing arrives with no intensity, wherever its surface is.
     fn mark_dark(&mut self, node: &TypedNode, result: ValueId) {
-        let (Special::Light, Some(light)) = (node.def.special, &node.light) else { return };
+        let (Treatment::Light, Some(light)) = (node.def.special, &node.light) else { return };
         if self.options.dark.contains(&(light.clone(), LightField::Intensity))
             && let Some(ranges) = &self.values[result].ranges
         {
@@ -378,7 +380,7 @@ impl<'a> Builder<'a> {
         // Whoever edits it may set it to anything.
         let ranges = intervals::any_like(&value);
         let id = self.value(
-            Key::Param(id, ty.clone()),
+            OperationKey::Param(id, ty.clone()),
             index,
             ty.clone(),
             Rate::Object,
@@ -399,7 +401,7 @@ impl<'a> Builder<'a> {
             .is_some_and(|numbers| numbers.iter().all(|x| (0.0..=1.0).contains(x)));
         let ranges = intervals::of_value(&value);
         let id = self.value(
-            Key::Constant(ty.clone(), bits),
+            OperationKey::Constant(ty.clone(), bits),
             index,
             ty,
             Rate::Constant,
@@ -434,7 +436,8 @@ impl<'a> Builder<'a> {
         let rate = self.values[value].rate;
         let operation = Operation::Member { value, index: member, name: name.clone() };
         let made = self.values.len();
-        let id = self.value(Key::Member(value, member), index, ty.clone(), rate, operation);
+        let id =
+            self.value(OperationKey::Member(value, member), index, ty.clone(), rate, operation);
         if id == made {
             self.values[id].part = Some(name.to_string());
             self.values[id].ranges = ranges;
@@ -470,7 +473,7 @@ impl<'a> Builder<'a> {
         }
         let (rate, unit) = (self.values[value].rate, self.values[value].unit);
         let rate = if self.options.unspecialized { Rate::Fragment } else { rate };
-        let key = Key::Convert(template, ty.clone(), value);
+        let key = OperationKey::Convert(template, ty.clone(), value);
         let made = self.values.len();
         let id = self.value(key, index, ty.clone(), rate, Operation::Convert { template, value });
         if id == made {
@@ -488,7 +491,7 @@ impl<'a> Builder<'a> {
         index: usize,
         node: &TypedNode,
         function: &str,
-        parameters: &[Parameter],
+        parameters: &[ArgumentSource],
         ty: Type,
         inputs: &[Option<ValueId>],
     ) -> ValueId {
@@ -496,14 +499,14 @@ impl<'a> Builder<'a> {
         let mut prepared = None;
         for parameter in parameters {
             let argument = match parameter {
-                Parameter::Input(input, ty) if ty.is_texture() => {
+                ArgumentSource::Input(input, ty) if ty.is_texture() => {
                     Some(Argument::Image(self.image(node, *input, ty)))
                 }
-                Parameter::Sampler(input) => {
+                ArgumentSource::Sampler(input) => {
                     Some(Argument::Sampler(self.image(node, *input, &node.def.inputs[*input].ty)))
                 }
-                Parameter::Input(input, _) => inputs[*input].map(Argument::Value),
-                Parameter::Prepared => {
+                ArgumentSource::Input(input, _) => inputs[*input].map(Argument::Value),
+                ArgumentSource::Prepared => {
                     prepared = prepared.or_else(|| self.prepared(index, node, inputs));
                     prepared.map(Argument::Value)
                 }
@@ -567,7 +570,8 @@ impl<'a> Builder<'a> {
             self.proved.insert(index);
             return self.constant(index, ty, known);
         }
-        let key = Key::Call(Arc::as_ptr(&module) as usize, name.clone(), arguments.clone());
+        let key =
+            OperationKey::Call(Arc::as_ptr(&module) as usize, name.clone(), arguments.clone());
         let operation = Operation::Call { function: Function { module, name }, arguments };
         let made = self.values.len();
         let id = self.value(key, index, ty, rate, operation);
@@ -653,7 +657,7 @@ impl<'a> Builder<'a> {
 
     fn value(
         &mut self,
-        key: Key,
+        key: OperationKey,
         node: usize,
         ty: Type,
         rate: Rate,
@@ -668,7 +672,7 @@ impl<'a> Builder<'a> {
                 return id;
             }
         }
-        self.values.push(Computed {
+        self.values.push(ComputedValue {
             operation,
             ty,
             rate,
@@ -682,20 +686,26 @@ impl<'a> Builder<'a> {
 
     fn finish(mut self) -> SpecializedGraph {
         let (node, output) = self.graph.root;
-        let is_own_root = self.graph.nodes[node].def.special == Special::Output;
+        let is_own_root = self.graph.nodes[node].def.special == Treatment::Output;
         let stage = self.options.stage;
         let root = match stage.row().value {
             StageValue::Context(word) => Context::from_word(word).map(|context| {
                 let operation = Operation::Context(context, None);
                 let ty = Type::from_wgsl(context.wgsl_type());
-                self.value(Key::Context(context, None), node, ty, Rate::Fragment, operation)
+                self.value(
+                    OperationKey::Context(context, None),
+                    node,
+                    ty,
+                    Rate::Fragment,
+                    operation,
+                )
             }),
             StageValue::Input(name) => self.extra_roots.get(name).copied(),
             StageValue::Output => None,
         };
         let color = self.outputs[node][output];
         let root = root.unwrap_or(color);
-        let zero = |value: &Computed| {
+        let zero = |value: &ComputedValue| {
             let Operation::Constant(constant) = &value.operation else { return false };
             constant.as_f64() <= Some(0.0)
         };
@@ -810,7 +820,10 @@ impl Builder<'_> {
 }
 
 /// Which values the roots depend on.
-pub(super) fn reachable(values: &[Computed], roots: impl Iterator<Item = ValueId>) -> Vec<bool> {
+pub(super) fn reachable(
+    values: &[ComputedValue],
+    roots: impl Iterator<Item = ValueId>,
+) -> Vec<bool> {
     let mut reached = vec![false; values.len()];
     let mut open: Vec<ValueId> = roots.collect();
     while let Some(id) = open.pop() {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::packed::Packed;
+use super::packed::PackedTile;
 use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Tile};
 
 /// Image of an HCBTF, with each tile once however many samples are equal to it.
@@ -20,7 +20,7 @@ pub(super) struct HcbtfImage;
 struct HcbtfText<'h> {
     grid: Grid,
     is_tiling: bool,
-    tiles: Vec<Packed>,
+    tiles: Vec<PackedTile>,
     /// Each sample, with the index of its tile.
     painted: Vec<(Address, usize)>,
     rules: Cow<'h, [Rule]>,
@@ -36,7 +36,7 @@ impl HcbtfImage {
         let mut painted = Vec::with_capacity(hcbtf.painted.len());
         for (address, tile) in &hcbtf.painted {
             let place = places.entry(&**tile).or_insert_with(|| {
-                tiles.push(Packed::new(tile));
+                tiles.push(PackedTile::new(tile));
                 tiles.len() - 1
             });
             painted.push((*address, *place));
@@ -52,10 +52,10 @@ impl HcbtfImage {
         let HcbtfText { grid, is_tiling, tiles, painted, rules } =
             HcbtfText::deserialize(deserializer)?;
         // The bound is checked before anything is unpacked.
-        if tiles.iter().map(Packed::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
+        if tiles.iter().map(PackedTile::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
             return Err(D::Error::custom("the tiles are larger than can be"));
         }
-        let unpack = |packed: &Packed| {
+        let unpack = |packed: &PackedTile| {
             packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"))
         };
         let tiles: Vec<Arc<Tile>> = tiles.iter().map(unpack).collect::<Result<_, _>>()?;
@@ -70,7 +70,7 @@ impl HcbtfImage {
 }
 
 /// Document that a journal can hold.
-pub trait Journaled:
+pub trait JournalDocument:
     Editable<Edit: Serialize + serde::de::DeserializeOwned + 'static> + Clone
 {
     /// Kind of the document, as files give it.
@@ -91,7 +91,7 @@ pub trait Journaled:
 
 macro_rules! journaled {
     ($document:ty, $kind:literal) => {
-        impl Journaled for $document {
+        impl JournalDocument for $document {
             const KIND: &'static str = $kind;
 
             fn to_image(&self) -> serde_json::Result<String> {
@@ -108,7 +108,7 @@ macro_rules! journaled {
 journaled!(Look, "look");
 journaled!(Scene, "scene");
 
-impl Journaled for Hcbtf {
+impl JournalDocument for Hcbtf {
     const KIND: &'static str = "hcbtf";
 
     fn to_image(&self) -> serde_json::Result<String> {
@@ -150,22 +150,22 @@ pub(super) mod of_tile {
     use serde::de::Error as _;
     use serde::{Deserialize as _, Deserializer, Serialize as _, Serializer};
 
-    use super::Packed;
+    use super::PackedTile;
     use crate::document::Tile;
 
     pub(in crate::document) fn serialize<S: Serializer>(
         tile: &Option<Arc<Tile>>,
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        tile.as_ref().map(|tile| Packed::new(tile)).serialize(serializer)
+        tile.as_ref().map(|tile| PackedTile::new(tile)).serialize(serializer)
     }
 
     pub(in crate::document) fn deserialize<'de, D: Deserializer<'de>>(
         source: D,
     ) -> Result<Option<Arc<Tile>>, D::Error> {
-        let unpack = |packed: Packed| {
+        let unpack = |packed: PackedTile| {
             packed.tile().map(Arc::new).ok_or_else(|| D::Error::custom("a damaged tile"))
         };
-        Option::<Packed>::deserialize(source)?.map(unpack).transpose()
+        Option::<PackedTile>::deserialize(source)?.map(unpack).transpose()
     }
 }

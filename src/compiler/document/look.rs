@@ -5,57 +5,59 @@ use serde::{Deserialize, Serialize};
 
 use super::described::described;
 use super::light::{Light, LightField};
-use super::shape::{Bounds, F32, FAR, FORMAT, Kind, LINE, LONG, MAX_NODES, MAX_WIRES};
+use super::shape::{F32, FAR, FORMAT, FieldKind, LINE, LONG, MAX_NODES, MAX_WIRES, NumberBounds};
 use super::value::{Interpolation, Value, Values};
-use super::word::Word as _;
+use super::word::WordChoice as _;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
 
 /// Kind of positions on the canvas.
-const CANVAS: Kind = Kind::Numbers(2, 2, Bounds::new(-1e9, 1e9));
+const CANVAS: FieldKind = FieldKind::Numbers(2, 2, NumberBounds::new(-1e9, 1e9));
 
 /// Fields that this version does not know. They survive a save, and loading warns about them.
 ///
 /// Parts without an `unknown` of their own (lights, wires, a curve) leave theirs to the part around
 /// them: under the name of its field and the key of the part (an id, a wire's input), e.g.
 /// `{"lights": {"key": {"flare": 2}}}`.
-pub type Unknown = serde_json::Map<String, serde_json::Value>;
+pub type UnknownFields = serde_json::Map<String, serde_json::Value>;
 
 described! {
     /// One shading graph with its lights, groups and keys.
     #[serde(default)]
     pub struct Look("look", Lines) {
         /// What the document is.
-        "chiaro": Kind::Word(&[("look", "a look")]), words "what it is opened as";
+        "chiaro": FieldKind::Word(&[("look", "a look")]), words "what it is opened as";
         /// The version of the format.
-        "version": Kind::Number(FORMAT), json "1";
+        "version": FieldKind::Number(FORMAT), json "1";
         /// A JSON Schema for text editors; kept, and not looked at.
-        "$schema": Kind::Text(LINE), words "none";
+        "$schema": FieldKind::Text(LINE), words "none";
         /// What the artist calls it.
-        name: String = String::new(), Kind::Text(LINE);
+        name: String = String::new(), FieldKind::Text(LINE);
         /// What it shows and how it is built: a paragraph for who finds it.
-        about: String = String::new(), Kind::Text(LONG);
+        about: String = String::new(), FieldKind::Text(LONG);
         /// What the numbers of colors mean.
-        color_space: ColorSpace = ColorSpace::Display, Kind::Word(ColorSpace::WORDS),
+        color_space: ColorSpace = ColorSpace::Display, FieldKind::Word(ColorSpace::WORDS),
             by DocumentSpace;
         /// Which implementation is asked for of nodes that do not say their own.
-        tier: Tier = Tier::Exact, Kind::Word(Tier::WORDS);
+        tier: Tier = Tier::Exact, FieldKind::Word(Tier::WORDS);
         /// What `chiaro tune` measured when it chose tiers.
-        tuned: String = String::new(), Kind::Text(LINE);
+        tuned: String = String::new(), FieldKind::Text(LINE);
         /// The lights that Light nodes name, by id.
         lights: IndexMap<LightId, Light> = IndexMap::new(),
-            Kind::Map(&Kind::Object(Light::shape), 1000);
+            FieldKind::Map(&FieldKind::Object(Light::shape), 1000);
         /// Nodes, wires and frames.
         ..graph: Graph;
         /// Groups by id; a node uses one as its kind.
         definitions: IndexMap<DefinitionId, Definition> = IndexMap::new(),
-            Kind::Map(&Kind::Object(Definition::shape), 10_000);
+            FieldKind::Map(&FieldKind::Object(Definition::shape), 10_000);
         /// Inputs that scenes, scripts and exported shaders may set.
-        exposed: Vec<Exposed> = Vec::new(), Kind::List(&Kind::Object(Exposed::shape), 10_000);
+        exposed: Vec<ExposedValue> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(ExposedValue::shape), 10_000);
         /// Values that change with a direction.
         direction_keys: Vec<DirectionKeys> = Vec::new(),
-            Kind::List(&Kind::Object(DirectionKeys::shape), 1000);
+            FieldKind::List(&FieldKind::Object(DirectionKeys::shape), 1000);
         /// Values that change with time.
-        time_keys: Vec<TimeKeys> = Vec::new(), Kind::List(&Kind::Object(TimeKeys::shape), 10_000);
+        time_keys: Vec<TimeKeys> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(TimeKeys::shape), 10_000);
         unknown;
     }
 }
@@ -89,17 +91,18 @@ described! {
     pub struct Graph("graph", Lines) {
         /// The nodes of the graph.
         nodes: IndexMap<NodeId, Node> = IndexMap::new(),
-            Kind::List(&Kind::Object(Node::shape), MAX_NODES), by Nodes;
+            FieldKind::List(&FieldKind::Object(Node::shape), MAX_NODES), by Nodes;
         /// The wires between them.
-        wires: Vec<Wire> = Vec::new(), Kind::List(&Kind::Object(Wire::shape), MAX_WIRES);
+        wires: Vec<Wire> = Vec::new(), FieldKind::List(&FieldKind::Object(Wire::shape), MAX_WIRES);
         /// Titled frames on the canvas, by id.
         frames: IndexMap<FrameId, Frame> = IndexMap::new(),
-            Kind::Map(&Kind::Object(Frame::shape), 10_000);
+            FieldKind::Map(&FieldKind::Object(Frame::shape), 10_000);
         /// Texts on the canvas, by id.
         notes: IndexMap<NoteId, Note> = IndexMap::new(),
-            Kind::Map(&Kind::Object(Note::shape), 10_000);
+            FieldKind::Map(&FieldKind::Object(Note::shape), 10_000);
         /// Views of the canvas that a key brings back.
-        bookmarks: Vec<Bookmark> = Vec::new(), Kind::List(&Kind::Object(Bookmark::shape), 9);
+        bookmarks: Vec<Bookmark> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(Bookmark::shape), 9);
     }
 }
 
@@ -115,22 +118,22 @@ described! {
     #[serde(default)]
     pub struct Node("node", Line) {
         /// Its id within the graph; wires and keys name it.
-        "id": Kind::Slug, words "the kind, if no other node has that id";
+        "id": FieldKind::Slug, words "the kind, if no other node has that id";
         /// A node of the library, or the id of a definition.
-        kind: String = String::new(), Kind::Text(64), required;
+        kind: String = String::new(), FieldKind::Text(64), required;
         /// What the artist calls it; empty for the kind's label.
-        name: String = String::new(), Kind::Text(LINE);
+        name: String = String::new(), FieldKind::Text(LINE);
         /// Where it lies on the canvas, in points, x right and y down.
         position as "at": [f64; 2] = [0.0; 2], CANVAS;
         /// The values of unwired inputs, by port.
-        values: Values = Values::new(), Kind::Map(&Kind::Value, 1000);
+        values: Values = Values::new(), FieldKind::Map(&FieldKind::Value, 1000);
         /// Which implementation is asked for; of a group's node, for every node in it.
-        tier: Option<Tier> = None, Kind::Word(Tier::WORDS),
+        tier: Option<Tier> = None, FieldKind::Word(Tier::WORDS),
             words "that of the group's node it lies in, or else the look's";
         /// Whether it is left out: what comes in goes out as it is.
-        muted: bool = false, Kind::Bool;
+        muted: bool = false, FieldKind::Bool;
         /// Whether the canvas shows no more of it than its title.
-        collapsed: bool = false, Kind::Bool;
+        collapsed: bool = false, FieldKind::Bool;
         unknown;
     }
 }
@@ -155,9 +158,9 @@ described! {
     #[derive(Eq, Hash)]
     pub struct Wire("wire", Line, by to) {
         /// The output, `node.port`; `node` alone is its only or first output.
-        from: Endpoint, Kind::Output, required;
+        from: Endpoint, FieldKind::Output, required;
         /// The input, `node.port`.
-        to: Endpoint, Kind::Input, required;
+        to: Endpoint, FieldKind::Input, required;
     }
 }
 
@@ -210,12 +213,12 @@ described! {
     #[serde(default)]
     pub struct Frame("frame", Line) {
         /// What is written on it; names the function that its nodes become.
-        title: String = String::new(), Kind::Text(LINE);
+        title: String = String::new(), FieldKind::Text(LINE);
         /// Straight RGB, as shown.
-        color: Vec<f64> = Vec::new(), Kind::Color { alpha: false }, words "the theme's own",
+        color: Vec<f64> = Vec::new(), FieldKind::Color { alpha: false }, words "the theme's own",
             by CanvasColor;
         /// The ids of the nodes in it.
-        nodes: Vec<NodeId> = Vec::new(), Kind::List(&Kind::Slug, MAX_NODES);
+        nodes: Vec<NodeId> = Vec::new(), FieldKind::List(&FieldKind::Slug, MAX_NODES);
     }
 }
 
@@ -224,13 +227,13 @@ described! {
     #[serde(default)]
     pub struct Note("note", Line) {
         /// What it says.
-        text: String = String::new(), Kind::Text(LONG);
+        text: String = String::new(), FieldKind::Text(LONG);
         /// Where it lies on the canvas, in points, x right and y down.
         position as "at": [f64; 2] = [0.0; 2], CANVAS;
         /// How wide it is, in points.
-        width: f64 = Note::WIDTH, Kind::Number(Bounds::new(40.0, 1e4));
+        width: f64 = Note::WIDTH, FieldKind::Number(NumberBounds::new(40.0, 1e4));
         /// Straight RGB, as shown.
-        color: Vec<f64> = Vec::new(), Kind::Color { alpha: false }, words "the theme's own",
+        color: Vec<f64> = Vec::new(), FieldKind::Color { alpha: false }, words "the theme's own",
             by CanvasColor;
     }
 }
@@ -245,11 +248,11 @@ described! {
     #[derive(Copy)]
     pub struct Bookmark("bookmark", Line, by key) {
         /// The key.
-        key: u8, Kind::Number(Bounds::whole(1.0, 9.0)), required;
+        key: u8, FieldKind::Number(NumberBounds::whole(1.0, 9.0)), required;
         /// The point of the graph at the canvas's center, x right and y down.
         position as "at": [f64; 2] = [0.0; 2], CANVAS;
         /// Points of the screen for each point of the graph.
-        zoom: f64 = 1.0, Kind::Number(Bounds::new(0.001, 1000.0));
+        zoom: f64 = 1.0, FieldKind::Number(NumberBounds::new(0.001, 1000.0));
     }
 }
 
@@ -258,15 +261,15 @@ described! {
     #[serde(default)]
     pub struct Definition("definition", Lines) {
         /// What its nodes are called; empty for the id.
-        label: String = String::new(), Kind::Text(LINE);
+        label: String = String::new(), FieldKind::Text(LINE);
         /// What it does.
-        help: String = String::new(), Kind::Text(LONG);
+        help: String = String::new(), FieldKind::Text(LONG);
         /// Its inputs: inside, outputs of the node `inputs`.
         inputs: Vec<InterfacePort> = Vec::new(),
-            Kind::List(&Kind::Object(InterfacePort::shape), 1000);
+            FieldKind::List(&FieldKind::Object(InterfacePort::shape), 1000);
         /// Its outputs: inside, inputs of the node `outputs`.
         outputs: Vec<InterfacePort> = Vec::new(),
-            Kind::List(&Kind::Object(InterfacePort::shape), 1000);
+            FieldKind::List(&FieldKind::Object(InterfacePort::shape), 1000);
         /// What is in it.
         ..graph: Graph;
         unknown;
@@ -279,34 +282,34 @@ described! {
     #[derive(Default)]
     pub struct InterfacePort("interface port", Line, by name) {
         /// Its name.
-        name: PortName, Kind::Slug, required;
+        name: PortName, FieldKind::Slug, required;
         /// What is written beside the socket.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        label: Option<String> = None, Kind::Text(LINE), words "the inner port's";
+        label: Option<String> = None, FieldKind::Text(LINE), words "the inner port's";
         /// What is said about it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        help: Option<String> = None, Kind::Text(LONG), words "the inner port's";
+        help: Option<String> = None, FieldKind::Text(LONG), words "the inner port's";
         /// Its value while unwired.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        default: Option<Value> = None, Kind::Value, words "the inner port's";
+        default: Option<Value> = None, FieldKind::Value, words "the inner port's";
         /// The least value.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        min: Option<f64> = None, Kind::Number(F32), words "the inner port's";
+        min: Option<f64> = None, FieldKind::Number(F32), words "the inner port's";
         /// The greatest value, not below `min`.
         #[serde(default, skip_serializing_if = "Option::is_none")]
-        max: Option<f64> = None, Kind::Number(F32), words "the inner port's";
+        max: Option<f64> = None, FieldKind::Number(F32), words "the inner port's";
     }
 }
 
 described! {
     /// An input that may be set from outside by name.
-    pub struct Exposed("exposed parameter", Line, by name) {
+    pub struct ExposedValue("exposed parameter", Line, by name) {
         /// The parameter's name, used once.
-        name: PortName, Kind::Slug, required;
+        name: PortName, FieldKind::Slug, required;
         /// What it sets.
-        target: Target, Kind::Target, required;
+        target: Target, FieldKind::Target, required;
         /// What is written beside it; empty for the port's label.
-        label: String = String::new(), Kind::Text(LINE);
+        label: String = String::new(), FieldKind::Text(LINE);
     }
 }
 
@@ -379,13 +382,14 @@ described! {
     /// Values pinned at directions and interpolated over the sphere between them.
     pub struct DirectionKeys("direction keys", Lines) {
         /// What the artist calls it.
-        name: String = String::new(), Kind::Text(LINE);
+        name: String = String::new(), FieldKind::Text(LINE);
         /// Which direction decides, or which numbers: see [drivers](#drivers).
-        by: KeyDirection, Kind::KeyDirection, required, by DecidedBy;
+        by: KeyDirection, FieldKind::KeyDirection, required, by DecidedBy;
         /// How weights are computed.
-        scheme: KeyScheme = KeyScheme::Biharmonic, Kind::Word(KeyScheme::WORDS);
+        scheme: KeyScheme = KeyScheme::Biharmonic, FieldKind::Word(KeyScheme::WORDS);
         /// The keys.
-        keys: Vec<DirectionKey> = Vec::new(), Kind::List(&Kind::Object(DirectionKey::shape), 1000);
+        keys: Vec<DirectionKey> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(DirectionKey::shape), 1000);
         unknown;
     }
 }
@@ -522,12 +526,12 @@ described! {
     pub struct DirectionKey("direction key", Line) {
         /// Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, y
         /// up, z toward the viewer). By view: from the object's center to the eye, in world space.
-        direction: [f64; 3], Kind::Direction, words "required, unless drivers decide",
+        direction: [f64; 3], FieldKind::Direction, words "required, unless drivers decide",
             by KeyPlace;
         /// Where, if drivers decide: a number for each, in their order.
-        "at": Kind::Numbers(1, 3, FAR), words "required, if drivers decide";
+        "at": FieldKind::Numbers(1, 3, FAR), words "required, if drivers decide";
         /// The values there, by target; what is left out has the look's own value.
-        values: IndexMap<Target, Value> = IndexMap::new(), Kind::TargetValues, by TargetValues;
+        values: IndexMap<Target, Value> = IndexMap::new(), FieldKind::TargetValues, by TargetValues;
         unknown;
     }
 }
@@ -536,9 +540,10 @@ described! {
     /// The values of one target over time.
     pub struct TimeKeys("time keys", Lines) {
         /// What changes.
-        target: Target, Kind::Target, required;
+        target: Target, FieldKind::Target, required;
         /// The keys, in increasing time.
-        keys: Vec<TimeKey> = Vec::new(), Kind::List(&Kind::Object(TimeKey::shape), 100_000);
+        keys: Vec<TimeKey> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(TimeKey::shape), 100_000);
         unknown;
     }
 }
@@ -547,11 +552,11 @@ described! {
     /// A value at one time.
     pub struct TimeKey("time key", Line) {
         /// When, in seconds.
-        time: f64, Kind::Number(FAR), required;
+        time: f64, FieldKind::Number(FAR), required;
         /// The value then.
-        value: Value, Kind::Value, required;
+        value: Value, FieldKind::Value, required;
         /// How neighbors are joined; for a time key, how it goes on to the next.
-        interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
+        interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
         unknown;
     }
 }

@@ -31,14 +31,14 @@ mod write;
 
 pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
 pub use edit::{
-    Applied, Edit, Editable, HcbtfEdit, History, HistoryNumbers, Patch, SceneEdit, Step,
+    Edit, EditResult, Editable, HcbtfEdit, History, HistoryNumbers, Patch, SceneEdit, Step,
 };
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS,
     MAX_TILE_SIDE, Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow,
     StrokeShape, StrokeTones, Strokes, Tile, relief,
 };
-pub use image::Journaled;
+pub use image::JournalDocument;
 pub use light::{
     Light, LightField, LightInput, LightKind, LightQuantity, LightSpace, LightValues,
     MAX_INTENSITY, MIN_LIGHT_DISTANCE,
@@ -47,7 +47,7 @@ pub use look::*;
 pub use read::Document;
 pub use scene::*;
 pub use shape::{field_tables, look_schema, scene_schema};
-pub use source::{Loaded, SourceMap};
+pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;
 pub use structure::{GraphId, InnerNode};
 pub use text::read_text;

@@ -63,12 +63,12 @@ impl<'de> Deserialize<'de> for Bytes {
 /// Packed tile.
 #[derive(Serialize, Deserialize)]
 #[serde(rename = "Tile")]
-pub(super) struct Packed {
+pub(super) struct PackedTile {
     size: [u32; 2],
     rgba: Bytes,
 }
 
-impl Packed {
+impl PackedTile {
     pub(super) fn new(tile: &Tile) -> Self {
         Self { size: tile.size(), rgba: Bytes::pack(tile.bytes()) }
     }

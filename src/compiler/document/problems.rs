@@ -2,17 +2,17 @@
 
 use crate::diag::{Diagnostic, LineColumn, MAX_PROBLEMS, Severity, more_problems};
 
-/// Distance between the known places of [`Lines`], in bytes.
+/// Distance between the known places of [`LineIndex`], in bytes.
 const STRIDE: usize = 4096;
 
 /// Index that finds lines and columns quickly, also in a file that is one long line.
 #[derive(Clone, Debug)]
-pub(super) struct Lines {
+pub(super) struct LineIndex {
     /// Line and column of every [`STRIDE`]th byte.
     marks: Vec<LineColumn>,
 }
 
-impl Lines {
+impl LineIndex {
     pub(super) fn new(text: &str) -> Self {
         let mut place = LineColumn { line: 1, column: 1 };
         let mut marks = Vec::with_capacity(text.len() / STRIDE + 1);
@@ -71,7 +71,7 @@ impl Problems {
     }
 
     /// All problems in the order of the text, with file, line and column.
-    pub(super) fn finish(mut self, file: &str, text: &str, lines: &Lines) -> Vec<Diagnostic> {
+    pub(super) fn finish(mut self, file: &str, text: &str, lines: &LineIndex) -> Vec<Diagnostic> {
         self.found.sort_by_key(|(offset, _)| *offset);
         let place = |(offset, problem): (usize, Diagnostic)| {
             problem.in_file(file).at(lines.at(text, offset))
@@ -94,12 +94,12 @@ mod tests {
     fn lines_agree_with_counting() {
         let text: String =
             (0..4000).map(|i| ["a", "é\n", "🙂", "\n\n", "xyz"][i * 7 % 5]).collect();
-        let lines = Lines::new(&text);
+        let lines = LineIndex::new(&text);
         for offset in (0..=text.len() + 10)
             .filter(|offset| *offset > text.len() || text.is_char_boundary(*offset))
         {
             assert_eq!(lines.at(&text, offset), LineColumn::of(&text, offset), "{offset}");
         }
-        assert_eq!(Lines::new("").at("", 5), LineColumn { line: 1, column: 1 });
+        assert_eq!(LineIndex::new("").at("", 5), LineColumn { line: 1, column: 1 });
     }
 }

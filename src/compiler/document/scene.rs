@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 
 use super::described::described;
 use super::light::Light;
-use super::shape::{Bounds, FAR, FORMAT, Kind, LINE, LONG, MAX_PATH};
+use super::shape::{FAR, FORMAT, FieldKind, LINE, LONG, MAX_PATH, NumberBounds};
 use super::value::Values;
-use super::word::Word as _;
+use super::word::WordChoice as _;
 use crate::ids::{LightId, ObjectId};
 
 described! {
@@ -16,29 +16,30 @@ described! {
     #[serde(default)]
     pub struct Scene("scene", Lines) {
         /// What the document is.
-        "chiaro": Kind::Word(&[("scene", "a scene")]), words "what it is opened as";
+        "chiaro": FieldKind::Word(&[("scene", "a scene")]), words "what it is opened as";
         /// The version of the format.
-        "version": Kind::Number(FORMAT), json "1";
+        "version": FieldKind::Number(FORMAT), json "1";
         /// A JSON Schema for text editors; kept, and not looked at.
-        "$schema": Kind::Text(LINE), words "none";
+        "$schema": FieldKind::Text(LINE), words "none";
         /// What the artist calls it.
-        name: String = String::new(), Kind::Text(LINE);
+        name: String = String::new(), FieldKind::Text(LINE);
         /// What it shows and how it is built: a paragraph for who finds it.
-        about: String = String::new(), Kind::Text(LONG);
+        about: String = String::new(), FieldKind::Text(LONG);
         /// What is in the picture.
         objects: IndexMap<ObjectId, Object> = IndexMap::new(),
-            Kind::List(&Kind::Object(Object::shape), 100_000), by Objects;
+            FieldKind::List(&FieldKind::Object(Object::shape), 100_000), by Objects;
         /// Lights that replace those of the same id in every look of the scene, by id.
         lights: IndexMap<LightId, Light> = IndexMap::new(),
-            Kind::Map(&Kind::Object(Light::shape), 1000);
+            FieldKind::Map(&FieldKind::Object(Light::shape), 1000);
         /// The rotation of the illumination frame: world from illumination frame.
-        illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], Kind::Rotation;
+        illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Where the picture is taken from.
-        camera: Camera = Camera::default(), Kind::Object(Camera::shape);
+        camera: Camera = Camera::default(), FieldKind::Object(Camera::shape);
         /// Straight RGBA behind the objects, in display colors; null for transparent.
-        backdrop: Option<[f64; 4]> = Some([0.16, 0.165, 0.18, 1.0]), Kind::Backdrop, by Backdrop;
+        backdrop: Option<[f64; 4]> = Some([0.16, 0.165, 0.18, 1.0]),
+            FieldKind::Backdrop, by Backdrop;
         /// Which times there are.
-        time: TimeRange = TimeRange::default(), Kind::Object(TimeRange::shape);
+        time: TimeRange = TimeRange::default(), FieldKind::Object(TimeRange::shape);
         unknown;
     }
 }
@@ -48,18 +49,18 @@ described! {
     #[serde(default)]
     pub struct Object("object", Lines) {
         /// Its id within the scene.
-        "id": Kind::Slug, words "made from the mesh's name";
+        "id": FieldKind::Slug, words "made from the mesh's name";
         /// A path relative to the scene's file, or `shape:` and the name of an own shape.
-        mesh: String = "shape:sphere".to_owned(), Kind::Text(MAX_PATH), always;
+        mesh: String = "shape:sphere".to_owned(), FieldKind::Text(MAX_PATH), always;
         /// Where it stands.
-        transform: Transform = Transform::default(), Kind::Object(Transform::shape);
+        transform: Transform = Transform::default(), FieldKind::Object(Transform::shape);
         /// A look's path, relative to the scene's file; or such paths by material name, where `*`
         /// is for every other material.
-        looks: IndexMap<String, String> = IndexMap::new(), Kind::Looks, by Looks;
+        looks: IndexMap<String, String> = IndexMap::new(), FieldKind::Looks, by Looks;
         /// Values of exposed parameters, over those of the looks.
-        values: Values = Values::new(), Kind::Map(&Kind::Value, 10_000);
+        values: Values = Values::new(), FieldKind::Map(&FieldKind::Value, 10_000);
         /// Whether it is drawn.
-        visible: bool = true, Kind::Bool;
+        visible: bool = true, FieldKind::Bool;
         unknown;
     }
 }
@@ -70,13 +71,13 @@ described! {
     #[serde(default)]
     pub struct Transform("transform", Line) {
         /// In scene units.
-        translate: [f64; 3] = [0.0; 3], Kind::Numbers(3, 3, FAR);
+        translate: [f64; 3] = [0.0; 3], FieldKind::Numbers(3, 3, FAR);
         /// World from object.
-        rotate: [f64; 4] = [0.0, 0.0, 0.0, 1.0], Kind::Rotation;
+        rotate: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Along each axis of the object; none of them 0.
-        scale: [f64; 3] = [1.0; 3], Kind::Numbers(3, 3, FAR), by Scale;
+        scale: [f64; 3] = [1.0; 3], FieldKind::Numbers(3, 3, FAR), by Scale;
         /// Whether the mesh is first centered and scaled to a bounding sphere of radius 1.
-        fit: bool = true, Kind::Bool;
+        fit: bool = true, FieldKind::Bool;
     }
 }
 
@@ -86,20 +87,20 @@ described! {
     #[serde(default)]
     pub struct Camera("camera", Line) {
         /// The eye, in scene units.
-        eye: [f64; 3] = [0.0, 0.0, 4.4], Kind::Numbers(3, 3, FAR);
+        eye: [f64; 3] = [0.0, 0.0, 4.4], FieldKind::Numbers(3, 3, FAR);
         /// What it looks at, in scene units; not the eye.
-        target: [f64; 3] = [0.0; 3], Kind::Numbers(3, 3, FAR);
+        target: [f64; 3] = [0.0; 3], FieldKind::Numbers(3, 3, FAR);
         /// What is up in the picture; any length but 0, and not along the view.
-        up: [f64; 3] = [0.0, 1.0, 0.0], Kind::Direction;
+        up: [f64; 3] = [0.0, 1.0, 0.0], FieldKind::Direction;
         /// How depth becomes smaller.
-        projection: Projection = Projection::Perspective, Kind::Word(Projection::WORDS);
+        projection: Projection = Projection::Perspective, FieldKind::Word(Projection::WORDS);
         /// Perspective: the vertical field of view, in radians.
-        fov: f64 = 0.5, Kind::Number(Bounds::new(Camera::FOV[0], Camera::FOV[1]));
+        fov: f64 = 0.5, FieldKind::Number(NumberBounds::new(Camera::FOV[0], Camera::FOV[1]));
         /// Orthographic: the height of the picture, in scene units.
-        height: f64 = 2.5, Kind::Number(Bounds::above(0.0, 1e6));
+        height: f64 = 2.5, FieldKind::Number(NumberBounds::above(0.0, 1e6));
         /// The width over the height of the picture that it was placed for: a narrower one shows as
         /// much in width, and more above and below. 0 for any.
-        aspect: f64 = 0.0, Kind::Number(Bounds::new(0.0, 100.0));
+        aspect: f64 = 0.0, FieldKind::Number(NumberBounds::new(0.0, 100.0));
     }
 }
 
@@ -136,10 +137,10 @@ described! {
     #[serde(default)]
     pub struct TimeRange("time range", Line) {
         /// The first time, in seconds.
-        start: f64 = 0.0, Kind::Number(FAR);
+        start: f64 = 0.0, FieldKind::Number(FAR);
         /// The last time, in seconds; not before `start`.
-        end: f64 = 0.0, Kind::Number(FAR);
+        end: f64 = 0.0, FieldKind::Number(FAR);
         /// Frames a second.
-        fps: f64 = 24.0, Kind::Number(Bounds::above(0.0, 1000.0));
+        fps: f64 = 24.0, FieldKind::Number(NumberBounds::above(0.0, 1000.0));
     }
 }

@@ -4,14 +4,14 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use super::json::{At, Kind, Tree};
-use super::problems::Lines;
+use super::json::{JsonKind, Tree, ValueIndex};
+use super::problems::LineIndex;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::ids::NodePath;
 
 /// Result of reading a document.
 #[derive(Clone, Debug)]
-pub struct Loaded<T> {
+pub struct LoadedDocument<T> {
     /// Document, as far as it could be understood. `None` where the text is no document of this
     /// type, or one of a newer version: saving it would lose fields that this version does not
     /// know.
@@ -22,7 +22,7 @@ pub struct Loaded<T> {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-impl<T> Loaded<T> {
+impl<T> LoadedDocument<T> {
     /// True if a part of the text could not be understood. Saving the value over the file would
     /// lose that part.
     pub fn has_errors(&self) -> bool {
@@ -34,7 +34,7 @@ impl<T> Loaded<T> {
 #[derive(Clone, Debug)]
 pub struct SourceMap {
     pub(super) file: String,
-    pub(super) lines: Lines,
+    pub(super) lines: LineIndex,
     pub(super) tree: Tree,
     /// Lists that lost items in reading: the index in the text of each item of the value, by the
     /// list's path.
@@ -74,7 +74,7 @@ impl SourceMap {
         at.map(|at| self.line_column(at))
     }
 
-    fn line_column(&self, at: At) -> LineColumn {
+    fn line_column(&self, at: ValueIndex) -> LineColumn {
         self.lines.at(self.text(), self.tree.start(at))
     }
 }
@@ -83,8 +83,8 @@ impl SourceMap {
 /// however many places are looked for: a document may have 100,000 nodes, and a problem in each.
 struct Finder<'s> {
     source: &'s SourceMap,
-    items: HashMap<u32, Vec<At>>,
-    members: HashMap<u32, HashMap<Cow<'s, str>, At>>,
+    items: HashMap<u32, Vec<ValueIndex>>,
+    members: HashMap<u32, HashMap<Cow<'s, str>, ValueIndex>>,
     /// Indices of the nodes of a list, by their ids.
     nodes: HashMap<u32, HashMap<Cow<'s, str>, usize>>,
 }
@@ -154,7 +154,7 @@ impl<'s> Finder<'s> {
 
     /// Value at a path of the text, or the nearest part around it, and true if it is the value
     /// itself.
-    fn find(&mut self, path: &str) -> (Option<At>, bool) {
+    fn find(&mut self, path: &str) -> (Option<ValueIndex>, bool) {
         let mut at = self.source.tree.root();
         for segment in segments(path) {
             let next = at.and_then(|at| self.step(at, &segment, None));
@@ -168,7 +168,7 @@ impl<'s> Finder<'s> {
 
     /// Value at a path of the document, and its path in the text: the two paths differ where items
     /// were left out.
-    fn find_translated(&mut self, path: &str) -> (Option<At>, String) {
+    fn find_translated(&mut self, path: &str) -> (Option<ValueIndex>, String) {
         let mut at = self.source.tree.root();
         let mut so_far = String::new();
         let mut whole = true;
@@ -191,10 +191,15 @@ impl<'s> Finder<'s> {
         (at, so_far)
     }
 
-    fn step(&mut self, at: At, segment: &Segment, index: Option<usize>) -> Option<At> {
+    fn step(
+        &mut self,
+        at: ValueIndex,
+        segment: &Segment,
+        index: Option<usize>,
+    ) -> Option<ValueIndex> {
         let tree = &self.source.tree;
         match (segment, tree.kind(at)) {
-            (Segment::Key(key), Kind::Object) => {
+            (Segment::Key(key), JsonKind::Object) => {
                 let members = self.members.entry(at.index()).or_insert_with(|| {
                     let mut members = HashMap::new();
                     for member in tree.children(at) {
@@ -205,7 +210,7 @@ impl<'s> Finder<'s> {
                 });
                 members.get(key.as_str()).copied()
             }
-            (Segment::Index(own), Kind::List) => {
+            (Segment::Index(own), JsonKind::List) => {
                 let items =
                     self.items.entry(at.index()).or_insert_with(|| tree.children(at).collect());
                 items.get(index.unwrap_or(*own)).copied()

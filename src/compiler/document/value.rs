@@ -4,8 +4,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
-use super::shape::{F32, Kind};
-use super::word::Word as _;
+use super::shape::{F32, FieldKind};
+use super::word::WordChoice as _;
 use crate::ids::PortName;
 
 /// Value of an unwired input. The node decides which values an input takes: `chiaro nodes` lists
@@ -36,10 +36,10 @@ described! {
     pub struct Curve("curve", Inline) {
         /// `[x, y]` pairs in increasing x; at least one.
         points: Vec<[f64; 2]> = Vec::new(),
-            Kind::List(&Kind::Numbers(2, 2, F32), Curve::MAX_POINTS), required;
+            FieldKind::List(&FieldKind::Numbers(2, 2, F32), Curve::MAX_POINTS), required;
         /// How neighbors are joined; for a time key, how it goes on to the next.
         #[serde(default)]
-        interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
+        interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
     }
 }
 
@@ -53,10 +53,10 @@ described! {
     pub struct Ramp("ramp", Inline) {
         /// In increasing `at`; at least one.
         stops: Vec<RampStop> = Vec::new(),
-            Kind::List(&Kind::Object(RampStop::shape), Ramp::MAX_STOPS), required;
+            FieldKind::List(&FieldKind::Object(RampStop::shape), Ramp::MAX_STOPS), required;
         /// How neighbors are joined; for a time key, how it goes on to the next.
         #[serde(default)]
-        interpolation: Interpolation = Interpolation::Linear, Kind::Word(Interpolation::WORDS);
+        interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
     }
 }
 
@@ -69,9 +69,9 @@ described! {
     /// One color of a ramp.
     pub struct RampStop("ramp stop", Inline) {
         /// Where along the ramp.
-        at: f64, Kind::Number(F32), required;
+        at: f64, FieldKind::Number(F32), required;
         /// Straight RGB or RGBA in the look's color space.
-        color: Vec<f64>, Kind::Color { alpha: true }, required, by Color;
+        color: Vec<f64>, FieldKind::Color { alpha: true }, required, by ColorCodec;
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier};
 
 /// Choice that is written as a word.
-pub(super) trait Word: Sized + Copy + PartialEq + 'static {
+pub(super) trait WordChoice: Sized + Copy + PartialEq + 'static {
     /// Each word and its meaning.
     const WORDS: &'static [(&'static str, &'static str)];
     /// Choices, in the order of the words.
@@ -23,7 +23,7 @@ pub(super) trait Word: Sized + Copy + PartialEq + 'static {
 
 macro_rules! words {
     ($name:ident { $($variant:ident $word:literal $help:literal,)* }) => {
-        impl Word for $name {
+        impl WordChoice for $name {
             const WORDS: &'static [(&'static str, &'static str)] = &[$(($word, $help)),*];
             const ALL: &'static [Self] = &[$(Self::$variant),*];
         }
@@ -69,7 +69,7 @@ words!(Projection {
 mod tests {
     use super::*;
 
-    fn agree_with_serde<T: Word + serde::Serialize + std::fmt::Debug>() {
+    fn agree_with_serde<T: WordChoice + serde::Serialize + std::fmt::Debug>() {
         assert_eq!(T::WORDS.len(), T::ALL.len());
         for &choice in T::ALL {
             assert_eq!(serde_json::to_value(choice).unwrap(), choice.word());

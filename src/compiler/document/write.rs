@@ -1,11 +1,11 @@
 //! Writing documents in the canonical form: fields in a fixed order, defaults left out, and one
 //! node, one wire, one light on each line, so that files compare and merge well.
 
-use super::described::Described;
-use super::json::{Layout, Writer};
-use super::shape::Shape;
+use super::described::DescribedObject;
+use super::json::{JsonLayout, JsonWriter};
+use super::shape::ObjectShape;
 use super::source::SourceMap;
-use super::{Look, Scene, Unknown, VERSION};
+use super::{Look, Scene, UnknownFields, VERSION};
 
 /// Methods that write a document. They belong to the types themselves, not to a trait, so that a
 /// caller can write a document without importing anything.
@@ -14,13 +14,13 @@ macro_rules! written {
         impl $document {
             /// Document as JSON in the canonical form, with a line end at its end.
             pub fn to_text(&self) -> String {
-                self.write(Writer::new())
+                self.write(JsonWriter::new())
             }
 
             /// Document as [`to_text`](Self::to_text) writes it, but with numbers that are not
             /// finite written as NaN, which no reader takes.
             pub(super) fn to_trial_text(&self) -> String {
-                self.write(Writer::trial())
+                self.write(JsonWriter::trial())
             }
 
             /// Text that the document was read from, byte for byte, where the document is
@@ -35,7 +35,7 @@ macro_rules! written {
                 }
             }
 
-            fn write(&self, mut writer: Writer) -> String {
+            fn write(&self, mut writer: JsonWriter) -> String {
                 document(&mut writer, self, &self.unknown);
                 writer.finish()
             }
@@ -47,8 +47,8 @@ written!(Look);
 written!(Scene);
 
 /// Writes a document: its type first, then its fields.
-fn document<T: Described>(w: &mut Writer, document: &T, unknown: &Unknown) {
-    w.shaped(Layout::Lines, T::shape(), Some(unknown), |w| {
+fn document<T: DescribedObject>(w: &mut JsonWriter, document: &T, unknown: &UnknownFields) {
+    w.shaped(JsonLayout::Lines, T::shape(), Some(unknown), |w| {
         if let Some(schema) = unknown.get("$schema") {
             w.member("$schema", |w| w.json(schema));
         }
@@ -58,13 +58,13 @@ fn document<T: Described>(w: &mut Writer, document: &T, unknown: &Unknown) {
     });
 }
 
-impl Writer {
+impl JsonWriter {
     /// Writes an object whose unknown members come last.
     pub(super) fn shaped(
         &mut self,
-        layout: Layout,
-        shape: &'static Shape,
-        unknown: Option<&Unknown>,
+        layout: JsonLayout,
+        shape: &'static ObjectShape,
+        unknown: Option<&UnknownFields>,
         write: impl FnOnce(&mut Self),
     ) {
         self.object(layout, |w| {

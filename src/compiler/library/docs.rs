@@ -46,14 +46,14 @@ pub struct Tag {
     pub word: String,
     /// Pieces between the word and the colon, split at spaces; quoted texts are one piece without
     /// their quotes.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<TagPiece>,
     /// Text after ` : `.
     pub help: String,
 }
 
 /// Piece of a tag.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Piece {
+pub enum TagPiece {
     /// Word without quotes.
     Word(String),
     /// Quoted text, without its quotes.
@@ -62,7 +62,7 @@ pub enum Piece {
     Pair(String, String),
 }
 
-impl fmt::Display for Piece {
+impl fmt::Display for TagPiece {
     /// Writes the piece as in the doc comment.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -127,19 +127,19 @@ fn parse_tag(text: &str) -> Tag {
     let (head, help) = text.split_once(" : ").unwrap_or((text, ""));
     let mut pieces = split_pieces(head).into_iter();
     let word = match pieces.next() {
-        Some(Piece::Word(word)) => word,
+        Some(TagPiece::Word(word)) => word,
         _ => String::new(),
     };
     Tag { word, pieces: pieces.collect(), help: help.trim().to_owned() }
 }
 
-fn split_pieces(text: &str) -> Vec<Piece> {
+fn split_pieces(text: &str) -> Vec<TagPiece> {
     let mut pieces = Vec::new();
     let mut rest = text.trim_start();
     while !rest.is_empty() {
         if let Some(quoted) = rest.strip_prefix('"') {
             let (inside, after) = quoted.split_once('"').unwrap_or((quoted, ""));
-            pieces.push(Piece::Quoted(inside.to_owned()));
+            pieces.push(TagPiece::Quoted(inside.to_owned()));
             rest = after.trim_start();
             continue;
         }
@@ -148,15 +148,15 @@ fn split_pieces(text: &str) -> Vec<Piece> {
         match word.split_once('=') {
             Some((key, "")) if !key.is_empty() && after.starts_with('"') => {
                 let (inside, after) = after[1..].split_once('"').unwrap_or((&after[1..], ""));
-                pieces.push(Piece::Pair(key.to_owned(), inside.to_owned()));
+                pieces.push(TagPiece::Pair(key.to_owned(), inside.to_owned()));
                 rest = after.trim_start();
             }
             Some((key, value)) if !key.is_empty() && !value.is_empty() => {
-                pieces.push(Piece::Pair(key.to_owned(), value.to_owned()));
+                pieces.push(TagPiece::Pair(key.to_owned(), value.to_owned()));
                 rest = after.trim_start();
             }
             _ => {
-                pieces.push(Piece::Word(word.to_owned()));
+                pieces.push(TagPiece::Word(word.to_owned()));
                 rest = after.trim_start();
             }
         }
@@ -205,9 +205,9 @@ mod tests {
         assert_eq!(docs.label, "Profile");
         assert_eq!(docs.help, "Shapes an angle into a tone.");
         assert_eq!(docs.tags[0].help, "Up to here: 1. And further.");
-        assert_eq!(docs.tags[0].pieces[1], Piece::Quoted("Offset angle".into()));
-        assert_eq!(docs.tags[0].pieces[3], Piece::Pair("default".into(), "pi/2".into()));
-        assert_eq!(docs.tags[1].pieces[2], Piece::Pair("add".into(), "Add it".into()));
+        assert_eq!(docs.tags[0].pieces[1], TagPiece::Quoted("Offset angle".into()));
+        assert_eq!(docs.tags[0].pieces[3], TagPiece::Pair("default".into(), "pi/2".into()));
+        assert_eq!(docs.tags[1].pieces[2], TagPiece::Pair("add".into(), "Add it".into()));
     }
 
     #[test]

@@ -9,7 +9,7 @@
 use indexmap::IndexMap;
 
 use super::load::{GroupDef, Library};
-use super::node::{Fallback, Input, NodeDef, Output, Special};
+use super::node::{Fallback, Input, NodeDef, Output, Treatment};
 use super::read::{load_node, plain_input};
 use super::types::Type;
 use crate::document::{Definition, InterfacePort, Value, Wire};
@@ -64,7 +64,7 @@ impl GroupPorts {
 
 /// Node or group that a node's kind names.
 #[expect(clippy::large_enum_variant, reason = "one at a time, on the stack")]
-enum Kind<'a> {
+enum NodeOrGroup<'a> {
     Node(std::borrow::Cow<'a, NodeDef>),
     Group(&'a Definition),
 }
@@ -75,21 +75,24 @@ struct Finder<'a> {
 }
 
 impl<'a> Finder<'a> {
-    fn kind(&self, definition: &'a Definition, id: &NodeId) -> Option<Kind<'a>> {
+    fn kind(&self, definition: &'a Definition, id: &NodeId) -> Option<NodeOrGroup<'a>> {
         let node = definition.graph.nodes.get(id)?;
         if let Some(inner) = self.own.get(node.kind.as_str()) {
-            return Some(Kind::Group(inner));
+            return Some(NodeOrGroup::Group(inner));
         }
         if let Some(group) = self.library.groups.get(&node.kind) {
-            return Some(Kind::Group(&group.definition));
+            return Some(NodeOrGroup::Group(&group.definition));
         }
         if node.kind == CUSTOM_KIND {
             let Some(Value::Text(code)) = node.values.get(CUSTOM_CODE) else { return None };
             return load_node("node.wgsl", code, Some(CUSTOM_KIND))
                 .ok()
-                .map(|def| Kind::Node(std::borrow::Cow::Owned(def)));
+                .map(|def| NodeOrGroup::Node(std::borrow::Cow::Owned(def)));
         }
-        self.library.nodes.get(&node.kind).map(|def| Kind::Node(std::borrow::Cow::Borrowed(&**def)))
+        self.library
+            .nodes
+            .get(&node.kind)
+            .map(|def| NodeOrGroup::Node(std::borrow::Cow::Borrowed(&**def)))
     }
 
     /// Interface input, completed with the properties found along its first wire.
@@ -143,17 +146,17 @@ impl<'a> Finder<'a> {
         for _ in 0..MAX_STEPS {
             let wire = first_wire_from(definition, from_node, from_port)?;
             match self.kind(definition, &wire.to.node)? {
-                Kind::Node(def) if def.special == Special::Reroute => {
+                NodeOrGroup::Node(def) if def.special == Treatment::Reroute => {
                     from_node = wire.to.node.as_str();
                     from_port = "";
                 }
-                Kind::Node(def) => {
+                NodeOrGroup::Node(def) => {
                     place.push(&wire.to.node);
                     return def
                         .input(wire.to.port.as_str())
                         .map(|index| (place, def.inputs[index].clone()));
                 }
-                Kind::Group(inner) => {
+                NodeOrGroup::Group(inner) => {
                     place.push(&wire.to.node);
                     let next = inner.inputs.iter().find(|next| next.name == wire.to.port)?;
                     said.push(next);
@@ -197,14 +200,14 @@ impl<'a> Finder<'a> {
                 });
             }
             match self.kind(definition, &from.node)? {
-                Kind::Node(def) if def.special == Special::Reroute => {
+                NodeOrGroup::Node(def) if def.special == Treatment::Reroute => {
                     to_port = def.inputs.first()?.name.clone();
                     to_node = from.node.clone();
                 }
-                Kind::Node(def) => {
+                NodeOrGroup::Node(def) => {
                     return def.output(from.port.as_str()).map(|index| def.outputs[index].clone());
                 }
-                Kind::Group(inner) => {
+                NodeOrGroup::Group(inner) => {
                     let named = inner.outputs.iter().find(|output| output.name == from.port);
                     let next = named.or_else(|| {
                         inner.outputs.first().filter(|_| from.port.as_str().is_empty())

@@ -12,7 +12,7 @@ use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
 use crate::files::{self, Files, ReadError, WalkBounds};
 use crate::milestones;
-use crate::wgsl::Source;
+use crate::wgsl::NamedSource;
 
 /// Bounds of the walk to a project's nodes: deeper than any category.
 const BOUNDS: WalkBounds = WalkBounds { depth: 8, entries: 20_000 };
@@ -62,7 +62,7 @@ impl Library {
     fn load_built_in() -> Result<Self, Vec<Diagnostic>> {
         let is_node = |path: &&(&str, &str)| path.0.ends_with(".wgsl");
         let sources: Vec<_> =
-            NODES.iter().filter(is_node).map(|&(name, text)| Source { name, text }).collect();
+            NODES.iter().filter(is_node).map(|&(name, text)| NamedSource { name, text }).collect();
         let module = Arc::new(load_module(&sources)?);
         let mut library = Self::default();
         for source in &sources {

@@ -44,16 +44,16 @@ pub const CATEGORIES: [&str; 14] = [
 ];
 
 pub use context::{
-    Bounds, Context, ContextRow, ContextSample, ContextSource, HostSurroundings, Rate, SurfacePart,
-    SurfacePoint,
+    Context, ContextBounds, ContextRow, ContextSample, ContextSource, HostSurroundings, Rate,
+    SurfacePart, SurfacePoint,
 };
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::node_files;
 pub use load::{GroupDef, Library};
 pub use node::{
-    Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,
-    Parameter, Prepare, Preset, Special, Test, TierError, Variant,
+    ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeFunction,
+    NodeModule, Output, PrepareFunction, Preset, Test, TierError, Treatment,
 };
 pub use passes::{
     PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,

@@ -8,8 +8,8 @@ use super::types::Type;
 use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};
 use crate::ids::PortName;
-use crate::interp::{Derivatives, Options, Program};
-use crate::wgsl::{Declaration, Linked, Operations, Scan, Valid};
+use crate::interp::{Derivatives, FunctionOptions, Program};
+use crate::wgsl::{Declaration, LinkedSource, Operations, Scan, ValidModule};
 
 /// Kind of node.
 #[derive(Clone, Debug)]
@@ -29,13 +29,13 @@ pub struct NodeDef {
     /// Outputs: one for a plain result, else one for each member of the result.
     pub outputs: Vec<Output>,
     /// Functions of the node, in the order of the file.
-    pub variants: Vec<Variant>,
+    pub variants: Vec<NodeFunction>,
     /// Function that computes the parameter of the variants from the artist's parameters.
-    pub prepare: Option<Prepare>,
+    pub prepare: Option<PrepareFunction>,
     /// Conditions under which the node may be left out.
     pub bypasses: Vec<Bypass>,
     /// Inputs that are clamped to [0, 1].
-    pub bounds: Vec<Bound>,
+    pub bounds: Vec<ShareBound>,
     /// Condition under which all numbers of the result lie in [0, 1]; `None` for never.
     pub unit_when: Option<Vec<Condition>>,
     /// True if the result is a color whose alpha lies in [0, 1].
@@ -47,7 +47,7 @@ pub struct NodeDef {
     /// Remarks on code without errors: loops that a counter ends.
     pub notes: Vec<Diagnostic>,
     /// Special treatment by the compiler.
-    pub special: Special,
+    pub special: Treatment,
     /// WGSL module with the node's functions.
     pub module: Arc<NodeModule>,
     /// File name, as messages give it.
@@ -56,7 +56,7 @@ pub struct NodeDef {
 
 /// Special treatment of a node by the compiler.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Special {
+pub enum Treatment {
     /// Plain node.
     #[default]
     None,
@@ -124,7 +124,7 @@ pub struct Output {
 
 /// Function of a node.
 #[derive(Clone, Debug)]
-pub struct Variant {
+pub struct NodeFunction {
     /// Name of the function.
     pub function: String,
     /// Choice that the function implements: the input's index and the word.
@@ -134,7 +134,7 @@ pub struct Variant {
     /// Tier of the function.
     pub tier: Tier,
     /// Parameters, in order.
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<ArgumentSource>,
     /// Type of the result.
     pub result: Type,
     /// True if the members of the result are the outputs.
@@ -143,7 +143,7 @@ pub struct Variant {
 
 /// Source of the argument for a function's parameter.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Parameter {
+pub enum ArgumentSource {
     /// Input, by index, as this type.
     Input(usize, Type),
     /// Result of `prepare`.
@@ -155,7 +155,7 @@ pub enum Parameter {
 /// The `prepare` function of a node, run in f64 before the fragment wherever its parameters are
 /// known there.
 #[derive(Clone, Debug)]
-pub struct Prepare {
+pub struct PrepareFunction {
     /// Name of the function.
     pub function: String,
     /// Indices of the inputs that the function takes, with the types of the parameters.
@@ -187,7 +187,7 @@ pub enum BypassResult {
 /// Bound of an input that is a share, such as an opacity or a mask: the input is clamped to [0, 1]
 /// before the node's functions see it, of a color its alpha alone.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bound {
+pub struct ShareBound {
     /// Index of the input.
     pub input: usize,
     /// Choices with which the input is a share; all must hold.
@@ -298,11 +298,11 @@ impl NodeDef {
 #[derive(Debug)]
 pub struct NodeModule {
     /// Text that was validated, with a map back to the files.
-    pub linked: Linked,
+    pub linked: LinkedSource,
     /// Declarations in the text.
     pub scan: Scan,
     /// Module as naga parsed and validated it.
-    pub valid: Valid,
+    pub valid: ValidModule,
     operations: Operations,
     by_name: HashMap<String, usize>,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
@@ -310,7 +310,7 @@ pub struct NodeModule {
 
 impl NodeModule {
     /// Wraps validated text.
-    pub fn new(linked: Linked, scan: Scan, valid: Valid) -> Self {
+    pub fn new(linked: LinkedSource, scan: Scan, valid: ValidModule) -> Self {
         let by_name =
             scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
         let operations = Operations::of(&valid.module);
@@ -339,7 +339,11 @@ impl NodeModule {
             return program.clone();
         }
         let source = Some(self.linked.text.as_str());
-        let options = Options { derivatives: Derivatives::Zero, source, ..Options::default() };
+        let options = FunctionOptions {
+            derivatives: Derivatives::Zero,
+            source,
+            ..FunctionOptions::default()
+        };
         let program = Program::compile(&self.valid.module, function, options).map(Arc::new);
         programs.insert(function.to_owned(), program.clone());
         program

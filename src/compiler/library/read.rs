@@ -5,16 +5,16 @@ use std::sync::Arc;
 use indexmap::IndexMap;
 
 use super::Context;
-use super::docs::{self, Docs, Piece, Tag};
+use super::docs::{self, Docs, Tag, TagPiece};
 use super::node::{
-    Bound, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeModule, Output,
-    Parameter, Prepare, Preset, Special, Test, TierError, Variant,
+    ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeFunction,
+    NodeModule, Output, PrepareFunction, Preset, ShareBound, Test, TierError, Treatment,
 };
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::{Curve, Interpolation, Ramp, RampStop, Tier, Value};
 use crate::ids::PortName;
-use crate::wgsl::{self, Declaration, DeclarationKind, Linked, Scan, Source};
+use crate::wgsl::{self, Declaration, DeclarationKind, LinkedSource, NamedSource, Scan};
 
 pub(super) fn stem_and_folder(path: &str) -> (String, String) {
     let path = path.replace('\\', "/");
@@ -25,7 +25,7 @@ pub(super) fn stem_and_folder(path: &str) -> (String, String) {
     (stem, folder)
 }
 
-pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diagnostic>> {
+pub(super) fn load_module(sources: &[NamedSource<'_>]) -> Result<NodeModule, Vec<Diagnostic>> {
     let linked = wgsl::link(sources)?;
     match wgsl::parse(&linked.text) {
         Ok(valid) => {
@@ -37,7 +37,7 @@ pub(super) fn load_module(sources: &[Source<'_>]) -> Result<NodeModule, Vec<Diag
 }
 
 /// Diagnostic of an error in linked text, with the file and the line.
-fn place(linked: &Linked, code: &'static str, error: &wgsl::WgslError) -> Diagnostic {
+fn place(linked: &LinkedSource, code: &'static str, error: &wgsl::WgslError) -> Diagnostic {
     let mut problem = Diagnostic::error(code, error.message.clone());
     let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
     if let (Some((file, at)), Some(span)) = (place, &error.span) {
@@ -55,7 +55,7 @@ fn place(linked: &Linked, code: &'static str, error: &wgsl::WgslError) -> Diagno
 /// All errors in the file, with line and column. Those of a custom node's code are given in the
 /// message, since the code is no file: the place is the node's, in the look.
 pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
-    let source = Source { name: file, text };
+    let source = NamedSource { name: file, text };
     let node = load_own_module(&source).and_then(|(module, notes)| {
         let node = read_node(&source, &Arc::new(module), kind)?;
         Ok(NodeDef { notes, ..node })
@@ -78,7 +78,9 @@ pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, 
 
 /// Module of code that a person wrote: within bounds before naga sees it, without anything that a
 /// look cannot run, and with an end to every loop; and remarks on its loops.
-fn load_own_module(source: &Source<'_>) -> Result<(NodeModule, Vec<Diagnostic>), Vec<Diagnostic>> {
+fn load_own_module(
+    source: &NamedSource<'_>,
+) -> Result<(NodeModule, Vec<Diagnostic>), Vec<Diagnostic>> {
     let in_source = |code: &'static str, error: &wgsl::WgslError| {
         let problem = Diagnostic::error(code, error.message.clone()).in_file(source.name);
         let start = error.span.as_ref().map(|span| span.start);
@@ -105,10 +107,10 @@ fn load_own_module(source: &Source<'_>) -> Result<(NodeModule, Vec<Diagnostic>),
         return Ok((module, Vec::new()));
     }
     let notes = loops.counted.iter().map(|found| counted_loop(source, found)).collect();
-    Ok((load_module(&[Source { text: &loops.text, ..*source }])?, notes))
+    Ok((load_module(&[NamedSource { text: &loops.text, ..*source }])?, notes))
 }
 
-fn counted_loop(source: &Source<'_>, found: &wgsl::CountedLoop) -> Diagnostic {
+fn counted_loop(source: &NamedSource<'_>, found: &wgsl::CountedLoop) -> Diagnostic {
     let most = wgsl::MAX_ROUNDS;
     let message = match found.rounds {
         Some(rounds) => format!("this loop would take {rounds} rounds, and ends after {most}"),
@@ -130,7 +132,7 @@ fn tell_place_in_code(problem: &mut Diagnostic) {
 }
 
 pub(super) fn read_node(
-    source: &Source<'_>,
+    source: &NamedSource<'_>,
     module: &Arc<NodeModule>,
     custom: Option<&str>,
 ) -> Result<NodeDef, Vec<Diagnostic>> {
@@ -145,7 +147,7 @@ pub(super) fn read_node(
 }
 
 struct Reader<'a> {
-    source: &'a Source<'a>,
+    source: &'a NamedSource<'a>,
     scan: &'a Scan,
     problems: Vec<Diagnostic>,
 }
@@ -208,10 +210,10 @@ impl Reader<'_> {
             presets: Vec::new(),
             notes: Vec::new(),
             special: match (custom, stem) {
-                (None, "output") => Special::Output,
-                (None, "light") => Special::Light,
-                (None, "reroute") => Special::Reroute,
-                _ => Special::None,
+                (None, "output") => Treatment::Output,
+                (None, "light") => Treatment::Light,
+                (None, "reroute") => Treatment::Reroute,
+                _ => Treatment::None,
             },
             module: module.clone(),
             file: self.source.name.to_owned(),
@@ -245,7 +247,7 @@ impl Reader<'_> {
             }
         }
         for tag in &docs.tags {
-            let Some(Piece::Word(name)) = tag.pieces.first() else { continue };
+            let Some(TagPiece::Word(name)) = tag.pieces.first() else { continue };
             match tag.word.as_str() {
                 "choice" => {
                     let input = self.choice(name, tag, head);
@@ -305,10 +307,10 @@ impl Reader<'_> {
         let mut default = None;
         for piece in &tag.pieces[1..] {
             match piece {
-                Piece::Quoted(label) => input.label = label.clone(),
-                Piece::Pair(key, value) if key == "default" => default = Some(value.clone()),
-                Piece::Pair(word, label) => input.options.push((word.clone(), label.clone())),
-                Piece::Word(word) => input.options.push((word.clone(), word.replace('_', " "))),
+                TagPiece::Quoted(label) => input.label = label.clone(),
+                TagPiece::Pair(key, value) if key == "default" => default = Some(value.clone()),
+                TagPiece::Pair(word, label) => input.options.push((word.clone(), label.clone())),
+                TagPiece::Word(word) => input.options.push((word.clone(), word.replace('_', " "))),
             }
         }
         let default = default
@@ -330,11 +332,11 @@ impl Reader<'_> {
         input.help = tag.help.clone();
         for piece in &tag.pieces[1..] {
             let ok = match piece {
-                Piece::Quoted(label) => {
+                TagPiece::Quoted(label) => {
                     input.label = label.clone();
                     true
                 }
-                Piece::Word(word) => match word.as_str() {
+                TagPiece::Word(word) => match word.as_str() {
                     "wire" => {
                         input.fallback = Fallback::Wire;
                         true
@@ -346,7 +348,7 @@ impl Reader<'_> {
                     "light_name" | "text" => true,
                     _ => false,
                 },
-                Piece::Pair(key, value) => set_attribute(&mut input, key, value),
+                TagPiece::Pair(key, value) => set_attribute(&mut input, key, value),
             };
             if !ok {
                 self.problem(
@@ -373,7 +375,7 @@ impl Reader<'_> {
             }
         }
         let result = function.result.clone().unwrap_or_default();
-        node.prepare = Some(Prepare {
+        node.prepare = Some(PrepareFunction {
             function: function.name.clone(),
             parameters,
             result: Type::from_wgsl(&result),
@@ -399,7 +401,7 @@ impl Reader<'_> {
             let result_is_struct = self.scan.declarations.iter().any(|d| is_struct(&d));
             let result = Type::from_wgsl(&result);
             let function = function.name.clone();
-            node.variants.push(Variant {
+            node.variants.push(NodeFunction {
                 function,
                 choice,
                 width,
@@ -426,7 +428,8 @@ impl Reader<'_> {
         let mut choice = None;
         let mut width = None;
         let mut tier = Tier::Exact;
-        if node.special == Special::Light || (node.special == Special::Output && !suffix.is_empty())
+        if node.special == Treatment::Light
+            || (node.special == Treatment::Output && !suffix.is_empty())
         {
             // A light's type and the Output's second function are no choices that a document makes.
             return Some((Some((usize::MAX, suffix.to_owned())), None, tier));
@@ -471,16 +474,16 @@ impl Reader<'_> {
         Some((choice, width, tier))
     }
 
-    fn parameters(&mut self, node: &NodeDef, function: &Declaration) -> Vec<Parameter> {
+    fn parameters(&mut self, node: &NodeDef, function: &Declaration) -> Vec<ArgumentSource> {
         let prepared = node.prepare.as_ref().map(|prepare| prepare.result.wgsl().to_owned());
         let mut parameters = Vec::new();
         let mut image = None;
         for field in &function.fields {
             if Some(&field.ty) == prepared.as_ref() {
-                parameters.push(Parameter::Prepared);
+                parameters.push(ArgumentSource::Prepared);
             } else if field.ty == "sampler" {
                 match image {
-                    Some(image) => parameters.push(Parameter::Sampler(image)),
+                    Some(image) => parameters.push(ArgumentSource::Sampler(image)),
                     None => {
                         self.problem(
                             function,
@@ -493,7 +496,7 @@ impl Reader<'_> {
                 if ty.is_texture() {
                     image = Some(index);
                 }
-                parameters.push(Parameter::Input(index, ty));
+                parameters.push(ArgumentSource::Input(index, ty));
             }
         }
         parameters
@@ -520,7 +523,7 @@ impl Reader<'_> {
         } else {
             let tag = docs.tags.iter().find(|tag| tag.word == "return");
             let name = match tag.and_then(|tag| tag.pieces.first()) {
-                Some(Piece::Word(name)) => name.clone(),
+                Some(TagPiece::Word(name)) => name.clone(),
                 _ => "value".to_owned(),
             };
             let label = tag
@@ -610,7 +613,7 @@ impl Reader<'_> {
 
 /// Reads `@error`: `fast 1e-3 : of what`.
 fn tier_error(tag: &Tag) -> Option<TierError> {
-    let [Piece::Word(tier), Piece::Word(bound)] = tag.pieces.as_slice() else { return None };
+    let [TagPiece::Word(tier), TagPiece::Word(bound)] = tag.pieces.as_slice() else { return None };
     let tier = match tier.as_str() {
         "balanced" => Tier::Balanced,
         "fast" => Tier::Fast,
@@ -631,20 +634,20 @@ fn begins_with_word(text: &str, word: &str) -> bool {
 }
 
 fn has_word(tag: &Tag, word: &str) -> bool {
-    tag.pieces.iter().any(|piece| matches!(piece, Piece::Word(found) if found == word))
+    tag.pieces.iter().any(|piece| matches!(piece, TagPiece::Word(found) if found == word))
 }
 
-fn quoted(piece: &Piece) -> Option<String> {
+fn quoted(piece: &TagPiece) -> Option<String> {
     match piece {
-        Piece::Quoted(text) => Some(text.clone()),
+        TagPiece::Quoted(text) => Some(text.clone()),
         _ => None,
     }
 }
 
 fn source_text(tag: &Tag) -> String {
-    let piece_text = |piece: &Piece| match piece {
-        Piece::Word(word) | Piece::Quoted(word) => word.clone(),
-        Piece::Pair(key, value) => format!("{key}={value}"),
+    let piece_text = |piece: &TagPiece| match piece {
+        TagPiece::Word(word) | TagPiece::Quoted(word) => word.clone(),
+        TagPiece::Pair(key, value) => format!("{key}={value}"),
     };
     tag.pieces.iter().map(piece_text).collect::<Vec<_>>().join(" ")
 }
@@ -740,7 +743,7 @@ fn value_of(ty: &Type, text: &str) -> Option<Value> {
 fn preset(node: &NodeDef, tag: &Tag) -> Option<Preset> {
     let mut preset = Preset { label: tag.pieces.iter().find_map(quoted)?, values: Vec::new() };
     for piece in &tag.pieces {
-        if let Piece::Pair(port, value) = piece {
+        if let TagPiece::Pair(port, value) = piece {
             let input = &node.inputs[node.input(port)?];
             preset.values.push((input.name.clone(), value_of(&input.ty, value)?));
         }
@@ -751,19 +754,19 @@ fn preset(node: &NodeDef, tag: &Tag) -> Option<Preset> {
 fn words(tag: &Tag) -> Vec<&str> {
     tag.pieces
         .iter()
-        .map(|piece| if let Piece::Word(word) = piece { word.as_str() } else { "" })
+        .map(|piece| if let TagPiece::Word(word) = piece { word.as_str() } else { "" })
         .collect()
 }
 
 /// Reads `@bound`: `tone when mode = alpha|shade`.
-fn bound(node: &NodeDef, tag: &Tag) -> Option<Bound> {
+fn bound(node: &NodeDef, tag: &Tag) -> Option<ShareBound> {
     let words = words(tag);
     let (name, conditions) = words.split_first()?;
     let input = node.input(name)?;
     let conditions = conditions_after_when(node, conditions)?;
     let is_choice = |condition: &Condition| matches!(condition.test, Test::Word(_));
     let is_share = matches!(node.inputs[input].ty, Type::Float | Type::Color);
-    (is_share && conditions.iter().all(is_choice)).then_some(Bound { input, conditions })
+    (is_share && conditions.iter().all(is_choice)).then_some(ShareBound { input, conditions })
 }
 
 fn unit_conditions(node: &NodeDef, tag: &Tag) -> Option<Vec<Condition>> {

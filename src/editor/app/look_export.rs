@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::export::{self, File};
+use crate::export::{self, ExportFile};
 use crate::files::Outputs;
 use crate::frame::{AssetStore, Assets};
 use crate::library::Library;
@@ -150,7 +150,7 @@ fn run(job: &LookExportRequest) -> LookExportResult {
 /// their own, and are not refused: to choose the look's own folder, where dialogs begin, is no
 /// mistake.
 fn write(
-    exported: &[File],
+    exported: &[ExportFile],
     folder: &Path,
     job: &LookExportRequest,
 ) -> Result<String, Vec<Diagnostic>> {
@@ -167,7 +167,7 @@ fn write(
 }
 
 fn copy(
-    exported: &[File],
+    exported: &[ExportFile],
     ending: &str,
     job: &LookExportRequest,
 ) -> Result<LookExportResult, Vec<Diagnostic>> {
@@ -183,7 +183,7 @@ fn copy(
                 .hint("Export writes it to a file"),
         ]);
     };
-    let is_of_pass = |file: &export::File| {
+    let is_of_pass = |file: &export::ExportFile| {
         file.name != own && file.name.ends_with(ending) && !file.name.contains(".prepare.")
     };
     let more = if exported.iter().any(is_of_pass) {

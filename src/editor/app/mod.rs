@@ -50,7 +50,7 @@ use crate::state::safety::places::Places;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
 use crate::state::settings::Settings;
-use crate::tools::fitting::Fitting;
+use crate::tools::fitting::FitTool;
 use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
@@ -280,12 +280,12 @@ impl App {
     }
 
     /// Light painted on the picture, and the look fitted to it.
-    pub fn fitting(&self) -> &Fitting {
+    pub fn fitting(&self) -> &FitTool {
         &self.bench.tools.fitting
     }
 
     /// Light painted on the picture, for programs that drive the window.
-    pub fn fitting_mut(&mut self) -> &mut Fitting {
+    pub fn fitting_mut(&mut self) -> &mut FitTool {
         &mut self.bench.tools.fitting
     }
 
@@ -595,7 +595,7 @@ impl eframe::App for App {
         let had_picture = self.has_picture();
         self.show(ui);
         milestones::reached("first frame");
-        if self.has_picture() && !had_picture && milestones::are_told() {
+        if self.has_picture() && !had_picture && milestones::is_enabled() {
             self.shows_first_picture = true;
             ui.ctx().request_repaint();
         }

@@ -8,10 +8,10 @@ use super::App;
 use super::files::PendingAction;
 use crate::app::dock::Workspace;
 use crate::commands::{FilePurpose, Heading, PaintCommand, PanelId, PictureImport};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Edit, Grid, Hcbtf, HcbtfEdit, Storage};
 use crate::frame::UNSAVED_HCBTF;
-use crate::hcbtf::exchange::Form;
+use crate::hcbtf::exchange::ExchangeFormat;
 use crate::painter::{MadePainting, counted, shown, stepped};
 use crate::state::painting::home::Home;
 use crate::state::painting::look;
@@ -274,9 +274,9 @@ impl App {
         }
     }
 
-    fn take_import(&mut self, path: &Path, made: Result<Warned<Hcbtf>, Vec<Diagnostic>>) {
+    fn take_import(&mut self, path: &Path, made: Result<WithWarnings<Hcbtf>, Vec<Diagnostic>>) {
         match made {
-            Ok(Warned { value: hcbtf, warnings: notes }) => {
+            Ok(WithWarnings { value: hcbtf, warnings: notes }) => {
                 let told = format!(
                     "{} of {} samples are painted",
                     hcbtf.painted.len(),
@@ -300,17 +300,17 @@ impl App {
         self.message = Some("Nothing is open to be painted that could be exported".to_owned());
     }
 
-    fn export_painting(&mut self, form: Form, storage: Storage, to: Option<PathBuf>) {
+    fn export_painting(&mut self, form: ExchangeFormat, storage: Storage, to: Option<PathBuf>) {
         let Some(work) = self.session.painting() else { return self.tell_nothing_to_export() };
         let Some(to) = to else {
             let own =
                 work.path().map_or_else(|| PathBuf::from(work.suggested()), Path::to_path_buf);
             let stem = own.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let name = match form {
-                Form::Folder => format!("{stem}-images"),
-                Form::Contact => format!("{stem}-contact.png"),
-                Form::Sheet => format!("{stem}-sheet.png"),
-                Form::Ktx2 => format!("{stem}.ktx2"),
+                ExchangeFormat::Folder => format!("{stem}-images"),
+                ExchangeFormat::Contact => format!("{stem}-contact.png"),
+                ExchangeFormat::Sheet => format!("{stem}-sheet.png"),
+                ExchangeFormat::Ktx2 => format!("{stem}.ktx2"),
             };
             return self
                 .dialogs

@@ -8,7 +8,7 @@ use super::gesture::{Gesture, Move, WireDrag};
 use super::palette::Palette;
 use super::table::{CanvasItem, Socket, point_at};
 use super::{Canvas, arrange, edits};
-use crate::catalog::Kind;
+use crate::catalog::NodeKind;
 use crate::commands::Command;
 use crate::document::{Edit, Endpoint, GraphId, InterfacePort};
 use crate::ids::{GROUP_INPUTS, NodeId};
@@ -104,7 +104,7 @@ impl Canvas {
             if is_free { (wished, Vec::new()) } else { self.snapped(moved, wished, &nodes) };
         self.table.translate(&nodes, snapped - by);
         let into = self.wire_under(&nodes);
-        let joins = if modifiers.alt { self.neighbour(&nodes) } else { None };
+        let joins = if modifiers.alt { self.neighbor(&nodes) } else { None };
         let frame =
             self.table.frame_at(pointer, &nodes).map(|index| self.table.frames[index].id.clone());
         if let Gesture::Move(drag) = &mut self.gesture {
@@ -193,7 +193,7 @@ impl Canvas {
     }
 
     /// Best wire to the nearest node left or right of the dragged node.
-    fn neighbour(&self, nodes: &HashSet<usize>) -> Option<(Socket, Socket)> {
+    fn neighbor(&self, nodes: &HashSet<usize>) -> Option<(Socket, Socket)> {
         let mut indices = nodes.iter();
         let (Some(&node), None) = (indices.next(), indices.next()) else { return None };
         let rect = self.table.nodes[node].rect;
@@ -359,7 +359,7 @@ impl Canvas {
     /// Endpoint in the document (node and port name) of a socket.
     pub(super) fn endpoint(&self, socket: Socket) -> Endpoint {
         let row = &self.table.nodes[socket.node];
-        let kind: &Kind = &row.kind;
+        let kind: &NodeKind = &row.kind;
         let ports = if socket.is_output { &kind.outputs } else { &kind.inputs };
         Endpoint { node: row.id.clone(), port: ports[socket.port].name.clone() }
     }

@@ -6,7 +6,7 @@ use std::collections::{HashMap, HashSet};
 use eframe::egui::{Pos2, Rect};
 use indexmap::IndexMap;
 
-use crate::catalog::{CODE, CUSTOM_CODE, CUSTOM_KIND, Kind};
+use crate::catalog::{CODE_VALUE, CUSTOM_CODE, CUSTOM_KIND, NodeKind};
 use crate::document::{Edit, Endpoint, Frame, Light, Node, Note, Value, Wire, grouping};
 use crate::ids::{
     FrameId, GROUP_INPUTS, GROUP_OUTPUTS, LightId, NodeId, NoteId, PortName, make_slug,
@@ -26,13 +26,13 @@ pub(crate) fn delete(session: &Session, nodes: impl Iterator<Item = NodeId>) -> 
 }
 
 /// Adds a node of a kind with its corner at a place of the graph. Returns its id and the edits.
-pub(crate) fn add(session: &Session, kind: &Kind, at: Pos2) -> (NodeId, Vec<Edit>) {
+pub(crate) fn add(session: &Session, kind: &NodeKind, at: Pos2) -> (NodeId, Vec<Edit>) {
     let look = session.look();
     let id = NodeId::new(make_slug(&kind.id, |slug| is_taken(session, slug)));
     let position = [f64::from(at.x).round(), f64::from(at.y).round()];
     let mut node = Node { kind: kind.id.clone(), position, ..Node::default() };
     if kind.id == CUSTOM_KIND {
-        node.values.insert(CODE.into(), Value::Text(CUSTOM_CODE.to_owned()));
+        node.values.insert(CODE_VALUE.into(), Value::Text(CUSTOM_CODE.to_owned()));
     }
     let mut edits = Vec::new();
     for input in kind.inputs.iter().filter(|input| input.ty == Type::LightName) {
@@ -277,8 +277,8 @@ pub(crate) fn note(session: &Session, at: Pos2) -> (NoteId, Edit) {
 /// Best pair of an output of one kind and an input of another, by index: exact types first, then
 /// conversions that lose nothing.
 pub(crate) fn best_pair(
-    from: &Kind,
-    to: &Kind,
+    from: &NodeKind,
+    to: &NodeKind,
     is_free: impl Fn(usize) -> bool,
 ) -> Option<(usize, usize)> {
     let mut best: Option<(i32, usize, usize)> = None;
@@ -347,7 +347,7 @@ fn through(session: &Session, from: &Endpoint) -> Option<Endpoint> {
 }
 
 /// Changes a node's kind; wires and values that fit stay, matched by name or else in order.
-pub(crate) fn swap(session: &Session, id: &NodeId, kind: &Kind) -> Option<Edit> {
+pub(crate) fn swap(session: &Session, id: &NodeId, kind: &NodeKind) -> Option<Edit> {
     let of = session.graph();
     let graph = session.selection.graph_id();
     let node = of.nodes.get(id)?;
@@ -401,12 +401,12 @@ fn swap_values(
     session: &Session,
     id: &NodeId,
     node: &Node,
-    old: Option<&Kind>,
-    kind: &Kind,
+    old: Option<&NodeKind>,
+    kind: &NodeKind,
 ) -> Vec<Edit> {
     let graph = session.selection.graph_id();
     let type_in =
-        |kind: &Kind, port: &PortName| Some(kind.inputs[kind.input(port.as_str())?].ty.clone());
+        |kind: &NodeKind, port: &PortName| Some(kind.inputs[kind.input(port.as_str())?].ty.clone());
     let mut edits = Vec::new();
     for port in node.values.keys() {
         let stays = type_in(kind, port)
@@ -428,8 +428,8 @@ fn swap_values(
             index: None,
         });
     };
-    if kind.id == CUSTOM_KIND && !node.values.contains_key(CODE) {
-        set(CODE.into(), Value::Text(CUSTOM_CODE.to_owned()));
+    if kind.id == CUSTOM_KIND && !node.values.contains_key(CODE_VALUE) {
+        set(CODE_VALUE.into(), Value::Text(CUSTOM_CODE.to_owned()));
     }
     if let Some(light) = session.look().lights.keys().next() {
         let lights = kind.inputs.iter().filter(|input| input.ty == Type::LightName);

@@ -16,7 +16,7 @@ pub(super) struct Mark {
 }
 
 /// Reason why a node adds nothing to the result.
-pub(super) struct Idle {
+pub(super) struct IdleReason {
     /// Reason in one or two words, shown on the node.
     pub(super) word: &'static str,
     pub(super) reason: String,
@@ -48,7 +48,7 @@ pub(super) fn marks(session: &Session) -> HashMap<NodeId, Mark> {
 }
 
 /// Nodes of the open graph that the compiler found to add nothing, with the reasons.
-pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
+pub(super) fn idle(session: &Session) -> HashMap<NodeId, IdleReason> {
     let mut found = HashMap::new();
     let Some(shader) = session.compilation().baked().filter(|_| session.view.wire.is_none()) else {
         return found;
@@ -79,7 +79,7 @@ pub(super) fn idle(session: &Session) -> HashMap<NodeId, Idle> {
         {
             found.insert(
                 id.clone(),
-                Idle { word, reason: format!("Adds nothing: {}.", removal.reason) },
+                IdleReason { word, reason: format!("Adds nothing: {}.", removal.reason) },
             );
         }
     }
@@ -105,6 +105,6 @@ fn word(removal: &Removal) -> Option<&'static str> {
 }
 
 /// Reason of a node from which no wire leads to the output.
-pub(super) fn unwired() -> Idle {
-    Idle { word: UNUSED, reason: "Nothing that reaches the output uses it.".to_owned() }
+pub(super) fn unwired() -> IdleReason {
+    IdleReason { word: UNUSED, reason: "Nothing that reaches the output uses it.".to_owned() }
 }

@@ -38,7 +38,7 @@ use crate::state::session::Session;
 use crate::widgets::theme;
 use gesture::Gesture;
 use inplace::{Item, TextEditInPlace};
-use marks::{Idle, Mark};
+use marks::{IdleReason, Mark};
 use palette::Palette;
 use table::{CanvasItem, Socket, Table};
 use view::View;
@@ -72,7 +72,7 @@ pub struct Canvas {
     place: Vec<NodeId>,
     views: HashMap<Vec<NodeId>, (f32, Pos2)>,
     /// Nodes that add nothing, with the reasons.
-    idle: HashMap<NodeId, Idle>,
+    idle: HashMap<NodeId, IdleReason>,
     /// Frame or note that is selected.
     item: Option<Item>,
     editing: Option<TextEditInPlace>,
@@ -346,8 +346,8 @@ impl Canvas {
 
     /// Reason why a node adds nothing: the compiler's finding, or that no output depends on the
     /// node.
-    fn idle_of(&self, row: &table::NodeRow) -> Option<&Idle> {
-        static UNWIRED: std::sync::LazyLock<Idle> = std::sync::LazyLock::new(marks::unwired);
+    fn idle_of(&self, row: &table::NodeRow) -> Option<&IdleReason> {
+        static UNWIRED: std::sync::LazyLock<IdleReason> = std::sync::LazyLock::new(marks::unwired);
         if row.is_unused { Some(&UNWIRED) } else { self.idle.get(&row.id) }
     }
 

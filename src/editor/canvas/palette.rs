@@ -7,7 +7,7 @@ use eframe::egui::{
     Align2, Area, Id, Key, Modifiers, Order, Pos2, RichText, ScrollArea, TextEdit, Ui, pos2, vec2,
 };
 
-use crate::catalog::{Catalog, Kind, Port};
+use crate::catalog::{Catalog, NodeKind, Port};
 use crate::document::Endpoint;
 use crate::ids::NodeId;
 use crate::library::Type;
@@ -29,7 +29,7 @@ pub(crate) struct LooseWire {
 
 impl LooseWire {
     /// Port of `kind` that the wire would lead to, by index, and how well it fits.
-    pub(crate) fn fit(&self, kind: &Kind) -> Option<(usize, f32)> {
+    pub(crate) fn fit(&self, kind: &NodeKind) -> Option<(usize, f32)> {
         if self.is_output {
             let ports = kind.inputs.iter().enumerate().filter(|(_, port)| port.takes(&self.ty));
             let first = kind.inputs.iter().position(Port::is_wirable);
@@ -70,7 +70,7 @@ pub(crate) struct Palette {
     pub(crate) at: Pos2,
     pub(crate) loose: Option<LooseWire>,
     /// Node to be swapped for the chosen kind, and its present kind.
-    pub(crate) swaps: Option<(NodeId, Option<Arc<Kind>>)>,
+    pub(crate) swaps: Option<(NodeId, Option<Arc<NodeKind>>)>,
     query: String,
     index: usize,
     is_new: bool,
@@ -80,7 +80,7 @@ pub(crate) struct Palette {
 pub(crate) enum SearchOutcome {
     Open,
     Closed,
-    Chosen(Arc<Kind>),
+    Chosen(Arc<NodeKind>),
 }
 
 impl Palette {
@@ -89,7 +89,7 @@ impl Palette {
     }
 
     /// Search for a kind to swap a node for.
-    pub(crate) fn swapping(at: Pos2, node: NodeId, kind: Option<Arc<Kind>>) -> Self {
+    pub(crate) fn swapping(at: Pos2, node: NodeId, kind: Option<Arc<NodeKind>>) -> Self {
         Self { swaps: Some((node, kind)), ..Self::new(at, None) }
     }
 
@@ -161,7 +161,7 @@ impl Palette {
         }
     }
 
-    fn show_list(&self, ui: &mut Ui, found: &[Arc<Kind>]) -> Option<Arc<Kind>> {
+    fn show_list(&self, ui: &mut Ui, found: &[Arc<NodeKind>]) -> Option<Arc<NodeKind>> {
         if found.is_empty() {
             ui.add_space(6.0);
             ui.label(RichText::new("Nothing of that name").color(theme::of(ui).dim));
@@ -200,8 +200,8 @@ impl Palette {
     }
 
     /// Kinds that fit the query and the loose wire or the swapped node, best first.
-    fn found(&self, catalog: &Catalog) -> Vec<Arc<Kind>> {
-        let mut found: Vec<(f32, &Arc<Kind>)> = Vec::new();
+    fn found(&self, catalog: &Catalog) -> Vec<Arc<NodeKind>> {
+        let mut found: Vec<(f32, &Arc<NodeKind>)> = Vec::new();
         for kind in catalog.all() {
             let fit = match &self.loose {
                 Some(loose) => match loose.fit(kind) {
@@ -226,7 +226,7 @@ impl Palette {
 
 /// Share of a node's ports that stay when another kind takes its place, 0 to 1; `None` where it is
 /// the same kind.
-fn likeness(old: &Kind, new: &Kind) -> Option<f32> {
+fn likeness(old: &NodeKind, new: &NodeKind) -> Option<f32> {
     if old.id == new.id {
         return None;
     }
@@ -246,7 +246,7 @@ fn likeness(old: &Kind, new: &Kind) -> Option<f32> {
     })
 }
 
-fn paint_row(ui: &Ui, rect: egui::Rect, kind: &Kind, is_current: bool, is_hovered: bool) {
+fn paint_row(ui: &Ui, rect: egui::Rect, kind: &NodeKind, is_current: bool, is_hovered: bool) {
     let painter = ui.painter();
     if is_current || is_hovered {
         let fill = if is_current { theme::of(ui).accent_dim } else { theme::of(ui).field };
@@ -277,7 +277,7 @@ fn first_sentence(text: &str) -> &str {
 }
 
 /// Score of a kind for a query; `None` unless every word of the query is found in the kind.
-fn score(query: &str, kind: &Kind) -> Option<f32> {
+fn score(query: &str, kind: &NodeKind) -> Option<f32> {
     let label = kind.label.to_lowercase();
     let mut sum = 0.0;
     for word in query.to_lowercase().split_whitespace() {
@@ -287,7 +287,7 @@ fn score(query: &str, kind: &Kind) -> Option<f32> {
     Some(sum - label.len() as f32 * 0.01 * f32::from(u8::from(!query.is_empty())))
 }
 
-fn word_score(word: &str, label: &str, kind: &Kind) -> Option<f32> {
+fn word_score(word: &str, label: &str, kind: &NodeKind) -> Option<f32> {
     if label.starts_with(word) {
         return Some(10.0);
     }

@@ -17,7 +17,7 @@ use eframe::egui::{
 use super::Canvas;
 use super::draw::ALL_TEXT;
 use super::table::NodeRow;
-use crate::compile::Options;
+use crate::compile::CompileOptions;
 use crate::document::{Look, SourceMap};
 use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
 use crate::frame::{Assets, EvalSample, SetupLook, eval_batches};
@@ -208,7 +208,7 @@ fn ball() -> Vec<EvalSample> {
 fn evaluate(request: Request, assets: &mut Assets) -> Answer {
     let Request { key, look, source, library, folder, root, samples, file: _ } = request;
     let setup = SetupLook { look: (*look).clone(), source, folder };
-    let options = Options { root: Some(root), ..Options::default() };
+    let options = CompileOptions { root: Some(root), ..CompileOptions::default() };
     let evaluated =
         eval_batches(&setup, &library, &samples, &options, assets).ok().and_then(|batches| {
             let mut values = vec![[0.0; 4]; samples.len()];

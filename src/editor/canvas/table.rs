@@ -10,7 +10,7 @@ use std::sync::Arc;
 use eframe::egui::{Galley, Pos2, Rect, Vec2, pos2, vec2};
 
 use super::text::NodeText;
-use crate::catalog::{Catalog, Kind};
+use crate::catalog::{Catalog, NodeKind};
 use crate::document::Graph;
 use crate::drawing::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, TITLE_HEIGHT, node_height, row_center, wire_reach,
@@ -46,7 +46,7 @@ pub(crate) enum CanvasItem {
 /// Node as drawn.
 pub(crate) struct NodeRow {
     pub(crate) id: NodeId,
-    pub(crate) kind: Arc<Kind>,
+    pub(crate) kind: Arc<NodeKind>,
     pub(crate) title: String,
     pub(crate) rect: Rect,
     /// For each input, true if a wire leads to it.
@@ -170,7 +170,7 @@ impl Table {
     }
 
     /// Adds the ends of a group, left and right of all its nodes.
-    fn add_ends(&mut self, ends: [Kind; 2]) {
+    fn add_ends(&mut self, ends: [NodeKind; 2]) {
         let bounds = self.nodes.iter().fold(Rect::NOTHING, |bounds, row| bounds.union(row.rect));
         let bounds = if bounds.is_positive() {
             bounds
@@ -507,7 +507,7 @@ impl Table {
 }
 
 /// Height of a node of a kind, in points of the graph.
-pub(crate) fn height(kind: &Kind) -> f32 {
+pub(crate) fn height(kind: &NodeKind) -> f32 {
     node_height(kind.inputs.len() + kind.outputs.len())
 }
 

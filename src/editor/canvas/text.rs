@@ -6,7 +6,7 @@ use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{Color32, FontId, Galley, Painter, Vec2, vec2};
 
 use super::table::NodeRow;
-use crate::catalog::values::{self, Shown};
+use crate::catalog::values::{self, InputDisplay};
 use crate::document::{Look, Node};
 use crate::drawing::row_center;
 use crate::drawing::{NODE_WIDTH, TITLE_HEIGHT};
@@ -80,20 +80,20 @@ pub(crate) fn lay_out(
     for (index, port) in row.kind.inputs.iter().enumerate() {
         let y = row_center(row.kind.outputs.len() + index);
         let is_wired = row.is_wired[index];
-        let shown = if is_wired { Shown::Nothing } else { values::shown(port, node, look) };
+        let shown = if is_wired { InputDisplay::Nothing } else { values::shown(port, node, look) };
         let mut room = NODE_WIDTH - 24.0;
-        let color = if matches!(shown, Shown::Source(_)) {
+        let color = if matches!(shown, InputDisplay::Source(_)) {
             colors.dim.gamma_multiply(0.7)
         } else {
             colors.text
         };
         match shown {
-            Shown::Nothing => {}
-            Shown::Color(color) => {
+            InputDisplay::Nothing => {}
+            InputDisplay::Color(color) => {
                 text.swatches.push((vec2(NODE_WIDTH - 26.0, y), color));
                 room -= 34.0;
             }
-            Shown::Source(value) | Shown::Text(value) => {
+            InputDisplay::Source(value) | InputDisplay::Text(value) => {
                 let value = line(&value, NODE_WIDTH * 0.5, color);
                 let width = value.size().x / zoom;
                 text.lines.push((vec2(NODE_WIDTH - 12.0 - width, centered(&value, y)), value));

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::{PictureExport, PictureImport};
 use crate::document::Storage;
-use crate::hcbtf::exchange::Form;
+use crate::hcbtf::exchange::ExchangeFormat;
 
 /// Purpose that a file is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub(crate) enum FilePurpose {
     /// An HCBTF to bake the open look into.
     BakeLook,
     /// A file or folder to write the painting to, for other programs.
-    ExportPainting(Form, Storage),
+    ExportPainting(ExchangeFormat, Storage),
     /// A folder to write shaders into, of a language or of all.
     Shaders(&'static str),
     /// A picture file to write.
@@ -54,9 +54,9 @@ impl FilePurpose {
             Self::Mesh | Self::AddMesh | Self::ObjectMesh => ("Mesh", &MESHES),
             Self::ImportPainting(PictureImport { form, .. }) | Self::ExportPainting(form, _) => {
                 match form {
-                    Form::Folder => ("Folder", &[]),
-                    Form::Contact | Form::Sheet => ("PNG", &["png"]),
-                    Form::Ktx2 => ("KTX2", &["ktx2"]),
+                    ExchangeFormat::Folder => ("Folder", &[]),
+                    ExchangeFormat::Contact | ExchangeFormat::Sheet => ("PNG", &["png"]),
+                    ExchangeFormat::Ktx2 => ("KTX2", &["ktx2"]),
                 }
             }
             Self::Shaders(_) => ("Folder", &[]),
@@ -83,8 +83,8 @@ impl FilePurpose {
     /// True if a folder is asked for; a folder to write into is created if it does not exist.
     pub(crate) fn is_folder(self) -> bool {
         match self {
-            Self::Shaders(_) | Self::ExportPainting(Form::Folder, _) => true,
-            Self::ImportPainting(import) => import.form == Form::Folder,
+            Self::Shaders(_) | Self::ExportPainting(ExchangeFormat::Folder, _) => true,
+            Self::ImportPainting(import) => import.form == ExchangeFormat::Folder,
             _ => false,
         }
     }

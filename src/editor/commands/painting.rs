@@ -7,7 +7,7 @@ use eframe::egui;
 
 use super::Heading;
 use crate::document::{Address, Directions, Grid, Hcbtf, HcbtfEdit, Storage, Tile};
-use crate::hcbtf::exchange::Form;
+use crate::hcbtf::exchange::ExchangeFormat;
 
 /// Command about the painting; [`App`](crate::App) carries it out.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,7 +66,7 @@ pub(crate) enum PaintCommand {
     AskTexture,
     /// Writes all samples in another program's form; asks for the file where there is none.
     Export {
-        form: Form,
+        form: ExchangeFormat,
         /// Storage of a texture.
         storage: Storage,
         to: Option<PathBuf>,
@@ -201,7 +201,7 @@ impl GridPreset {
 /// themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct PictureImport {
-    pub(crate) form: Form,
+    pub(crate) form: ExchangeFormat,
     pub(crate) light: Directions,
     pub(crate) view: Directions,
     /// Gap between the tiles of a contact sheet, in texels.
@@ -212,6 +212,6 @@ pub(crate) struct PictureImport {
 impl Default for PictureImport {
     fn default() -> Self {
         let Grid { light, view, .. } = Grid::THESIS;
-        Self { form: Form::Folder, light, view, gap: 0, is_tiling: true }
+        Self { form: ExchangeFormat::Folder, light, view, gap: 0, is_tiling: true }
     }
 }

@@ -6,7 +6,7 @@ use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
 use super::row;
 use crate::commands::{Command, PanelId};
-use crate::document::{Edit, Exposed, KeyDirection, Target};
+use crate::document::{Edit, ExposedValue, KeyDirection, Target};
 use crate::fields::{constant_wires, mark};
 use crate::ids::{PortName, is_slug, make_slug};
 use crate::library::Type;
@@ -174,7 +174,7 @@ fn expose(marked: &FieldTarget<'_>) -> Edit {
     let is_taken =
         |slug: &str| session.look().exposed.iter().any(|exposed| exposed.name.as_str() == slug);
     let name = PortName::new(make_slug(&format!("{owner} {what}"), is_taken));
-    let exposed = Exposed { name, target: marked.target.clone(), label: String::new() };
+    let exposed = ExposedValue { name, target: marked.target.clone(), label: String::new() };
     session.keys().grounded(Some(&marked.target), Edit::AddExposed { exposed, index: None })
 }
 
@@ -220,7 +220,7 @@ fn rename(
     ui: &mut Ui,
     session: &Session,
     index: usize,
-    exposed: &Exposed,
+    exposed: &ExposedValue,
     (label, width): (egui::Id, f32),
     out: &mut Vec<Command>,
 ) {
@@ -250,7 +250,7 @@ fn rename(
         .enumerate()
         .all(|(at, other)| at == index || other.name.as_str() != text);
     if response.changed() && is_slug(&text) && is_free {
-        let exposed = Exposed { name: PortName::new(text), ..exposed.clone() };
+        let exposed = ExposedValue { name: PortName::new(text), ..exposed.clone() };
         out.push(Command::EditHeld(id, Edit::SetExposed { index, exposed }));
     }
     if !is_good {

@@ -8,7 +8,7 @@ pub(crate) mod mark;
 pub(crate) mod marks;
 pub(crate) mod row;
 
-use crate::catalog::Kind;
+use crate::catalog::NodeKind;
 use crate::document::Node;
 use crate::ids::NodeId;
 use crate::state::session::Session;
@@ -18,5 +18,5 @@ pub(crate) struct Subject<'a> {
     pub(crate) session: &'a Session,
     pub(crate) id: &'a NodeId,
     pub(crate) node: &'a Node,
-    pub(crate) kind: &'a Kind,
+    pub(crate) kind: &'a NodeKind,
 }

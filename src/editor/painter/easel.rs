@@ -43,7 +43,7 @@ pub(super) struct Easel {
     pub(super) onion_along: HcbtfAngle,
     going: Option<TileGesture>,
     tile: TileTexture,
-    neighbours: [TileTexture; 2],
+    neighbors: [TileTexture; 2],
     checks: Option<TextureHandle>,
     /// Placement of the tile in the last frame.
     tilt: Option<Tilt>,
@@ -73,7 +73,7 @@ impl Default for Easel {
             onion_along: HcbtfAngle::ViewPhi,
             going: None,
             tile: TileTexture::default(),
-            neighbours: Default::default(),
+            neighbors: Default::default(),
             checks: None,
             tilt: None,
             has_pointer: false,
@@ -221,8 +221,8 @@ impl Easel {
         if self.onion > 0.0 {
             let tint = Color32::from_white_alpha((self.onion * 127.0) as u8);
             let found =
-                neighbours(work, at, self.onion_along).map(|address| work.tile(address).cloned());
-            for (shown, tile) in self.neighbours.iter_mut().zip(found) {
+                neighbors(work, at, self.onion_along).map(|address| work.tile(address).cloned());
+            for (shown, tile) in self.neighbors.iter_mut().zip(found) {
                 if let Some(tile) = tile {
                     let texture = shown.of(ui.ctx(), "neighbor", &tile);
                     quads(painter, texture, std::iter::once((tilt.corners([0, 0]), tint)));
@@ -302,7 +302,7 @@ pub(super) fn name_of(work: &OpenPainting, address: Address) -> String {
 }
 
 /// The two samples next to a sample along an angle.
-fn neighbours(work: &OpenPainting, at: Address, along: HcbtfAngle) -> [Address; 2] {
+fn neighbors(work: &OpenPainting, at: Address, along: HcbtfAngle) -> [Address; 2] {
     let grid = work.grid();
     let ways = match along {
         HcbtfAngle::LightTheta | HcbtfAngle::ViewTheta => [Heading::Up, Heading::Down],

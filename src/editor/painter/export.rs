@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, Storage};
-use crate::hcbtf::exchange::{self, Form};
+use crate::hcbtf::exchange::{self, ExchangeFormat};
 use crate::hcbtf::fill::fill;
 use crate::progress::Progress;
 use crate::state::worker::Worker;
@@ -14,7 +14,7 @@ use crate::state::worker::Worker;
 /// Request to export an HCBTF in its state at the time.
 struct ExportRequest {
     hcbtf: Arc<Hcbtf>,
-    form: Form,
+    form: ExchangeFormat,
     storage: Storage,
     to: PathBuf,
     progress: Progress,
@@ -34,7 +34,13 @@ impl Exports {
     }
 
     /// Writes all samples in a form; `storage` applies to a texture.
-    pub(super) fn write(&self, hcbtf: Arc<Hcbtf>, form: Form, storage: Storage, to: PathBuf) {
+    pub(super) fn write(
+        &self,
+        hcbtf: Arc<Hcbtf>,
+        form: ExchangeFormat,
+        storage: Storage,
+        to: PathBuf,
+    ) {
         let job = ExportRequest { hcbtf, form, storage, to, progress: self.progress.clone() };
         // Requests that wait are kept, none is dropped.
         self.worker
@@ -64,7 +70,8 @@ impl Drop for Exports {
 fn run(job: &ExportRequest) -> String {
     let to = free(job.form, &job.to);
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
-    let manner = exchange::Manner { storage: job.storage, ..exchange::Manner::default() };
+    let manner =
+        exchange::ExportOptions { storage: job.storage, ..exchange::ExportOptions::default() };
     let written =
         filled.and_then(|filled| exchange::export(&filled, job.form, manner, &to, &job.progress));
     match written {
@@ -82,8 +89,8 @@ fn run(job: &ExportRequest) -> String {
 /// Place for an export. Images of an earlier export in the folder may have been painted on since,
 /// so that the next export goes into a subfolder. Overwriting a file was confirmed in the file
 /// dialog.
-fn free(form: Form, to: &Path) -> PathBuf {
-    if form != Form::Folder || exchange::in_the_way(form, to).is_empty() {
+fn free(form: ExchangeFormat, to: &Path) -> PathBuf {
+    if form != ExchangeFormat::Folder || exchange::in_the_way(form, to).is_empty() {
         return to.to_owned();
     }
     let mut within = (2..1000).map(|number| to.join(format!("export-{number}")));
@@ -100,13 +107,13 @@ mod tests {
     fn what_was_exported_before_stays() {
         let to = tempfile::tempdir().unwrap();
         let image = file_name(Address::default());
-        assert_eq!(free(Form::Folder, to.path()), to.path());
+        assert_eq!(free(ExchangeFormat::Folder, to.path()), to.path());
         std::fs::write(to.path().join(&image), "painted on since").unwrap();
-        let next = free(Form::Folder, to.path());
+        let next = free(ExchangeFormat::Folder, to.path());
         assert_eq!(next, to.path().join("export-2"));
         std::fs::create_dir(&next).unwrap();
-        assert_eq!(free(Form::Folder, to.path()), to.path().join("export-3"));
+        assert_eq!(free(ExchangeFormat::Folder, to.path()), to.path().join("export-3"));
         // The file dialog confirms the overwriting of files.
-        assert_eq!(free(Form::Sheet, &to.path().join(&image)), to.path().join(&image));
+        assert_eq!(free(ExchangeFormat::Sheet, &to.path().join(&image)), to.path().join(&image));
     }
 }

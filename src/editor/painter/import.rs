@@ -7,11 +7,11 @@ use eframe::egui::{self, Button, ComboBox, DragValue, Id, Modal, RichText, Ui, W
 
 use super::grid::directions;
 use crate::commands::{Command, PaintCommand, PictureImport};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Grid, Hcbtf};
 use crate::files::Disk;
 use crate::hcbtf::contact::MAX_GAP;
-use crate::hcbtf::exchange::{self, Form};
+use crate::hcbtf::exchange::{self, ExchangeFormat};
 use crate::progress::Progress;
 use crate::widgets::confirm;
 use crate::widgets::theme;
@@ -25,7 +25,7 @@ impl PictureImport {
         self,
         from: &Path,
         progress: &Progress,
-    ) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+    ) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
         let Self { form, light, view, gap, is_tiling } = self;
         let grid =
             exchange::fitted(&Disk, from, form, Grid { size: Grid::THESIS.size, light, view }, gap);
@@ -33,14 +33,14 @@ impl PictureImport {
         // Pictures that Chiaro wrote say themselves whether they repeat.
         let is_tiling =
             if exchange::tells_all(&Disk, from, form) { hcbtf.is_tiling } else { is_tiling };
-        Ok(Warned::new(Hcbtf { is_tiling, ..hcbtf }, notes))
+        Ok(WithWarnings::new(Hcbtf { is_tiling, ..hcbtf }, notes))
     }
 }
 
 /// Name of a form, and its description.
-fn told(form: Form) -> (&'static str, &'static str) {
+fn told(form: ExchangeFormat) -> (&'static str, &'static str) {
     match form {
-        Form::Folder => (
+        ExchangeFormat::Folder => (
             "A folder of images",
             "One PNG a sample: l2.3_v1.4.png is seen with the light at ring 2, step 3 and the eye \
              at ring 1, step 4. \
@@ -48,16 +48,16 @@ fn told(form: Form) -> (&'static str, &'static str) {
              that Chiaro exported \
              tells its own lights and views.",
         ),
-        Form::Contact => (
+        ExchangeFormat::Contact => (
             "A contact sheet",
             "One PNG with all tiles side by side: views across, lights down, the one straight \
              above first.",
         ),
-        Form::Sheet => (
+        ExchangeFormat::Sheet => (
             "A sheet of the thesis",
             "One PNG in which every texel is a block of all its lights and views.",
         ),
-        Form::Ktx2 => (
+        ExchangeFormat::Ktx2 => (
             "A KTX2 texture",
             "The texture that shaders look up, as it was exported; it tells its own grid.",
         ),
@@ -76,7 +76,7 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command
         ui.add_space(6.0);
         let chosen = ComboBox::from_id_salt("form").width(220.0).selected_text(told(import.form).0);
         let chosen = chosen.show_ui(ui, |ui| {
-            for form in Form::ALL {
+            for form in ExchangeFormat::ALL {
                 ui.selectable_value(&mut import.form, form, told(form).0);
             }
         });
@@ -85,11 +85,11 @@ pub(super) fn show(ui: &Ui, asked: &mut Option<PictureImport>) -> Option<Command
             .widget_info(|| WidgetInfo::labeled(egui::Role::ComboBox, true, "Kind of pictures"));
         ui.label(RichText::new(told(import.form).1).color(theme::of(ui).dim));
         ui.add_space(6.0);
-        if import.form != Form::Ktx2 {
+        if import.form != ExchangeFormat::Ktx2 {
             directions(ui, "Lights", &mut import.light);
             directions(ui, "Views", &mut import.view);
         }
-        if import.form == Form::Contact {
+        if import.form == ExchangeFormat::Contact {
             ui.horizontal(|ui| {
                 let label = ui.label("Texels between the tiles").id;
                 ui.add(DragValue::new(&mut import.gap).range(0..=MAX_GAP).speed(0.1))

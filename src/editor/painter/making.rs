@@ -9,7 +9,7 @@ use eframe::egui::{Id, Modal, ProgressBar, RichText, Ui};
 use super::counted;
 use crate::clock::Clock;
 use crate::commands::PictureImport;
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::files::write_atomic;
 use crate::frame::{AssetStore, Assets, Overlay, SetupLook, tile_assets};
@@ -62,7 +62,7 @@ pub(crate) type SynthesizedTile = (Arc<Hcbtf>, Option<Arc<Tile>>);
 pub(crate) enum MadePainting {
     Imported {
         from: PathBuf,
-        made: Result<Warned<Hcbtf>, Vec<Diagnostic>>,
+        made: Result<WithWarnings<Hcbtf>, Vec<Diagnostic>>,
     },
     /// Synthesized tile.
     Tile {

@@ -47,7 +47,7 @@ use crate::commands::{Command, Heading, PaintCommand, PictureImport};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, HcbtfEdit, Storage};
 use crate::hcbtf::Device;
-use crate::hcbtf::exchange::Form;
+use crate::hcbtf::exchange::ExchangeFormat;
 use crate::state::painting::PaintingUpdate;
 use crate::state::painting::work::OpenPainting;
 use crate::state::painting::work::SampleState;
@@ -203,7 +203,13 @@ impl Painting {
     }
 
     /// Writes the painting in another program's form.
-    pub(crate) fn export(&self, session: &Session, form: Form, storage: Storage, to: PathBuf) {
+    pub(crate) fn export(
+        &self,
+        session: &Session,
+        form: ExchangeFormat,
+        storage: Storage,
+        to: PathBuf,
+    ) {
         if let Some(work) = session.painting() {
             self.exports.write(work.shown().clone(), form, storage, to);
         }

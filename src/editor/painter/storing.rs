@@ -7,7 +7,7 @@ use super::memory::{Memory, named};
 use crate::commands::{Command, PaintCommand};
 use crate::document::Storage;
 use crate::figures::bytes;
-use crate::hcbtf::exchange::Form;
+use crate::hcbtf::exchange::ExchangeFormat;
 use crate::hcbtf::{Need, needs_at_most};
 use crate::state::painting::work::OpenPainting;
 use crate::widgets::confirm;
@@ -48,7 +48,7 @@ pub(super) fn show(
                 || enters
             {
                 out = Some(Command::Paint(PaintCommand::Export {
-                    form: Form::Ktx2,
+                    form: ExchangeFormat::Ktx2,
                     storage: *storage,
                     to: None,
                 }));

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::compile::{CompiledShader, Live, Options, TypedGraph, check, compile_typed};
-use crate::diag::{Diagnostic, Warned};
+use crate::compile::{CompileOptions, CompiledShader, Live, TypedGraph, check, compile_typed};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::ids::{NodePath, PortName};
 use crate::library::{Library, Type};
@@ -50,7 +50,7 @@ pub(crate) struct CompileAnswer {
     /// The request, given back.
     pub(crate) request: CompileRequest,
     /// The shaders, or every problem of the look.
-    pub(crate) result: Result<Warned<Shaders>, Vec<Diagnostic>>,
+    pub(crate) result: Result<WithWarnings<Shaders>, Vec<Diagnostic>>,
 }
 
 /// A look's shaders.
@@ -76,7 +76,7 @@ pub(crate) fn start(wake: impl Fn() + Send + 'static, crashes: CrashLog) -> Comp
     })
 }
 
-fn compile(request: &CompileRequest) -> Result<Warned<Shaders>, Vec<Diagnostic>> {
+fn compile(request: &CompileRequest) -> Result<WithWarnings<Shaders>, Vec<Diagnostic>> {
     let shown = request
         .wire
         .as_ref()
@@ -86,12 +86,12 @@ fn compile(request: &CompileRequest) -> Result<Warned<Shaders>, Vec<Diagnostic>>
         None => (&*request.look, None),
     };
     let (typed, warnings) = check(look, &request.library, root)?.into_parts();
-    let with = |live| Options {
+    let with = |live| CompileOptions {
         root: root.cloned(),
         live,
         touched: (*request.touched).clone(),
         display: true,
-        ..Options::default()
+        ..CompileOptions::default()
     };
     let baked = Arc::new(compile_typed(&typed, &with(Live::Keyed))?);
     let live = match request.only_baked {
@@ -99,5 +99,5 @@ fn compile(request: &CompileRequest) -> Result<Warned<Shaders>, Vec<Diagnostic>>
         false => Some(Arc::new(compile_typed(&typed, &with(Live::All))?)),
     };
     milestones::reached("first shaders");
-    Ok(Warned::new(Shaders { live, baked, typed: Arc::new(typed) }, warnings))
+    Ok(WithWarnings::new(Shaders { live, baked, typed: Arc::new(typed) }, warnings))
 }

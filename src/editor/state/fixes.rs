@@ -1,7 +1,7 @@
 //! Remedies of problems: what one click can do where one edit is enough, offered on the node and in
 //! the list of problems.
 
-use crate::catalog::{CODE, CUSTOM_CODE, Kind, Port};
+use crate::catalog::{CODE_VALUE, CUSTOM_CODE, NodeKind, Port};
 use crate::diag::{Diagnostic, Severity, nearest};
 use crate::document::{Edit, Endpoint, Graph, GraphId, Light, Node, Value, Wire};
 use crate::ids::{LightId, NodeId, PortName, is_slug, make_slug};
@@ -52,7 +52,7 @@ pub(crate) fn of(session: &Session, problem: &Diagnostic) -> Vec<Fix> {
         "out-of-range" => spot.clamp(),
         "unknown-choice" => spot.known_choice(),
         "missing-code" => Some(spot.set(
-            CODE,
+            CODE_VALUE,
             Value::Text(CUSTOM_CODE.to_owned()),
             "Give it code",
             "Writes a small function to begin with",
@@ -79,7 +79,7 @@ impl<'a> ProblemSpot<'a> {
         })
     }
 
-    fn kind(&self) -> Option<&Kind> {
+    fn kind(&self) -> Option<&NodeKind> {
         self.session.project.catalog.of(self.node).map(|kind| &**kind)
     }
 
@@ -333,7 +333,8 @@ impl<'a> ProblemSpot<'a> {
     }
 
     fn use_default(&self) -> Option<Fix> {
-        let has = |port: &PortName| self.node.values.contains_key(port) && port.as_str() != CODE;
+        let has =
+            |port: &PortName| self.node.values.contains_key(port) && port.as_str() != CODE_VALUE;
         let port = self.port.clone().filter(has)?;
         let edit = Edit::ClearValue { graph: self.id.clone(), id: self.node_id.clone(), port };
         Some(Fix::new(

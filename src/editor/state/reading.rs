@@ -117,7 +117,7 @@ impl<'a> LookWithLibrary<'a> {
 
     /// Parameters that objects may set by name, in the look's order.
     pub(crate) fn parameters(self) -> Vec<Parameter> {
-        let parameter = |exposed: &crate::document::Exposed| {
+        let parameter = |exposed: &crate::document::ExposedValue| {
             let mut port = self.port_at(&exposed.target)?;
             if port.ty == Type::LightName {
                 // A choice like any other, among this look's lights.

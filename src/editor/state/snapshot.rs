@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::DQuat;
 
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Look, SourceMap};
 use crate::frame::{AssetStore, Assets, Overlay, Planner, Setup, SetupLook, default_setup};
 use crate::library::Library;
@@ -49,7 +49,10 @@ impl RenderSnapshot {
     ///
     /// # Errors
     /// Problems of the mesh, without a scene.
-    pub(crate) fn setup(&self, assets: &mut Assets) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+    pub(crate) fn setup(
+        &self,
+        assets: &mut Assets,
+    ) -> Result<WithWarnings<Setup>, Vec<Diagnostic>> {
         assets.share(&self.assets);
         assets.begin_picture();
         assets.overlay(self.painting.clone());
@@ -69,7 +72,7 @@ impl RenderSnapshot {
         setup.scene.camera = self.orbit.camera();
         setup.scene.backdrop = self.orbit.backdrop.or(setup.scene.backdrop);
         setup.scene.illumination = DQuat::to_array(&self.orbit.illumination);
-        Ok(Warned::new(setup, notes))
+        Ok(WithWarnings::new(setup, notes))
     }
 }
 

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
 
-use crate::catalog::{Catalog, Kind};
+use crate::catalog::{Catalog, NodeKind};
 use crate::document::{Edit, Endpoint, GraphId, Look, Node, Wire};
 use crate::ids::{NodeId, make_slug};
 
@@ -282,7 +282,7 @@ impl Stack {
 }
 
 /// True if a wire comes from a layer: a node that takes a stack from below and gives it on.
-fn is_layer(kind: &Kind, wire: &Wire) -> bool {
+fn is_layer(kind: &NodeKind, wire: &Wire) -> bool {
     let takes = kind.input(BELOW).is_some_and(|index| kind.inputs[index].is_wirable());
     let gives = kind.output(BELOW);
     takes && gives.is_some() && kind.output(wire.from.port.as_str()) == gives

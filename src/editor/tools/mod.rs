@@ -13,7 +13,7 @@ use crate::commands::Command;
 use crate::render::Gpu;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
-use fitting::Fitting;
+use fitting::FitTool;
 use probe::Probe;
 pub(crate) use table::{PictureContext, SwitchPlace, ToolRow};
 use wipe::Wipe;
@@ -26,7 +26,7 @@ pub(crate) struct PictureTools {
     pub(crate) has_handles: bool,
     pub(crate) probe: Probe,
     pub(crate) wipe: Wipe,
-    pub(crate) fitting: Fitting,
+    pub(crate) fitting: FitTool,
 }
 
 impl PictureTools {
@@ -36,7 +36,7 @@ impl PictureTools {
             has_handles: true,
             probe: Probe::new(wake.clone()),
             wipe: Wipe::new(gpu, wake.clone()),
-            fitting: Fitting::new(wake),
+            fitting: FitTool::new(wake),
         }
     }
 

@@ -28,7 +28,7 @@ pub(crate) enum SwitchPlace {
 type IsOn = fn(&PictureTools) -> bool;
 type ShowSwitch = fn(&mut PictureTools, &mut Ui, &mut Vec<Command>);
 type ShowBar = fn(&mut PictureTools, &mut Ui, &Session);
-type Interact = fn(&mut PictureTools, &Ui, &PictureContext<'_>) -> Option<Command>;
+type HandlePointer = fn(&mut PictureTools, &Ui, &PictureContext<'_>) -> Option<Command>;
 type ShowOver = fn(&mut PictureTools, &mut Ui, &PictureContext<'_>, &mut Vec<Command>);
 type ShowMark = fn(&PictureTools, &Ui, Rect);
 type Hint = fn(&PictureTools) -> &str;
@@ -44,7 +44,7 @@ pub(crate) struct ToolRow {
     /// Shows a row of controls below the bar.
     pub(crate) bar: Option<ShowBar>,
     /// Handles the pointer, before anything is drawn.
-    pub(crate) interact: Option<Interact>,
+    pub(crate) interact: Option<HandlePointer>,
     /// Shows the overlay of the picture, below lines and handles.
     pub(crate) over: Option<ShowOver>,
     /// Marks the picture above all else.
@@ -76,7 +76,7 @@ impl ToolRow {
         Self { bar: Some(bar), ..self }
     }
 
-    pub(crate) const fn with_interaction(self, interact: Interact) -> Self {
+    pub(crate) const fn with_interaction(self, interact: HandlePointer) -> Self {
         Self { interact: Some(interact), ..self }
     }
 

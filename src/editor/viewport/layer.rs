@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::catalog::Kind;
+use crate::catalog::NodeKind;
 use crate::document::{Graph, Node, Target, Value};
 use crate::ids::{LightId, NodeId};
 use crate::library::Type;
@@ -130,7 +130,7 @@ struct NodeInGraph<'a> {
     graph: &'a Graph,
     id: &'a NodeId,
     node: &'a Node,
-    kind: &'a Kind,
+    kind: &'a NodeKind,
 }
 
 impl<'a> NodeInGraph<'a> {

@@ -36,7 +36,7 @@ use crate::state::orbit::Orbit;
 use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
-use crate::tools::fitting::Fitting;
+use crate::tools::fitting::FitTool;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::Picture;
@@ -63,7 +63,7 @@ enum Drag {
     Light(lights::HeldLight),
 }
 
-/// State that a cancelled drag goes back to.
+/// State that a canceled drag goes back to.
 struct DragStart {
     view: Orbit,
     /// Number of steps of the history that were done.
@@ -431,7 +431,7 @@ impl Viewport {
         ui: &Ui,
         PictureContext { session, pointer, .. }: &PictureContext<'_>,
         view: &mut Orbit,
-        fitting: &Fitting,
+        fitting: &FitTool,
         out: &mut Vec<Command>,
     ) {
         if pointer.is_none() {

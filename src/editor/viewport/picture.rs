@@ -10,9 +10,9 @@ use eframe::egui::TextureId;
 use eframe::egui_wgpu::RenderState;
 
 use crate::compile::{CompiledShader, Live};
-use crate::diag::{Diagnostic, Warned, has_errors};
+use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::Look;
-use crate::frame::{Cull, Effect, PlanOptions, Planner, effects};
+use crate::frame::{CullMode, Effect, PlanOptions, Planner, effects};
 use crate::library::Library;
 use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
@@ -214,7 +214,7 @@ impl Picture {
         let gpu = Gpu::new(state.device.clone(), state.queue.clone(), state.adapter.get_info());
         // Only whole objects are culled: lights are edited, and a look must not be compiled anew
         // when one goes out.
-        let planner = Planner::default().culling(Cull::Objects);
+        let planner = Planner::default().culling(CullMode::Objects);
         let renderer = Renderer::new(gpu.clone());
         let mut picture_renderer =
             PictureRenderer { renderer, planner, provided: None, library: None, crashes };
@@ -424,7 +424,7 @@ impl PictureRenderer {
         let drawn = self.try_draw(request).await;
         let unfinished = going.map(|going| self.hand_to_gpu(going));
         match drawn {
-            Ok(Warned { value: effects, warnings: problems }) => {
+            Ok(WithWarnings { value: effects, warnings: problems }) => {
                 let ready = Some(PreparedAssets::of(&request.showing, &request.snapshot));
                 DrawnPicture {
                     subject,
@@ -460,7 +460,7 @@ impl PictureRenderer {
     async fn try_draw(
         &mut self,
         request: &PictureRequest,
-    ) -> Result<Warned<Option<Vec<Effect>>>, Vec<Diagnostic>> {
+    ) -> Result<WithWarnings<Option<Vec<Effect>>>, Vec<Diagnostic>> {
         let showing = &request.showing;
         if !self
             .library
@@ -468,7 +468,7 @@ impl PictureRenderer {
             .is_some_and(|library| Arc::ptr_eq(library, &request.snapshot.library))
         {
             self.planner =
-                Planner::new(std::mem::take(&mut self.planner.assets)).culling(Cull::Objects);
+                Planner::new(std::mem::take(&mut self.planner.assets)).culling(CullMode::Objects);
             (self.library, self.provided) = (Some(request.snapshot.library.clone()), None);
         }
         let (mut setup, of_setup) = request.snapshot.setup(&mut self.planner.assets)?.into_parts();
@@ -488,7 +488,7 @@ impl PictureRenderer {
         let is_told = request.tells_effects && showing.live == Live::Keyed;
         let mut effects = is_told.then(|| effects(&plan, self.renderer.done()));
         self.renderer.draw(&plan).await.map_err(|error| vec![error.into()])?;
-        if milestones::are_told() {
+        if milestones::is_enabled() {
             self.renderer
                 .gpu()
                 .queue
@@ -500,7 +500,7 @@ impl PictureRenderer {
             let times = self.renderer.measure(&plan).await.map_err(|error| vec![error.into()])?;
             set_times(effects, &times);
         }
-        Ok(Warned::new(effects, warnings))
+        Ok(WithWarnings::new(effects, warnings))
     }
 }
 

@@ -16,8 +16,9 @@ use crate::interp::Precision;
 use crate::library::Context;
 use crate::progress::Progress;
 use crate::reference::{
-    FragmentStage, Interpolation, Modules, Options, PassImages, QuadBatch, Shaded, Shader, Sides,
-    Target, Texels, Triangles, Varying, VertexStage, execute_screens, rasterise,
+    FragmentStage, Modules, PassImages, PassTarget, QuadBatch, ReferenceOptions, Shader,
+    ShaderOutputs, Sides, Texels, Triangles, Varying, VaryingInterpolation, VertexStage,
+    execute_screens, rasterize,
 };
 use crate::state::revision::{FilesRevision, PictureRevision};
 use crate::state::scene::ObjectPlace;
@@ -291,12 +292,12 @@ fn surface_of(setup: &Setup, key: &Key) -> Result<Surface, Diagnostic> {
         }
     });
     let triangles: Vec<_> = triangles.collect();
-    let raster = rasterise(
+    let raster = rasterize(
         size,
         1,
-        &Target::Numbers(NUMBERS),
+        &PassTarget::Numbers(NUMBERS),
         &triangles,
-        &Options::default(),
+        &ReferenceOptions::default(),
         &Progress::new(),
     )?;
     let all: Vec<ObjectPart> = parts.iter().map(|(object, part)| piece(object, *part)).collect();
@@ -404,7 +405,7 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let mut images = PassImages::default();
     plan.missing().for_each(|of_meshes| images.insert(of_meshes, &drawn));
     let modules = Modules::new(&plan, Precision::F64)?;
-    execute_screens(&plan, &mut images, &modules, &Options::default(), &Progress::new())?;
+    execute_screens(&plan, &mut images, &modules, &ReferenceOptions::default(), &Progress::new())?;
     let texels = images.first(pass).ok_or_else(nothing)?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
 }
@@ -435,7 +436,7 @@ impl<'a> SurfaceShader<'a> {
 }
 
 const VARYINGS: [Varying; 2] =
-    [Varying { components: 3, interpolation: Interpolation::Perspective }; 2];
+    [Varying { components: 3, interpolation: VaryingInterpolation::Perspective }; 2];
 
 impl Shader for SurfaceShader<'_> {
     fn varyings(&self) -> &[Varying] {
@@ -470,7 +471,7 @@ impl VertexStage for SurfaceStages<'_> {
 }
 
 impl FragmentStage for SurfaceStages<'_> {
-    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
+    fn shade(&mut self, batch: &QuadBatch, out: &mut ShaderOutputs) -> Result<(), Diagnostic> {
         for component in 0..6 {
             out.channel_mut(component)[..batch.lanes()]
                 .copy_from_slice(&batch.varying(component)[..batch.lanes()]);

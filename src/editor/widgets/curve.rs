@@ -51,7 +51,7 @@ pub(crate) fn show(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id,
         && let Some(Some(held)) = ui.data(|data| data.get_temp::<Option<usize>>(held_id))
         && held < curve.points.len()
     {
-        curve.points[held] = between_neighbours(&curve, held, from_screen(p));
+        curve.points[held] = between_neighbors(&curve, held, from_screen(p));
         changed = true;
     }
     if let (true, Some(p)) = (response.double_clicked(), pointer) {
@@ -72,7 +72,7 @@ fn bounds(curve: &Curve) -> [[f64; 2]; 2] {
     })
 }
 
-fn between_neighbours(curve: &Curve, index: usize, [x, y]: [f64; 2]) -> [f64; 2] {
+fn between_neighbors(curve: &Curve, index: usize, [x, y]: [f64; 2]) -> [f64; 2] {
     const GAP: f64 = 1e-3;
     let low = index.checked_sub(1).map_or(f64::NEG_INFINITY, |i| curve.points[i][0] + GAP);
     let high = curve.points.get(index + 1).map_or(f64::INFINITY, |point| point[0] - GAP);
@@ -88,7 +88,7 @@ fn add_or_remove(curve: &mut Curve, near: Option<usize>, point: [f64; 2]) -> boo
         None if curve.points.len() < Curve::MAX_POINTS => {
             let index = curve.points.partition_point(|other| other[0] < point[0]);
             curve.points.insert(index, point);
-            curve.points[index] = between_neighbours(curve, index, point);
+            curve.points[index] = between_neighbors(curve, index, point);
             true
         }
         _ => false,

@@ -53,7 +53,7 @@ impl Hsv {
     }
 
     /// Hue, saturation and brightness of a color, with the hue and the saturation that a hand last
-    /// gave it: grey has no hue, and black neither.
+    /// gave it: gray has no hue, and black neither.
     fn remembered(ui: &Ui, id: Id, rgb: [f32; 3]) -> Self {
         let last: Option<Self> = ui.data(|data| data.get_temp(id));
         let is_it = |last: &Self| last.to_rgb().iter().zip(rgb).all(|(a, b)| (a - b).abs() < 2e-3);
@@ -126,7 +126,7 @@ fn paint_swatch(ui: &Ui, rect: Rect, response: &Response, is_open: bool, color: 
 }
 
 /// Shows everything in the picker but the hex code. Returns the new color where a hand changed it.
-/// The hue of a grey is remembered by `id`.
+/// The hue of a gray is remembered by `id`.
 pub(crate) fn pick(ui: &mut Ui, id: Id, color: [f32; 4], with_alpha: bool) -> Option<[f32; 4]> {
     let [r, g, b, a] = color;
     let mut hsv = Hsv::remembered(ui, id, [r, g, b]);

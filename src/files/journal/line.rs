@@ -51,7 +51,7 @@ fn parse(line: &str) -> Option<(u64, &str)> {
 
 /// Result of reading the next line.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Line {
+pub(super) enum JournalLine {
     /// The record's JSON.
     Whole(String),
     /// Line that differs from what was written.
@@ -61,12 +61,12 @@ pub(super) enum Line {
 }
 
 /// Reader of lines in order.
-pub(super) struct Lines<R> {
+pub(super) struct LineReader<R> {
     from: R,
     next: u64,
 }
 
-impl<R: BufRead> Lines<R> {
+impl<R: BufRead> LineReader<R> {
     pub(super) fn new(from: R) -> Self {
         Self { from, next: 0 }
     }
@@ -76,19 +76,19 @@ impl<R: BufRead> Lines<R> {
     ///
     /// # Errors
     /// The file cannot be read.
-    pub(super) fn next(&mut self) -> io::Result<Line> {
+    pub(super) fn next(&mut self) -> io::Result<JournalLine> {
         let mut bytes = Vec::new();
         self.from.by_ref().take(MAX_LINE).read_until(b'\n', &mut bytes)?;
         if bytes.is_empty() {
-            return Ok(Line::End);
+            return Ok(JournalLine::End);
         }
         let line = bytes.strip_suffix(b"\n").and_then(|bytes| std::str::from_utf8(bytes).ok());
         let found = line.and_then(parse).filter(|(number, _)| *number >= self.next);
-        let Some((number, json)) = found else { return Ok(Line::Damaged) };
+        let Some((number, json)) = found else { return Ok(JournalLine::Damaged) };
         // A gap in the numbers is damage, whatever follows.
         let is_next = number == self.next;
         self.next = number + 1;
-        Ok(if is_next { Line::Whole(json.to_owned()) } else { Line::Damaged })
+        Ok(if is_next { JournalLine::Whole(json.to_owned()) } else { JournalLine::Damaged })
     }
 
     /// True if any whole record follows.
@@ -96,8 +96,8 @@ impl<R: BufRead> Lines<R> {
         loop {
             let before = self.next;
             match self.next() {
-                Ok(Line::End) | Err(_) => return false,
-                Ok(Line::Damaged) if self.next == before => {}
+                Ok(JournalLine::End) | Err(_) => return false,
+                Ok(JournalLine::Damaged) if self.next == before => {}
                 Ok(_) => return true,
             }
         }
@@ -123,12 +123,12 @@ mod tests {
         text
     }
 
-    fn read(bytes: &[u8]) -> (Vec<String>, Line) {
-        let mut lines = Lines::new(bytes);
+    fn read(bytes: &[u8]) -> (Vec<String>, JournalLine) {
+        let mut lines = LineReader::new(bytes);
         let mut whole = Vec::new();
         loop {
             match lines.next().unwrap() {
-                Line::Whole(json) => whole.push(json),
+                JournalLine::Whole(json) => whole.push(json),
                 other => return (whole, other),
             }
         }
@@ -138,7 +138,7 @@ mod tests {
     fn lines_are_read_back() {
         let (whole, end) = read(written().as_bytes());
         assert_eq!(whole, ["{}", r#"{"a":"ü"}"#, "[1,2]"]);
-        assert_eq!(end, Line::End);
+        assert_eq!(end, JournalLine::End);
     }
 
     #[test]
@@ -148,7 +148,7 @@ mod tests {
         for cut in 0..=text.len() {
             let (whole, end) = read(&text.as_bytes()[..cut]);
             assert_eq!(whole.len(), ends.iter().filter(|&&end| end <= cut).count(), "cut at {cut}");
-            assert_eq!(end == Line::End, cut == 0 || ends.contains(&cut));
+            assert_eq!(end == JournalLine::End, cut == 0 || ends.contains(&cut));
         }
     }
 
@@ -164,7 +164,7 @@ mod tests {
                 let (whole, end) = read(&bytes);
                 // The case of the checksum's digits does not matter.
                 assert!(
-                    whole.len() == 1 && end == Line::Damaged || whole[1] == r#"{"a":"ü"}"#,
+                    whole.len() == 1 && end == JournalLine::Damaged || whole[1] == r#"{"a":"ü"}"#,
                     "byte {at}"
                 );
             }
@@ -176,16 +176,16 @@ mod tests {
         let text = written();
         let lines: Vec<&str> = text.split_inclusive('\n').collect();
         let joined = |lines: &[&str]| read(lines.concat().as_bytes());
-        assert_eq!(joined(&[lines[0], lines[2]]).1, Line::Damaged);
-        assert_eq!(joined(&[lines[0], lines[0], lines[1]]).1, Line::Damaged);
+        assert_eq!(joined(&[lines[0], lines[2]]).1, JournalLine::Damaged);
+        assert_eq!(joined(&[lines[0], lines[0], lines[1]]).1, JournalLine::Damaged);
         let damaged = [lines[0], "garbage\n", lines[1]].concat();
-        let mut reader = Lines::new(damaged.as_bytes());
-        assert!(matches!(reader.next(), Ok(Line::Whole(_))));
-        assert_eq!(reader.next().unwrap(), Line::Damaged);
+        let mut reader = LineReader::new(damaged.as_bytes());
+        assert!(matches!(reader.next(), Ok(JournalLine::Whole(_))));
+        assert_eq!(reader.next().unwrap(), JournalLine::Damaged);
         assert!(reader.has_more());
         let cut = [lines[0], "garbage\nmore\n"].concat();
-        let mut reader = Lines::new(cut.as_bytes());
-        assert!(matches!(reader.next(), Ok(Line::Whole(_))));
+        let mut reader = LineReader::new(cut.as_bytes());
+        assert!(matches!(reader.next(), Ok(JournalLine::Whole(_))));
         assert!(!reader.has_more());
     }
 }

@@ -7,8 +7,8 @@
 //! same history. Lines carry their number, length and checksum: an end that was cut off is
 //! recognized and left out. When a journal has grown long it is begun anew.
 //!
-//! Journals lie in one folder, each in a [`Slot`] that the program using it holds by a lock of the
-//! operating system. docs/format.md describes the file.
+//! Journals lie in one folder, each in a [`JournalSlot`] that the program using it holds by a lock
+//! of the operating system. docs/format.md describes the file.
 
 mod line;
 mod read;
@@ -24,10 +24,10 @@ use serde::Serialize;
 use crate::document::{History, Step};
 use record::{Record, VERSION};
 
-pub use crate::document::Journaled;
-pub use read::{Found, Recovered, recover, recover_any};
-pub use record::{About, HcbtfOp, LookOp, Op, SceneOp};
-pub use slot::{Slot, left_behind};
+pub use crate::document::JournalDocument;
+pub use read::{RecoveredDocument, RecoveredWork, recover, recover_any};
+pub use record::{DocumentInfo, HcbtfOp, LookOp, Op, SceneOp};
+pub use slot::{JournalSlot, left_behind};
 
 /// Growth after which a journal is begun anew, unless its beginning was larger, in bytes.
 const GROWTH: u64 = 8 << 20;
@@ -59,9 +59,9 @@ impl Journal {
     ///
     /// # Errors
     /// The disk is full, or the folder cannot be written. An earlier journal stays.
-    pub fn begin<D: Journaled>(
-        slot: &Slot,
-        about: &About,
+    pub fn begin<D: JournalDocument>(
+        slot: &JournalSlot,
+        about: &DocumentInfo,
         source: Option<&str>,
         history: &History<D>,
     ) -> io::Result<Self> {
@@ -69,7 +69,7 @@ impl Journal {
         let unfinished =
             builder.prefix("new-").suffix(slot::UNFINISHED).tempfile_in(slot.folder())?;
         let mut lines =
-            Lines { to: BufWriter::new(unfinished), number: 0, size: 0, line: String::new() };
+            LineWriter { to: BufWriter::new(unfinished), number: 0, size: 0, line: String::new() };
         let numbers = history.numbers();
         lines.write::<D::Edit>(&Record::Begin {
             version: VERSION,
@@ -84,7 +84,7 @@ impl Journal {
         lines.steps(history.done(), |steps| Record::Done(Cow::Borrowed(steps)))?;
         lines.steps(history.undone(), |steps| Record::Undone(Cow::Borrowed(steps)))?;
         lines.write::<D::Edit>(&Record::Ready)?;
-        let Lines { to, number, size, line } = lines;
+        let LineWriter { to, number, size, line } = lines;
         let unfinished = to.into_inner().map_err(io::IntoInnerError::into_error)?;
         unfinished.as_file().sync_data()?;
         let file = unfinished.persist(slot.path()).map_err(|error| error.error)?;
@@ -105,7 +105,7 @@ impl Journal {
     }
 
     /// Notes the state that the window wants back, such as its camera: each member takes the place
-    /// of the one that [`About::window`] has.
+    /// of the one that [`DocumentInfo::window`] has.
     ///
     /// # Errors
     /// As [`append`](Self::append).
@@ -176,14 +176,14 @@ impl Journal {
 }
 
 /// Writer of the beginning of a journal.
-struct Lines<W: io::Write> {
+struct LineWriter<W: io::Write> {
     to: W,
     number: u64,
     size: u64,
     line: String,
 }
 
-impl<W: io::Write> Lines<W> {
+impl<W: io::Write> LineWriter<W> {
     fn write<E: Clone + Serialize>(&mut self, record: &Record<'_, E>) -> io::Result<()> {
         self.line.clear();
         line::push(&mut self.line, self.number, &serde_json::to_string(record)?);
@@ -246,9 +246,9 @@ mod tests {
         let mut history = History::new(Hcbtf::new(Grid::THESIS));
         let (address, tile) = (Address::new([2, 3], [1, 0]), Tile::filled([32, 32], [1, 2, 3, 4]));
         history.apply(HcbtfEdit::paint(history.document(), address, tile)).unwrap();
-        let about = About { name: "grass, größer".into(), ..About::default() };
+        let about = DocumentInfo { name: "grass, größer".into(), ..DocumentInfo::default() };
         let to = File::create(&path).unwrap();
-        let mut lines = Lines { to, number: 0, size: 0, line: String::new() };
+        let mut lines = LineWriter { to, number: 0, size: 0, line: String::new() };
         let kind = "hcbtf".into();
         let begin = Record::Begin {
             version: VERSION,
@@ -268,10 +268,14 @@ mod tests {
     #[test]
     fn more_than_a_line_holds_is_refused() {
         let folder = tempfile::tempdir().unwrap();
-        let slot = Slot::new(folder.path()).unwrap();
-        let mut journal =
-            Journal::begin(&slot, &About::default(), None, &History::new(Hcbtf::new(Grid::THESIS)))
-                .unwrap();
+        let slot = JournalSlot::new(folder.path()).unwrap();
+        let mut journal = Journal::begin(
+            &slot,
+            &DocumentInfo::default(),
+            None,
+            &History::new(Hcbtf::new(Grid::THESIS)),
+        )
+        .unwrap();
         let size = journal.size();
         let ops = [Op::Edit { gesture: None, edit: HcbtfEdit::SetTiling { is_tiling: false } }];
         let record = Record::Ops(Cow::Borrowed(&ops[..]));

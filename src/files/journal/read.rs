@@ -4,10 +4,12 @@ use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::Path;
 
-use super::line::{Line, Lines};
-use super::record::{About, Op, Record, VERSION};
+use super::line::{JournalLine, LineReader};
+use super::record::{DocumentInfo, Op, Record, VERSION};
 use crate::diag::Diagnostic;
-use crate::document::{Editable, Hcbtf, History, HistoryNumbers, Journaled, Look, Scene, Step};
+use crate::document::{
+    Editable, Hcbtf, History, HistoryNumbers, JournalDocument, Look, Scene, Step,
+};
 
 /// Length of the longest image of a document that is accepted, in bytes: that of the largest HCBTF
 /// is shorter.
@@ -15,11 +17,11 @@ const MAX_IMAGE: usize = 3 << 29;
 
 /// Work restored from a journal.
 #[derive(Clone, Debug)]
-pub struct Recovered<D: Editable> {
+pub struct RecoveredWork<D: Editable> {
     /// Document with all steps that can be undone and redone.
     pub history: History<D>,
     /// Description of the document: its name, file and window.
-    pub about: About,
+    pub about: DocumentInfo,
     /// Text of the document's file when it was read or saved last.
     pub source: Option<String>,
     /// Losses and their reasons. An end that was cut off, as a crash leaves it, is no loss.
@@ -30,27 +32,27 @@ pub struct Recovered<D: Editable> {
 
 /// Work restored from a journal of any kind of document.
 #[derive(Clone, Debug)]
-pub enum Found {
+pub enum RecoveredDocument {
     /// A look.
-    Look(Box<Recovered<Look>>),
+    Look(Box<RecoveredWork<Look>>),
     /// A scene.
-    Scene(Box<Recovered<Scene>>),
+    Scene(Box<RecoveredWork<Scene>>),
     /// An HCBTF.
-    Hcbtf(Box<Recovered<Hcbtf>>),
+    Hcbtf(Box<RecoveredWork<Hcbtf>>),
 }
 
 /// Reads a journal of any kind.
 ///
 /// # Errors
 /// As [`recover`].
-pub fn recover_any(path: &Path) -> Result<Found, Box<Diagnostic>> {
+pub fn recover_any(path: &Path) -> Result<RecoveredDocument, Box<Diagnostic>> {
     // A journal with a damaged beginning is reported as that of a look.
     if let Ok(scene) = recover::<Scene>(path) {
-        return Ok(Found::Scene(Box::new(scene)));
+        return Ok(RecoveredDocument::Scene(Box::new(scene)));
     }
     match recover::<Hcbtf>(path) {
-        Ok(hcbtf) => Ok(Found::Hcbtf(Box::new(hcbtf))),
-        Err(_) => recover::<Look>(path).map(|look| Found::Look(Box::new(look))),
+        Ok(hcbtf) => Ok(RecoveredDocument::Hcbtf(Box::new(hcbtf))),
+        Err(_) => recover::<Look>(path).map(|look| RecoveredDocument::Look(Box::new(look))),
     }
 }
 
@@ -58,15 +60,15 @@ pub fn recover_any(path: &Path) -> Result<Found, Box<Diagnostic>> {
 ///
 /// # Errors
 /// A diagnostic that says why nothing can be brought back. The file is left as it is.
-pub fn recover<D: Journaled>(path: &Path) -> Result<Recovered<D>, Box<Diagnostic>> {
+pub fn recover<D: JournalDocument>(path: &Path) -> Result<RecoveredWork<D>, Box<Diagnostic>> {
     let fail = |error: io::Error| {
         let message = format!("the journal of unsaved work cannot be read: {error}");
         Box::new(Diagnostic::error("cannot-read", message).in_file(path.display().to_string()))
     };
     let file = File::open(path).map_err(fail)?;
-    let mut reader = Reader { lines: Lines::new(BufReader::new(file)), damage: Vec::new() };
+    let mut reader = Reader { lines: LineReader::new(BufReader::new(file)), damage: Vec::new() };
     let begun = reader.beginning::<D>().map_err(fail)?;
-    let Some(Beginning { numbers, mut about, source, document, done, undone }) = begun else {
+    let Some(JournalContent { numbers, mut about, source, document, done, undone }) = begun else {
         let message = "the journal of unsaved work is damaged where it begins, and nothing can be \
                        brought back from it";
         let problem =
@@ -82,7 +84,7 @@ pub fn recover<D: Journaled>(path: &Path) -> Result<Recovered<D>, Box<Diagnostic
             .damage
             .push(damage(format!("{dropped} older steps can no longer be undone or redone")));
     }
-    Ok(Recovered { history, about, source, damage: reader.damage, is_closed })
+    Ok(RecoveredWork { history, about, source, damage: reader.damage, is_closed })
 }
 
 fn damage(message: impl Into<String>) -> Diagnostic {
@@ -90,9 +92,9 @@ fn damage(message: impl Into<String>) -> Diagnostic {
 }
 
 /// Part of a journal before the edits.
-struct Beginning<D: Editable> {
+struct JournalContent<D: Editable> {
     numbers: HistoryNumbers,
-    about: About,
+    about: DocumentInfo,
     source: Option<String>,
     document: D,
     done: Vec<Step<D::Edit>>,
@@ -100,14 +102,14 @@ struct Beginning<D: Editable> {
 }
 
 struct Reader {
-    lines: Lines<BufReader<File>>,
+    lines: LineReader<BufReader<File>>,
     damage: Vec<Diagnostic>,
 }
 
 impl Reader {
     /// Reads the beginning; `None` where it is not whole. A beginning is put in its place whole, so
     /// that a part of one is damage.
-    fn beginning<D: Journaled>(&mut self) -> io::Result<Option<Beginning<D>>> {
+    fn beginning<D: JournalDocument>(&mut self) -> io::Result<Option<JournalContent<D>>> {
         let Some(Record::Begin { version, kind, numbers, about }) = self.record::<D>()? else {
             return Ok(None);
         };
@@ -129,21 +131,28 @@ impl Reader {
             }
         }
         let document = D::from_image(&document).ok();
-        Ok(document.map(|document| Beginning { numbers, about, source, document, done, undone }))
+        Ok(document.map(|document| JournalContent {
+            numbers,
+            about,
+            source,
+            document,
+            done,
+            undone,
+        }))
     }
 
     /// Reads the next record; `None` where it is not whole or not known.
-    fn record<D: Journaled>(&mut self) -> io::Result<Option<Record<'static, D::Edit>>> {
+    fn record<D: JournalDocument>(&mut self) -> io::Result<Option<Record<'static, D::Edit>>> {
         match self.lines.next()? {
-            Line::Whole(json) => Ok(serde_json::from_str(&json).ok()),
-            Line::Damaged | Line::End => Ok(None),
+            JournalLine::Whole(json) => Ok(serde_json::from_str(&json).ok()),
+            JournalLine::Damaged | JournalLine::End => Ok(None),
         }
     }
 
     /// Applies the noted operations again. Operations after one that cannot be applied are left
     /// out: they were made for another document. Keeps the window's state that was noted last.
     /// Returns true if the window was closed.
-    fn ops<D: Journaled>(
+    fn ops<D: JournalDocument>(
         &mut self,
         history: &mut History<D>,
         window: &mut serde_json::Value,
@@ -151,9 +160,9 @@ impl Reader {
         let mut is_closed = false;
         loop {
             let json = match self.lines.next()? {
-                Line::Whole(json) => json,
-                Line::End => return Ok(is_closed),
-                Line::Damaged => {
+                JournalLine::Whole(json) => json,
+                JournalLine::End => return Ok(is_closed),
+                JournalLine::Damaged => {
                     if self.lines.has_more() {
                         self.damage.push(damage(
                             "a part of the journal is damaged; what was done after it is lost",
@@ -190,7 +199,7 @@ impl Reader {
     }
 }
 
-fn apply<D: Journaled>(history: &mut History<D>, op: Op<D::Edit>) -> bool {
+fn apply<D: JournalDocument>(history: &mut History<D>, op: Op<D::Edit>) -> bool {
     match op {
         Op::Edit { gesture: Some(gesture), edit } => history.apply_in(gesture, edit).is_ok(),
         Op::Edit { gesture: None, edit } => history.apply(edit).is_ok(),

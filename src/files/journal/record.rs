@@ -15,7 +15,12 @@ pub(super) const VERSION: u32 = 1;
 #[serde(rename_all = "snake_case", bound(deserialize = "E: Clone + Deserialize<'de>"))]
 pub(super) enum Record<'a, E: Clone> {
     /// Subject of the journal.
-    Begin { version: u32, kind: Cow<'a, str>, numbers: HistoryNumbers, about: Cow<'a, About> },
+    Begin {
+        version: u32,
+        kind: Cow<'a, str>,
+        numbers: HistoryNumbers,
+        about: Cow<'a, DocumentInfo>,
+    },
     /// Text of the document's file when it was read or saved last.
     Source { text: Cow<'a, str> },
     /// Image of the document; a large image is split over several lines that follow each other.
@@ -28,7 +33,8 @@ pub(super) enum Record<'a, E: Clone> {
     Ready,
     /// Operations that were done at once.
     Ops(Cow<'a, [Op<E>]>),
-    /// State that the window wants back, member by member in place of those of [`About::window`].
+    /// State that the window wants back, member by member in place of those of
+    /// [`DocumentInfo::window`].
     Window(Cow<'a, serde_json::Map<String, serde_json::Value>>),
     /// Mark that the window was closed normally.
     Closed,
@@ -55,7 +61,7 @@ pub enum Op<E> {
 /// Description of a journal's document, for people and for restoring the window.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct About {
+pub struct DocumentInfo {
     /// Name of the document as people read it.
     pub name: String,
     /// Path of the document's file; `None` before it is first saved.

@@ -15,19 +15,19 @@ const LOCK: &str = "lock";
 pub(super) const UNFINISHED: &str = ".tmp";
 /// Age from which a file counts as old: no program takes so long between making a lock and writing
 /// the journal, or to write a journal.
-const OLD: Duration = Duration::from_secs(24 * 60 * 60);
+const ABANDONED_AGE: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// Place for one journal, held by this program. Dropping the slot releases the lock and leaves the
 /// journal where it is.
 #[derive(Debug)]
-pub struct Slot {
+pub struct JournalSlot {
     /// Path of the journal, which need not exist yet.
     path: PathBuf,
     /// Lock file, locked where the file system has locks.
     _lock: File,
 }
 
-impl Slot {
+impl JournalSlot {
     /// New place in a folder, which is made where it is missing, for this user only.
     ///
     /// # Errors
@@ -69,7 +69,7 @@ impl Slot {
     }
 }
 
-impl Drop for Slot {
+impl Drop for JournalSlot {
     fn drop(&mut self) {
         if !self.path.exists() {
             let _ = fs::remove_file(self.path.with_extension(LOCK));
@@ -79,7 +79,7 @@ impl Drop for Slot {
 
 /// Journals in a folder that nobody holds, the newest first; they are held from then on. Removes
 /// old unfinished files.
-pub fn left_behind(folder: &Path) -> Vec<Slot> {
+pub fn left_behind(folder: &Path) -> Vec<JournalSlot> {
     let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
     let mut slots = Vec::new();
     for path in entries.flatten().map(|entry| entry.path()) {
@@ -92,12 +92,12 @@ pub fn left_behind(folder: &Path) -> Vec<Slot> {
             let _ = fs::remove_file(path);
         }
     }
-    slots.sort_by_key(|slot: &Slot| std::cmp::Reverse(slot.written()));
+    slots.sort_by_key(|slot: &JournalSlot| std::cmp::Reverse(slot.written()));
     slots
 }
 
 /// Takes hold of the journal, unless another program holds it.
-fn take(path: PathBuf) -> Option<Slot> {
+fn take(path: PathBuf) -> Option<JournalSlot> {
     let lock = OpenOptions::new()
         .write(true)
         .create(true)
@@ -111,12 +111,12 @@ fn take(path: PathBuf) -> Option<Slot> {
         Ok(()) | Err(TryLockError::Error(_)) => {}
     }
     // The journal may have been discarded between listing and locking.
-    path.exists().then_some(Slot { path, _lock: lock })
+    path.exists().then_some(JournalSlot { path, _lock: lock })
 }
 
 fn is_old(path: &Path) -> bool {
     let modified = fs::metadata(path).and_then(|data| data.modified());
-    modified.is_ok_and(|modified| crate::clock::age(modified) > OLD)
+    modified.is_ok_and(|modified| crate::clock::age(modified) > ABANDONED_AGE)
 }
 
 fn make_folder(folder: &Path) -> io::Result<()> {
@@ -135,7 +135,7 @@ mod tests {
     fn what_is_held_is_not_left_behind() {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path().join("made/here");
-        let slot = Slot::new(&folder).unwrap();
+        let slot = JournalSlot::new(&folder).unwrap();
         fs::write(slot.path(), "x").unwrap();
         assert!(left_behind(&folder).is_empty(), "somebody works on it");
         let path = slot.path().to_owned();
@@ -151,7 +151,7 @@ mod tests {
     #[test]
     fn an_empty_slot_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        drop(Slot::new(folder.path()).unwrap());
+        drop(JournalSlot::new(folder.path()).unwrap());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
         assert!(left_behind(&folder.path().join("missing")).is_empty());
     }

@@ -29,7 +29,7 @@ const SUFFIX: &str = ".tmp";
 const TRIES: u32 = 16;
 
 /// Unfinished files of this program.
-struct Unfinished {
+struct StagedFiles {
     /// Temporary files.
     files: BTreeSet<PathBuf>,
     /// True once the program ends: from then on no file is begun and none takes its name.
@@ -37,10 +37,10 @@ struct Unfinished {
 }
 
 /// Unfinished files of this program, which [`remove_unfinished`] removes.
-static UNFINISHED: Mutex<Unfinished> =
-    Mutex::new(Unfinished { files: BTreeSet::new(), is_ending: false });
+static UNFINISHED: Mutex<StagedFiles> =
+    Mutex::new(StagedFiles { files: BTreeSet::new(), is_ending: false });
 
-fn unfinished() -> MutexGuard<'static, Unfinished> {
+fn unfinished() -> MutexGuard<'static, StagedFiles> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

@@ -3,11 +3,11 @@
 
 use super::cost::{Series, alternate};
 use super::error::VISIBLE;
-use super::report::{Report, Row, Subject};
+use super::report::{BenchReport, MeasurementRow, MeasurementSubject};
 use super::size::Sizes;
 use super::truth::Truth;
 use super::variant::{Variant, can_be_left_out, tiers_of};
-use super::{Colors, ErrorFigures, Estimate, MeasureError};
+use super::{ErrorFigures, MeasureError, PremultipliedPicture, TimeEstimate};
 use crate::compile::Live;
 use crate::document::Tier;
 use crate::frame::{Assets, Executor, FramePlan, PlanOptions, Planner, Setup};
@@ -43,14 +43,14 @@ pub enum MeasuredNodes {
 /// Measures `setup` on `renderer`'s GPU.
 ///
 /// # Errors
-/// Problems of the setup, errors of the GPU, or `Stopped` if `progress` was stopped.
+/// Problems of the setup, errors of the GPU, or `Interruption` if `progress` was stopped.
 pub async fn bench(
     setup: &Setup,
     library: &Library,
     renderer: &mut Renderer,
     options: &BenchOptions,
     progress: &Progress,
-) -> Result<Report, MeasureError> {
+) -> Result<BenchReport, MeasureError> {
     let nodes = nodes(setup, library, options.nodes);
     let tiers = look_tiers(setup, library);
     progress.expect(((options.rounds + 2) * (1 + nodes.len())) as u64);
@@ -62,7 +62,7 @@ pub async fn bench(
     for node in &nodes {
         rows.extend(bench.node(node, truth.as_ref(), progress).await?);
     }
-    Ok(Report {
+    Ok(BenchReport {
         adapter: renderer.gpu().name(),
         is_software: renderer.gpu().is_software(),
         has_timestamps: renderer.gpu().has_timestamps(),
@@ -142,7 +142,7 @@ impl Bench<'_> {
         let plan = FramePlan { samples: 1, ..self.plan(&exact)? };
         let got = self.precise.picture(&plan, &Progress::new()).await?;
         truth.settle(
-            &Colors::from(&got),
+            &PremultipliedPicture::from(&got),
             |_| VISIBLE,
             &setup,
             self.library,
@@ -172,14 +172,16 @@ impl Bench<'_> {
         tiers: &[Tier],
         truth: Option<&Truth>,
         progress: &Progress,
-    ) -> Result<Vec<Row>, MeasureError> {
-        let mut variants: Vec<(Subject, Option<Tier>, Variant)> =
-            tiers.iter().map(|&tier| (Subject::Whole, Some(tier), Variant::Looks(tier))).collect();
+    ) -> Result<Vec<MeasurementRow>, MeasureError> {
+        let mut variants: Vec<(MeasurementSubject, Option<Tier>, Variant)> = tiers
+            .iter()
+            .map(|&tier| (MeasurementSubject::Whole, Some(tier), Variant::Looks(tier)))
+            .collect();
         let asked = Variant::Asked.of(self.setup);
         let is_one_of_them =
             tiers.iter().any(|&tier| same_looks(&Variant::Looks(tier).of(self.setup), &asked));
         if !is_one_of_them {
-            variants.push((Subject::Whole, None, Variant::Asked));
+            variants.push((MeasurementSubject::Whole, None, Variant::Asked));
         }
         let plans = variants
             .iter()
@@ -196,15 +198,22 @@ impl Bench<'_> {
         for (((subject, tier, _), plan), series) in variants.into_iter().zip(&plans).zip(&series) {
             let error = self.error(plan, truth).await?;
             let passes =
-                series.passes.iter().filter(|_| series.passes.len() > 1).map(|(pass, times)| Row {
-                    subject: Subject::Pass(*pass),
-                    tier,
-                    time: Estimate::of(times),
-                    sizes: None,
-                    error: None,
+                series.passes.iter().filter(|_| series.passes.len() > 1).map(|(pass, times)| {
+                    MeasurementRow {
+                        subject: MeasurementSubject::Pass(*pass),
+                        tier,
+                        time: TimeEstimate::of(times),
+                        sizes: None,
+                        error: None,
+                    }
                 });
-            let row =
-                Row { subject, tier, time: series.estimate(), sizes: Some(Sizes::of(plan)), error };
+            let row = MeasurementRow {
+                subject,
+                tier,
+                time: series.estimate(),
+                sizes: Some(Sizes::of(plan)),
+                error,
+            };
             rows.push(row);
             rows.extend(passes);
         }
@@ -217,7 +226,7 @@ impl Bench<'_> {
         node: &BenchNode,
         truth: Option<&Truth>,
         progress: &Progress,
-    ) -> Result<Vec<Row>, MeasureError> {
+    ) -> Result<Vec<MeasurementRow>, MeasureError> {
         let (look, id) = (node.look, &node.id);
         let mut variants: Vec<Variant> =
             node.tiers.iter().map(|&tier| Variant::Node { look, node: id.clone(), tier }).collect();
@@ -239,7 +248,7 @@ impl Bench<'_> {
         let sizes_without = plans.last().map(Sizes::of).unwrap_or_default();
         let mut rows = Vec::new();
         for ((&tier, plan), series) in node.tiers.iter().zip(&plans).zip(&series) {
-            let subject = Subject::Node {
+            let subject = MeasurementSubject::Node {
                 look: self.setup.looks[look].look.name.clone(),
                 id: id.clone(),
                 name: node.name.clone(),
@@ -247,7 +256,7 @@ impl Bench<'_> {
             };
             let sizes = Sizes::of(plan).over(&sizes_without);
             let error = self.error(plan, truth).await?;
-            rows.push(Row {
+            rows.push(MeasurementRow {
                 subject,
                 tier: Some(tier),
                 time: Series::over(series, &without),

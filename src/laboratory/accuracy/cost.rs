@@ -13,7 +13,7 @@ const WARM_UP: usize = 2;
 
 /// A median with its 95% confidence interval, in milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Estimate {
+pub struct TimeEstimate {
     /// Half of the measurements lie below the median.
     pub median: f64,
     /// Lower end of the interval: the true median is rarely below.
@@ -22,7 +22,7 @@ pub struct Estimate {
     pub high: f64,
 }
 
-impl Estimate {
+impl TimeEstimate {
     /// The median of `samples`, and the interval by order statistics, which assumes nothing about
     /// the distribution of the samples. Zeros if there are no samples.
     pub fn of(samples: &[f64]) -> Self {
@@ -61,28 +61,28 @@ pub struct Series {
 
 impl Series {
     /// The median time of the frame.
-    pub fn estimate(&self) -> Estimate {
-        Estimate::of(&self.frame)
+    pub fn estimate(&self) -> TimeEstimate {
+        TimeEstimate::of(&self.frame)
     }
 
     /// Additional time of this series over `other` in the same rounds, in milliseconds.
-    pub fn over(&self, other: &Self) -> Estimate {
+    pub fn over(&self, other: &Self) -> TimeEstimate {
         let pairs: Vec<f64> = self.frame.iter().zip(&other.frame).map(|(a, b)| a - b).collect();
-        Estimate::of(&pairs)
+        TimeEstimate::of(&pairs)
     }
 
     /// Ratio of this series' time to `other`'s in the same rounds.
-    pub fn ratio(&self, other: &Self) -> Estimate {
+    pub fn ratio(&self, other: &Self) -> TimeEstimate {
         let pairs: Vec<f64> =
             self.frame.iter().zip(&other.frame).map(|(a, b)| a / b.max(1e-9)).collect();
-        Estimate::of(&pairs)
+        TimeEstimate::of(&pairs)
     }
 }
 
 /// Measures the plans in turns, `rounds` times each.
 ///
 /// # Errors
-/// Errors of the GPU, or `Stopped` if `progress` was stopped.
+/// Errors of the GPU, or `Interruption` if `progress` was stopped.
 pub async fn alternate(
     renderer: &mut Renderer,
     plans: &[&FramePlan],
@@ -119,11 +119,11 @@ mod tests {
     #[test]
     fn the_median_and_its_interval() {
         let samples: Vec<f64> = (1..=25).map(f64::from).collect();
-        let estimate = Estimate::of(&samples);
+        let estimate = TimeEstimate::of(&samples);
         // The interval reaches 12.5 -+ 4.9 samples.
         assert_eq!((estimate.median, estimate.low, estimate.high), (13.0, 8.0, 19.0));
-        assert_eq!(Estimate::of(&[4.0]), Estimate { median: 4.0, low: 4.0, high: 4.0 });
-        assert_eq!(Estimate::of(&[]), Estimate::default());
+        assert_eq!(TimeEstimate::of(&[4.0]), TimeEstimate { median: 4.0, low: 4.0, high: 4.0 });
+        assert_eq!(TimeEstimate::of(&[]), TimeEstimate::default());
     }
 
     /// About one experiment in twenty misses the truth, not one in two and not none.
@@ -139,7 +139,7 @@ mod tests {
         let held = (0..2000).filter(|_| {
             // Samples of a skewed distribution, as times have: the median of -ln(1 - x) is ln 2.
             let samples: Vec<f64> = (0..31).map(|_| -(1.0 - random()).ln()).collect();
-            let estimate = Estimate::of(&samples);
+            let estimate = TimeEstimate::of(&samples);
             (estimate.low..=estimate.high).contains(&std::f64::consts::LN_2)
         });
         let share = held.count() as f64 / 2000.0;

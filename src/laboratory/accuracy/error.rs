@@ -10,14 +10,14 @@ pub const VISIBLE: f64 = 1.0 / 255.0;
 
 /// A picture in f64: premultiplied RGBA, rows from the top.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Colors<'a> {
+pub struct PremultipliedPicture<'a> {
     /// Width and height, in pixels.
     pub size: [u32; 2],
     /// Pixels, row by row.
     pub rgba: std::borrow::Cow<'a, [[f64; 4]]>,
 }
 
-impl From<&Picture> for Colors<'static> {
+impl From<&Picture> for PremultipliedPicture<'static> {
     fn from(picture: &Picture) -> Self {
         let premultiplied = |pixel: &[f32; 4]| {
             let [r, g, b, a] = pixel.map(f64::from);
@@ -86,8 +86,8 @@ impl ErrorFigures {
 ///
 /// Pictures of different sizes cannot be compared: the figures then count no pixels.
 pub fn compare(
-    picture: &Colors<'_>,
-    truth: &Colors<'_>,
+    picture: &PremultipliedPicture<'_>,
+    truth: &PremultipliedPicture<'_>,
     is_edge: impl Fn(usize) -> bool,
 ) -> ErrorFigures {
     let mut figures = ErrorFigures::default();
@@ -158,8 +158,8 @@ fn oklab(rgba: &[f64; 4]) -> [f64; 3] {
 mod tests {
     use super::*;
 
-    fn colors(rgba: &[[f64; 4]]) -> Colors<'_> {
-        Colors { size: [rgba.len() as u32, 1], rgba: rgba.into() }
+    fn colors(rgba: &[[f64; 4]]) -> PremultipliedPicture<'_> {
+        PremultipliedPicture { size: [rgba.len() as u32, 1], rgba: rgba.into() }
     }
 
     #[test]

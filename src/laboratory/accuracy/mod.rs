@@ -20,14 +20,14 @@ pub mod variant;
 pub mod viewpoint;
 
 use crate::diag::Diagnostic;
-use crate::progress::Stopped;
+use crate::progress::Interruption;
 use crate::render::RenderError;
 
 pub use bench::{BenchOptions, MeasuredNodes, bench};
-pub use cost::{Estimate, Series};
-pub use error::{Colors, ErrorFigures, compare};
+pub use cost::{Series, TimeEstimate};
+pub use error::{ErrorFigures, PremultipliedPicture, compare};
 pub use measure::Measure;
-pub use report::{Report, Row, Subject};
+pub use report::{BenchReport, MeasurementRow, MeasurementSubject};
 pub use truth::Truth;
 pub use variant::Variant;
 
@@ -40,8 +40,8 @@ pub enum MeasureError {
     Problems(Vec<Diagnostic>),
 }
 
-impl From<Stopped> for MeasureError {
-    fn from(_: Stopped) -> Self {
+impl From<Interruption> for MeasureError {
+    fn from(_: Interruption) -> Self {
         Self::Stopped
     }
 }
@@ -60,14 +60,14 @@ impl From<Diagnostic> for MeasureError {
 
 impl From<Vec<Diagnostic>> for MeasureError {
     fn from(problems: Vec<Diagnostic>) -> Self {
-        if Stopped::is_among(&problems) { Self::Stopped } else { Self::Problems(problems) }
+        if Interruption::is_among(&problems) { Self::Stopped } else { Self::Problems(problems) }
     }
 }
 
 impl From<MeasureError> for Vec<Diagnostic> {
     fn from(error: MeasureError) -> Self {
         match error {
-            MeasureError::Stopped => Stopped.into(),
+            MeasureError::Stopped => Interruption.into(),
             MeasureError::Problems(problems) => problems,
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::Measure;
-use super::report::{Report, Row, Subject, pareto_front_by, tier_word};
+use super::report::{BenchReport, MeasurementRow, MeasurementSubject, pareto_front_by, tier_word};
 use crate::document::Tier;
 use crate::drawing::escaped;
 
@@ -59,14 +59,15 @@ impl Axis {
 
 /// Draws those rows of the report whose subject `about` accepts, with errors by `measure`.
 pub fn svg(
-    report: &Report,
-    about: impl Fn(&Subject) -> bool,
+    report: &BenchReport,
+    about: impl Fn(&MeasurementSubject) -> bool,
     title: &str,
     measure: Measure,
 ) -> String {
-    let rows: Vec<&Row> =
+    let rows: Vec<&MeasurementRow> =
         report.rows.iter().filter(|row| about(&row.subject) && row.error.is_some()).collect();
-    let error_of = |row: &Row| row.error_by(measure).unwrap_or_default().max(LEAST_ERROR);
+    let error_of =
+        |row: &MeasurementRow| row.error_by(measure).unwrap_or_default().max(LEAST_ERROR);
     let x = Axis::new(rows.iter().map(|row| row.time.median), LEFT, WIDTH - RIGHT);
     let errors = rows.iter().map(|row| error_of(row)).chain([1.0 / 255.0]);
     let y = Axis::new(errors, HEIGHT - BOTTOM, TOP);
@@ -92,7 +93,13 @@ pub fn svg(
     svg
 }
 
-fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report, measure: Measure) {
+fn frame(
+    svg: &mut String,
+    (x, y): (&Axis, &Axis),
+    title: &str,
+    report: &BenchReport,
+    measure: Measure,
+) {
     let _ = writeln!(
         svg,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" \
@@ -148,7 +155,7 @@ fn frame(svg: &mut String, (x, y): (&Axis, &Axis), title: &str, report: &Report,
 
 fn point(
     svg: &mut String,
-    row: &Row,
+    row: &MeasurementRow,
     at_x: f64,
     at_y: f64,
     (x, labels): (&Axis, &mut Vec<(f64, f64)>),
@@ -172,7 +179,7 @@ fn point(
     }
     labels.push((at_x, label_y));
     let name = match &row.subject {
-        Subject::Node { name, .. } => format!("{name}, {}", tier_word(row.tier)),
+        MeasurementSubject::Node { name, .. } => format!("{name}, {}", tier_word(row.tier)),
         _ => tier_word(row.tier).to_owned(),
     };
     let anchor = if at_x > WIDTH - 140.0 { "end" } else { "start" };

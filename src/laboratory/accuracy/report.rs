@@ -5,14 +5,14 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::size::Sizes;
-use super::{ErrorFigures, Estimate, Measure};
+use super::{ErrorFigures, Measure, TimeEstimate};
 use crate::document::Tier;
 use crate::frame::PassId;
 use crate::ids::NodeId;
 
 /// All measurements of one run.
 #[derive(Clone, Debug, Serialize)]
-pub struct Report {
+pub struct BenchReport {
     /// The GPU's name.
     pub adapter: String,
     /// True if the adapter is a software renderer, whose times say little about a device's.
@@ -26,13 +26,13 @@ pub struct Report {
     /// Number of times each variant was drawn.
     pub rounds: usize,
     /// Rows in the order of measuring: the whole look with its passes, then nodes.
-    pub rows: Vec<Row>,
+    pub rows: Vec<MeasurementRow>,
 }
 
 /// Subject of a row.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Subject {
+pub enum MeasurementSubject {
     /// The whole frame.
     Whole,
     /// A pass of the whole frame in the row before.
@@ -52,20 +52,20 @@ pub enum Subject {
 
 /// One measurement.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub struct MeasurementRow {
     /// Subject of the measurement.
-    pub subject: Subject,
+    pub subject: MeasurementSubject,
     /// Tier that was measured; `None` for the tiers that the document asks for.
     pub tier: Option<Tier>,
     /// Time a frame, in milliseconds.
-    pub time: Estimate,
+    pub time: TimeEstimate,
     /// Sizes of the frame plan; `None` for a pass.
     pub sizes: Option<Sizes>,
     /// Distance from the truth; `None` if there was no comparison.
     pub error: Option<ErrorFigures>,
 }
 
-impl Row {
+impl MeasurementRow {
     /// The row's error by the largest difference of a channel.
     pub fn max_error(&self) -> Option<f64> {
         self.error.as_ref().map(|error| error.max)
@@ -78,9 +78,9 @@ impl Row {
 
     fn name(&self) -> String {
         match &self.subject {
-            Subject::Whole => "whole look".to_owned(),
-            Subject::Pass(pass) => format!("  {} pass", pass.label()),
-            Subject::Node { name, .. } => name.clone(),
+            MeasurementSubject::Whole => "whole look".to_owned(),
+            MeasurementSubject::Pass(pass) => format!("  {} pass", pass.label()),
+            MeasurementSubject::Node { name, .. } => name.clone(),
         }
     }
 }
@@ -88,12 +88,12 @@ impl Row {
 /// The rows of `rows` that no other beats in both time and error, by index, fastest first.
 ///
 /// Rows without an error are never on the front.
-pub fn pareto_front(rows: &[&Row]) -> Vec<usize> {
+pub fn pareto_front(rows: &[&MeasurementRow]) -> Vec<usize> {
     pareto_front_by(rows, Measure::Max)
 }
 
 /// The Pareto front as [`pareto_front`] finds it, with errors by `measure`.
-pub fn pareto_front_by(rows: &[&Row], measure: Measure) -> Vec<usize> {
+pub fn pareto_front_by(rows: &[&MeasurementRow], measure: Measure) -> Vec<usize> {
     let mut order: Vec<usize> =
         (0..rows.len()).filter(|&index| rows[index].error.is_some()).collect();
     let key = |index: usize| {
@@ -119,12 +119,12 @@ pub fn tier_word(tier: Option<Tier>) -> &'static str {
     }
 }
 
-impl Report {
+impl BenchReport {
     /// Lines that tell which tiers of the whole look are within the error `most` by `measure`;
     /// empty if no error is known.
     pub fn verdict(&self, measure: Measure, most: f64) -> String {
         let mut lines = String::new();
-        for row in self.rows.iter().filter(|row| row.subject == Subject::Whole) {
+        for row in self.rows.iter().filter(|row| row.subject == MeasurementSubject::Whole) {
             let (Some(error), Some(figures)) = (row.error_by(measure), &row.error) else {
                 continue;
             };
@@ -204,8 +204,8 @@ nothing was seen beyond chance. Errors are distances from the reference picture 
 channels from 0 to 1.
 ";
 
-fn cells(row: &Row) -> [String; 12] {
-    let is_node = matches!(row.subject, Subject::Node { .. });
+fn cells(row: &MeasurementRow) -> [String; 12] {
+    let is_node = matches!(row.subject, MeasurementSubject::Node { .. });
     let noise = if is_node && row.time.is_noise() { " (noise)" } else { "" };
     let kib = |bytes: u64| format!("{:.0}", bytes as f64 / 1024.0);
     let sizes = |get: fn(&Sizes) -> String| row.sizes.as_ref().map_or_else(String::new, get);
@@ -243,11 +243,11 @@ fn small(number: f64) -> String {
 mod tests {
     use super::*;
 
-    fn row(time: f64, error: f64) -> Row {
-        Row {
-            subject: Subject::Whole,
+    fn row(time: f64, error: f64) -> MeasurementRow {
+        MeasurementRow {
+            subject: MeasurementSubject::Whole,
             tier: None,
-            time: Estimate { median: time, low: time, high: time },
+            time: TimeEstimate { median: time, low: time, high: time },
             sizes: None,
             error: Some(ErrorFigures { max: error, ..ErrorFigures::default() }),
         }
@@ -263,7 +263,7 @@ mod tests {
             row(5.0, 0.0),
             row(1.0, 0.4),
         ];
-        let rows: Vec<&Row> = rows.iter().collect();
+        let rows: Vec<&MeasurementRow> = rows.iter().collect();
         assert_eq!(pareto_front(&rows), [5, 0, 4]);
     }
 
@@ -272,8 +272,8 @@ mod tests {
         let mut noisy = row(0.1, 0.0);
         noisy.time.low = -0.1;
         let (id, name, kind) = ("tone".into(), "Tone".to_owned(), "profile".to_owned());
-        noisy.subject = Subject::Node { look: "Rim".to_owned(), id, name, kind };
-        let report = Report {
+        noisy.subject = MeasurementSubject::Node { look: "Rim".to_owned(), id, name, kind };
+        let report = BenchReport {
             adapter: "an adapter".to_owned(),
             is_software: true,
             has_timestamps: true,

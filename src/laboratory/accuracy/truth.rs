@@ -5,19 +5,19 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::error::difference;
-use super::{Colors, ErrorFigures, MeasureError, compare};
+use super::{ErrorFigures, MeasureError, PremultipliedPicture, compare};
 use crate::compile::Live;
 use crate::frame::{Executor, FramePlan, PlanOptions, Planner, Setup, View};
 use crate::interp::Precision;
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::reference::{self, Modules, ReferencePicture, Snap};
+use crate::reference::{self, Modules, ReferencePicture, SnapGrid};
 
 /// Grid that vertices are snapped to. GPUs and software Vulkan decide coverage after rounding
 /// vertices to 2^-8 of a pixel; coverage agrees if the truth rounds them alike. Interpolated values
 /// lie between the unrounded vertices: a GPU that rounds for interpolation too is off by the
 /// difference.
-const GRID: Snap = Snap::Subpixel(8);
+const GRID: SnapGrid = SnapGrid::Subpixel(8);
 
 /// A picture in f64: not specialized, every value in f64, one sample a pixel.
 #[derive(Debug)]
@@ -36,7 +36,7 @@ impl Truth {
     /// truth](Planner::for_truth)) has read. `progress` counts the picture's passes.
     ///
     /// # Errors
-    /// Problems of the setup, constructs that the interpreter cannot run, or `Stopped` if
+    /// Problems of the setup, constructs that the interpreter cannot run, or `Interruption` if
     /// `progress` was stopped.
     pub fn of(
         setup: &Setup,
@@ -70,7 +70,11 @@ impl Truth {
         let around = 1 + reach as u32;
         let region = [0, rows.start.saturating_sub(around), width, (rows.end + around).min(height)];
         let region = (rows != (0..height)).then_some(region);
-        let options = reference::Options { snap: GRID, region, ..reference::Options::default() };
+        let options = reference::ReferenceOptions {
+            snap: GRID,
+            region,
+            ..reference::ReferenceOptions::default()
+        };
         let picture = reference::execute(&plan, &modules, &options, progress).map_err(one)?;
         let edges = edges(&picture, &plan.view, reach);
         Ok(Self { picture, edges, view: plan.view, rows: rows.start as usize..rows.end as usize })
@@ -95,7 +99,7 @@ impl Truth {
     /// As [`of`](Self::of).
     pub fn settle(
         &mut self,
-        got: &Colors<'_>,
+        got: &PremultipliedPicture<'_>,
         above: impl Fn(usize) -> f64,
         setup: &Setup,
         library: &Library,
@@ -128,8 +132,11 @@ impl Truth {
                 let [x, y] =
                     [index as u32 % self.picture.size[0], index as u32 / self.picture.size[0]];
                 let region = Some([x, y, x + 1, y + 1]);
-                let options =
-                    reference::Options { snap: GRID, region, ..reference::Options::default() };
+                let options = reference::ReferenceOptions {
+                    snap: GRID,
+                    region,
+                    ..reference::ReferenceOptions::default()
+                };
                 let picture =
                     reference::execute(&plan, &modules, &options, &Progress::new()).map_err(one)?;
                 let seen = std::array::from_fn(|channel| picture.color.values[4 * index + channel]);
@@ -154,18 +161,19 @@ impl Truth {
         executor: &mut dyn Executor,
         plan: &FramePlan,
     ) -> Result<ErrorFigures, MeasureError> {
-        Ok(self.figures(&Colors::from(&executor.picture(plan, &Progress::new()).await?)))
+        Ok(self
+            .figures(&PremultipliedPicture::from(&executor.picture(plan, &Progress::new()).await?)))
     }
 
     /// Error figures of a drawn picture against this truth.
-    pub fn figures(&self, got: &Colors<'_>) -> ErrorFigures {
+    pub fn figures(&self, got: &PremultipliedPicture<'_>) -> ErrorFigures {
         let indices = self.indices();
         let Some(got_here) = got.rgba.get(indices.clone()) else { return ErrorFigures::default() };
         let colors = self.colors();
         let size = [got.size[0], self.rows.len() as u32];
         let first = indices.start;
-        let got = Colors { size, rgba: got_here.into() };
-        let colors = Colors { size, rgba: colors.rgba[indices].into() };
+        let got = PremultipliedPicture { size, rgba: got_here.into() };
+        let colors = PremultipliedPicture { size, rgba: colors.rgba[indices].into() };
         let mut figures = compare(&got, &colors, |index| self.is_edge(first + index));
         figures.worst[1] += self.rows.start as u32;
         figures
@@ -178,9 +186,12 @@ impl Truth {
     }
 
     /// The colors of the picture, premultiplied.
-    pub fn colors(&self) -> Colors<'_> {
+    pub fn colors(&self) -> PremultipliedPicture<'_> {
         let pixels = self.picture.color.values.chunks_exact(4);
-        Colors { size: self.picture.size, rgba: pixels.map(|p| [p[0], p[1], p[2], p[3]]).collect() }
+        PremultipliedPicture {
+            size: self.picture.size,
+            rgba: pixels.map(|p| [p[0], p[1], p[2], p[3]]).collect(),
+        }
     }
 }
 

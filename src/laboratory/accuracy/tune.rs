@@ -13,7 +13,7 @@ use super::measure::Measure;
 use super::truth::Truth;
 use super::variant::{Variant, tiers_of};
 use super::viewpoint::{Viewpoint, viewpoints};
-use super::{ErrorFigures, Estimate, MeasureError};
+use super::{ErrorFigures, MeasureError, TimeEstimate};
 use crate::compile::Live;
 use crate::document::Tier;
 use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup};
@@ -47,7 +47,7 @@ pub struct TuneOptions {
     /// Number of times each variant is drawn.
     pub rounds: usize,
     /// Number of viewpoints that the error is measured at.
-    pub stations: usize,
+    pub viewpoints: usize,
 }
 
 /// A tier that a node may have instead of the exact one, with its error and the time it saves.
@@ -62,14 +62,14 @@ pub struct Candidate {
     /// Error over all viewpoints with this node alone in this tier, by the measure of the options.
     pub error: f64,
     /// Time saved against the exact tier, in milliseconds.
-    pub saves: Estimate,
+    pub saves: TimeEstimate,
     /// Cheaper tiers of the same node whose time cannot be told from this one's.
     pub ties: Vec<Tier>,
 }
 
 /// The pixel that is farthest from the truth, over all setups and viewpoints.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Worst {
+pub struct WorstPixel {
     /// Error of the pixel: the largest difference of a channel.
     pub error: f64,
     /// Column and row of the pixel.
@@ -79,7 +79,8 @@ pub struct Worst {
     /// Index of the setup.
     pub setup: usize,
     /// Viewpoint of the picture.
-    pub station: Viewpoint,
+    #[serde(rename = "station")]
+    pub viewpoint: Viewpoint,
 }
 
 /// Result of tuning: the chosen tiers with their errors and times.
@@ -98,21 +99,22 @@ pub struct TuneReport {
     /// Error of the whole with the choice, over all viewpoints.
     pub error: ErrorFigures,
     /// The pixel that is farthest off with the choice.
-    pub worst: Worst,
+    pub worst: WorstPixel,
     /// Error of the whole in the exact tier; no choice can be better.
     pub error_exact: ErrorFigures,
     /// The pixel that is farthest off in the exact tier.
-    pub worst_exact: Worst,
+    pub worst_exact: WorstPixel,
     /// Time a frame with the exact tier, in milliseconds.
-    pub time_exact: Estimate,
+    pub time_exact: TimeEstimate,
     /// Time a frame with the choice, in milliseconds.
-    pub time: Estimate,
+    pub time: TimeEstimate,
     /// Time a frame that the choice saves, measured in turns, in milliseconds.
-    pub saves: Estimate,
+    pub saves: TimeEstimate,
     /// The GPU's name.
     pub adapter: String,
     /// Number of viewpoints that the errors are taken over.
-    pub stations: usize,
+    #[serde(rename = "stations")]
+    pub viewpoints: usize,
 }
 
 impl TuneReport {
@@ -146,7 +148,7 @@ impl TuneReport {
             measure.of(figures),
             figures.max,
             figures.rms,
-            self.stations,
+            self.viewpoints,
             self.time.median,
             self.time_exact.median,
             self.saves.median,
@@ -174,7 +176,7 @@ fn is_faster(candidate: &Candidate) -> bool {
 
 /// True if `other` is a tier of the same node that is as fast, as far as can be told, and nearer to
 /// the truth.
-pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
+pub fn is_dominated(candidate: &Candidate, other: &Candidate) -> bool {
     let is_same_node = (candidate.look, &candidate.node) == (other.look, &other.node);
     is_same_node
         && is_faster(other)
@@ -186,7 +188,7 @@ pub fn is_beaten(candidate: &Candidate, other: &Candidate) -> bool {
 /// within the error; the time is that of the first.
 ///
 /// # Errors
-/// Problems of the setups, errors of the GPU, or `Stopped` if `progress` was stopped.
+/// Problems of the setups, errors of the GPU, or `Interruption` if `progress` was stopped.
 pub async fn tune(
     setups: &[Setup],
     library: &Library,
@@ -198,7 +200,7 @@ pub async fn tune(
         setups.iter().map(|setup| Variant::Looks(Tier::Exact).of(setup)).collect();
     let nodes = exact.first().map(|setup| nodes(setup, library)).unwrap_or_default();
     let tries: usize = nodes.iter().map(|(_, _, tiers)| tiers.len()).sum();
-    let pictures = options.stations * setups.len() * (4 + tries);
+    let pictures = options.viewpoints * setups.len() * (4 + tries);
     progress.expect((pictures + (options.rounds + 2) * (2 + nodes.len())) as u64);
     let mut tuner = Tuner::new(&exact, library, renderer, options, progress)?;
     let mut candidates = Vec::new();
@@ -207,11 +209,11 @@ pub async fn tune(
     }
     let (error_exact, worst_exact) = tuner.error(&[], progress).await?;
     let time_exact = tuner.times(&[&[]], &candidates, progress).await?[0].estimate();
-    let mut joint = async |chosen: &[usize]| {
+    let mut error_of_choice = async |chosen: &[usize]| {
         let (figures, _) = tuner.error(&chosen_of(&candidates, chosen), progress).await?;
         Ok::<_, MeasureError>(options.measure.of(&figures))
     };
-    let chosen = choose(&candidates, options.goal, time_exact.median, &mut joint).await?;
+    let chosen = choose(&candidates, options.goal, time_exact.median, &mut error_of_choice).await?;
     let (error, worst) = tuner.error(&chosen_of(&candidates, &chosen), progress).await?;
     let series = tuner.times(&[&[], &chosen], &candidates, progress).await?;
     let time = series[1].estimate();
@@ -232,7 +234,7 @@ pub async fn tune(
         time,
         saves: series[0].over(&series[1]),
         adapter: tuner.renderer.gpu().name(),
-        stations: options.stations,
+        viewpoints: options.viewpoints,
     })
 }
 
@@ -256,17 +258,17 @@ fn nodes(setup: &Setup, library: &Library) -> Vec<(usize, NodeId, Vec<Tier>)> {
     found
 }
 
-/// Chooses at most one tier a node, as indices of `candidates`. `joint` measures the error of a
-/// choice as a whole. Of tiers that cannot be told apart in time, the one nearer to the truth is
-/// taken.
+/// Chooses at most one tier a node, as indices of `candidates`. `error_of_choice` measures the
+/// error of a choice as a whole. Of tiers that cannot be told apart in time, the one nearer to the
+/// truth is taken.
 ///
 /// # Errors
-/// Errors of `joint`.
+/// Errors of `error_of_choice`.
 pub async fn choose<E>(
     candidates: &[Candidate],
     goal: Goal,
     time_exact: f64,
-    joint: &mut impl AsyncFnMut(&[usize]) -> Result<f64, E>,
+    error_of_choice: &mut impl AsyncFnMut(&[usize]) -> Result<f64, E>,
 ) -> Result<Vec<usize>, E> {
     let place = |index: usize| (candidates[index].look, candidates[index].node.clone());
     let mut usable: Vec<usize> =
@@ -281,7 +283,7 @@ pub async fn choose<E>(
             usable.retain({
                 let all = usable.clone();
                 move |&index| {
-                    all.iter().all(|&other| !is_beaten(&candidates[index], &candidates[other]))
+                    all.iter().all(|&other| !is_dominated(&candidates[index], &candidates[other]))
                 }
             });
             let mut chosen: Vec<usize> = Vec::new();
@@ -290,7 +292,7 @@ pub async fn choose<E>(
                     chosen.push(index);
                 }
             }
-            while !chosen.is_empty() && joint(&chosen).await? > most {
+            while !chosen.is_empty() && error_of_choice(&chosen).await? > most {
                 let price = |index: usize| {
                     candidates[index].error / candidates[index].saves.median.max(1e-9)
                 };
@@ -365,24 +367,24 @@ impl<'a> Tuner<'a> {
         };
         let mut truth_planner = Planner::for_truth(Assets::default());
         for (index, setup) in setups.iter().enumerate() {
-            for station in viewpoints(setup, options.stations) {
-                let plan = tuner.error_plan(&station);
+            for viewpoint in viewpoints(setup, options.viewpoints) {
+                let plan = tuner.error_plan(&viewpoint);
                 let truth = Truth::of(
-                    &station.of(setup),
+                    &viewpoint.of(setup),
                     library,
                     &mut truth_planner,
                     &plan,
                     &progress.part(1),
                 )?;
-                tuner.truths.push((index, station, truth));
+                tuner.truths.push((index, viewpoint, truth));
             }
         }
         Ok(tuner)
     }
 
-    fn error_plan(&self, station: &Viewpoint) -> PlanOptions {
+    fn error_plan(&self, viewpoint: &Viewpoint) -> PlanOptions {
         let side = self.options.error_side;
-        PlanOptions { size: [side; 2], samples: 1, time: station.time }
+        PlanOptions { size: [side; 2], samples: 1, time: viewpoint.time }
     }
 
     fn with(&self, setup: usize, chosen: &[Candidate]) -> Setup {
@@ -397,23 +399,23 @@ impl<'a> Tuner<'a> {
         &mut self,
         chosen: &[Candidate],
         progress: &Progress,
-    ) -> Result<(ErrorFigures, Worst), MeasureError> {
+    ) -> Result<(ErrorFigures, WorstPixel), MeasureError> {
         let mut figures = Vec::new();
-        let mut worst = Worst::default();
+        let mut worst = WorstPixel::default();
         for at in 0..self.truths.len() {
-            let (index, station, truth) = &self.truths[at];
-            let setup = station.of(&self.with(*index, chosen));
-            let options = self.error_plan(station);
+            let (index, viewpoint, truth) = &self.truths[at];
+            let setup = viewpoint.of(&self.with(*index, chosen));
+            let options = self.error_plan(viewpoint);
             let plan = self.planner.plan(&setup, self.library, &Live::Keyed, &options)?.value;
             let found = truth.compare(&mut *self.precise, &plan).await?;
             if found.max > worst.error {
                 let side = self.options.error_side;
-                worst = Worst {
+                worst = WorstPixel {
                     error: found.max,
                     pixel: found.worst,
                     side,
                     setup: *index,
-                    station: *station,
+                    viewpoint: *viewpoint,
                 };
             }
             figures.push(found);
@@ -450,7 +452,7 @@ impl<'a> Tuner<'a> {
             node: node.clone(),
             tier,
             error: 0.0,
-            saves: Estimate::default(),
+            saves: TimeEstimate::default(),
             ties: Vec::new(),
         };
         let mut candidates: Vec<Candidate> = tiers.iter().map(|&tier| alone(tier)).collect();
@@ -476,7 +478,7 @@ mod tests {
     use super::*;
 
     fn candidate(node: &str, tier: Tier, error: f64, saves: f64) -> Candidate {
-        let saves = Estimate { median: saves, low: saves - 0.05, high: saves + 0.05 };
+        let saves = TimeEstimate { median: saves, low: saves - 0.05, high: saves + 0.05 };
         Candidate { look: 0, node: node.into(), tier, error, saves, ties: Vec::new() }
     }
 

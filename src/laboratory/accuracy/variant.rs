@@ -120,7 +120,7 @@ pub fn can_be_left_out(look: &Look, library: &Library, kind: &str) -> bool {
             let ports = GroupPorts::of(definition, &look.definitions, library);
             (ports.inputs, ports.outputs)
         }
-        (None, Some(def)) if def.special == crate::library::Special::None => {
+        (None, Some(def)) if def.special == crate::library::Treatment::None => {
             (def.inputs.clone(), def.outputs.clone())
         }
         _ => return false,

@@ -41,7 +41,7 @@ pub fn viewpoints(setup: &Setup, count: usize) -> Vec<Viewpoint> {
     const STEPS: [f64; 5] =
         [0.856_674_883_7, 0.733_891_856_6, 0.628_706_720_8, 0.538_597_158_5, 0.461_402_658_3];
     let range = &setup.scene.time;
-    let station = |index: usize| {
+    let viewpoint = |index: usize| {
         let share = |axis: usize| (0.5 + STEPS[axis] * index as f64).fract();
         let turn = |share: f64| std::f64::consts::TAU * share;
         // Elevations are even over the sphere, but spare the poles, from which a look is seldom
@@ -55,7 +55,7 @@ pub fn viewpoints(setup: &Setup, count: usize) -> Vec<Viewpoint> {
         }
     };
     let first = Viewpoint { orbit: [0.0; 2], lights: [0.0; 2], time: range.start };
-    std::iter::once(first).chain((1..count.max(1)).map(station)).collect()
+    std::iter::once(first).chain((1..count.max(1)).map(viewpoint)).collect()
 }
 
 #[cfg(test)]
@@ -63,10 +63,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn stations_are_spread() {
-        let stations = viewpoints(&Setup::default(), 64);
-        assert_eq!(stations[0].orbit, [0.0; 2]);
-        let octants: std::collections::HashSet<_> = stations[1..]
+    fn viewpoints_are_spread() {
+        let found = viewpoints(&Setup::default(), 64);
+        assert_eq!(found[0].orbit, [0.0; 2]);
+        let octants: std::collections::HashSet<_> = found[1..]
             .iter()
             .map(|s| {
                 (

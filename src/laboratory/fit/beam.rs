@@ -1,11 +1,11 @@
 //! Beam of a search: the few of many stacks of layers that the search goes on with.
 
-use super::lit::Lit;
+use super::lit::LayerLight;
 use super::solve::Minimum;
-use super::stack::Layer;
+use super::stack::FitLayer;
 
 /// Layers with their distance from the target.
-pub(super) type Stack = Minimum<Vec<Layer>>;
+pub(super) type FitStack = Minimum<Vec<FitLayer>>;
 
 /// Width that a search begins with, and the wider one that is tried if the first does not come
 /// near.
@@ -24,10 +24,10 @@ pub(super) struct Width {
 }
 
 /// The best stacks; of those whose layers have much the same light only the first two.
-pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
-    let mut kept: Vec<(Lit, Stack)> = Vec::new();
+pub(super) fn apart(found: Vec<(LayerLight, FitStack)>, most: usize) -> Vec<FitStack> {
+    let mut kept: Vec<(LayerLight, FitStack)> = Vec::new();
     for (lit, stack) in found {
-        let is_near = |(other, _): &(Lit, Stack)| {
+        let is_near = |(other, _): &(LayerLight, FitStack)| {
             other.kind == lit.kind && other.direction.dot(lit.direction) > 0.9
         };
         if kept.iter().filter(|other| is_near(other)).count() < 2 {
@@ -41,7 +41,7 @@ pub(super) fn apart(found: Vec<(Lit, Stack)>, most: usize) -> Vec<Stack> {
 }
 
 /// The best stacks, of equal ones only the first.
-pub(super) fn best_of(mut found: Vec<Stack>, most: usize) -> Vec<Stack> {
+pub(super) fn best_of(mut found: Vec<FitStack>, most: usize) -> Vec<FitStack> {
     found.sort_by(|a, b| a.error.total_cmp(&b.error));
     found.dedup_by(|b, a| {
         (b.error - a.error).abs() <= 1e-3 * a.error && b.point.len() == a.point.len()

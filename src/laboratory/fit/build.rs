@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::lit::Kind;
-use super::stack::Layer;
+use super::lit::LightingModel;
+use super::stack::FitLayer;
 use crate::document::{Endpoint, Graph, Light, Look, Node, Value, Values, Wire};
 use crate::ids::{LightId, NodeId};
 
@@ -12,7 +12,7 @@ const APART: f64 = 260.0;
 
 /// A look with the layers `layers`, each with a light of its own; `colors` are those of the base
 /// and of the layers from the bottom up.
-pub(super) fn layered(name: &str, layers: &[Layer], colors: &[[f64; 3]]) -> Look {
+pub(super) fn layered(name: &str, layers: &[FitLayer], colors: &[[f64; 3]]) -> Look {
     let mut look = Look { name: name.to_owned(), ..Look::default() };
     let color =
         |index: usize| Value::Vector(colors.get(index).copied().unwrap_or_default().to_vec());
@@ -59,11 +59,11 @@ fn wire(graph: &mut Graph, from: &str, output: &str, to: &str, input: &str) {
 }
 
 /// Name of a layer: its kind, numbered if there are several of the kind.
-fn name_of(layers: &[Layer], index: usize) -> String {
+fn name_of(layers: &[FitLayer], index: usize) -> String {
     let kind = layers[index].lit.kind;
     let word = match kind {
-        Kind::Diffuse => "Painted light",
-        Kind::Specular => "Painted highlight",
+        LightingModel::Diffuse => "Painted light",
+        LightingModel::Specular => "Painted highlight",
     };
     let number = layers[..=index].iter().filter(|layer| layer.lit.kind == kind).count();
     if number > 1 { format!("{word} {number}") } else { word.to_owned() }

@@ -4,8 +4,8 @@ use std::collections::{HashMap, HashSet};
 
 use glam::DVec3;
 
-use super::model::{Model, Shot};
-use super::target::{PixelGoal, Target};
+use super::model::{FitShot, Model};
+use super::target::{FitTarget, PixelGoal};
 use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Graph, Look, Node, Wire};
 use crate::frame::Setup;
@@ -14,7 +14,7 @@ use crate::frame::Setup;
 pub(super) const MAX_PIXELS: usize = 4096;
 
 /// Goals of the painted pixels, thinned evenly if there are very many.
-pub(super) fn thinned(target: &Target) -> Vec<PixelGoal> {
+pub(super) fn thinned(target: &FitTarget) -> Vec<PixelGoal> {
     evenly(target.wishes.len(), MAX_PIXELS).into_iter().map(|index| target.wishes[index]).collect()
 }
 
@@ -66,24 +66,24 @@ pub(super) fn pixels_of(wishes: &[PixelGoal]) -> HashSet<[u32; 2]> {
 
 /// Surface that the reference sees at the pixels that can be compared.
 #[derive(Debug)]
-pub(super) struct Surface {
+pub(super) struct SurfaceSamples {
     /// The normal and the mirrored view of each pixel, in world space.
     pub(super) directions: Vec<[DVec3; 2]>,
     /// Column and row of each pixel.
     pub(super) pixels: Vec<[u32; 2]>,
 }
 
-impl Surface {
+impl SurfaceSamples {
     /// The surface at the chosen pixels of a picture.
     ///
     /// # Errors
     /// Looks that the interpreter cannot run.
     pub(super) fn new(
-        shot: &Shot<'_>,
+        shot: &FitShot<'_>,
         chosen: &HashSet<[u32; 2]>,
     ) -> Result<Self, Vec<Diagnostic>> {
         let setup = wearing(shot, showing("normal"));
-        let model = Model::new(&Shot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
+        let model = Model::new(&FitShot { setup: &setup, ..*shot }, Vec::new(), chosen)?;
         let normals = model.colors(&model.sheet(&model.all()), &[]).map_err(|one| vec![one])?;
         let directions = normals.into_iter().zip(&model.pixels).map(|(normal, pixel)| {
             let (normal, view) =
@@ -106,7 +106,7 @@ fn showing(kind: &str) -> Look {
 }
 
 /// The setup of the shot with another look in place of the fitted one.
-pub(super) fn wearing(shot: &Shot<'_>, look: Look) -> Setup {
+pub(super) fn wearing(shot: &FitShot<'_>, look: Look) -> Setup {
     let mut setup = shot.setup.clone();
     setup.looks[shot.look].look = look;
     setup

@@ -13,18 +13,18 @@ use rayon::iter::{
     ParallelIterator as _,
 };
 
-use super::beam::{Stack, WIDTHS, Width, apart, best_of};
+use super::beam::{FitStack, WIDTHS, Width, apart, best_of};
 use super::build::layered;
-use super::choose::{Surface, evenly, pixels_of, telling, thinned, wearing, wishes_of};
-use super::lit::{Kind, Lit};
-use super::model::Shot;
-use super::report::{Report, compared_as_is, painted};
-use super::rest::Rest;
+use super::choose::{SurfaceSamples, evenly, pixels_of, telling, thinned, wearing, wishes_of};
+use super::lit::{LayerLight, LightingModel};
+use super::model::FitShot;
+use super::report::{FitReport, compared_as_is, painted};
+use super::rest::UnpaintedPixels;
 use super::solve::{Minimum, StopRule, descend, stopped};
-use super::stack::{Layer, MAX_LAYERS, Mode, Search};
-use super::state::{Shape, even_directions};
-use super::target::{PixelGoal, Target};
-use super::turn::{Polished, polished};
+use super::stack::{BlendMode, FitLayer, MAX_LAYERS, Search};
+use super::state::{ProfileShape, even_directions};
+use super::target::{FitTarget, PixelGoal};
+use super::turn::{PolishedLook, polished};
 use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
 use crate::document::Edit;
@@ -64,7 +64,7 @@ pub fn fit_layers(
     setup: &Setup,
     look: usize,
     library: &Library,
-    target: &Target,
+    target: &FitTarget,
     layers: usize,
     options: &FitOptions,
     progress: &Progress,
@@ -74,19 +74,19 @@ pub fn fit_layers(
         let message = format!("{layers} layers cannot be laid; it is 1 to {MAX_LAYERS}");
         return Err(one(Diagnostic::error("fit-layers", message)));
     }
-    let shot = Shot { setup, look, library, size: target.size, time: options.time };
-    let rest = Rest::new(&shot, target, options.keep_rest)?;
+    let shot = FitShot { setup, look, library, size: target.size, time: options.time };
+    let rest = UnpaintedPixels::new(&shot, target, options.keep_rest)?;
     // The smaller the painted part, the less evidence there is for a hard edge.
     let soft = SOFT * rest.share;
     let mut given = thinned(target);
     given.extend(rest.wishes);
     let chosen = pixels_of(&given);
-    let Surface { directions, pixels } = Surface::new(&shot, &chosen)?;
+    let SurfaceSamples { directions, pixels } = SurfaceSamples::new(&shot, &chosen)?;
     let wishes = wishes_of(&pixels, &given)?;
     let at =
         |most: usize| Search::new(&directions, &wishes, &evenly(wishes.len(), most)).softly(soft);
     let (whole, even) = (at(wishes.len()), at(PIXELS));
-    let mut best: Option<Stack> = None;
+    let mut best: Option<FitStack> = None;
     for width in WIDTHS {
         // Another search begins anew, and so does its progress.
         progress.begin(layers as u64 + 2);
@@ -118,11 +118,11 @@ pub fn fit_layers(
     let built = layered(&setup.looks[look].look.name, &stack, &colors);
     let worn = wearing(&shot, built);
     let before = compared_as_is(&shot, &given)?;
-    let Polished { look: fitted, after, .. } =
-        polished(&Shot { setup: &worn, ..shot }, &given, soft, options, progress)?;
+    let PolishedLook { look: fitted, after, .. } =
+        polished(&FitShot { setup: &worn, ..shot }, &given, soft, options, progress)?;
     progress.add(1);
-    let report = Report::new(&shot, &fitted, target, &before, &after, options)?;
-    let report = Report { is_stopped: progress.is_stopped(), ..report };
+    let report = FitReport::new(&shot, &fitted, target, &before, &after, options)?;
+    let report = FitReport { is_stopped: progress.is_stopped(), ..report };
     let misses = painted(&after);
     Ok(FittedLook {
         edit: Edit::Replace { look: Box::new(fitted.clone()) },
@@ -148,9 +148,9 @@ struct Grower<'a> {
 
 impl Grower<'_> {
     /// Grows a stack of up to `most` layers.
-    fn grow(&self, most: usize) -> Result<Stack, Diagnostic> {
+    fn grow(&self, most: usize) -> Result<FitStack, Diagnostic> {
         let whole = self.whole;
-        let mut best: Vec<Layer> = Vec::new();
+        let mut best: Vec<FitLayer> = Vec::new();
         let mut beam = vec![best.clone()];
         for _ in 0..most {
             let missing = missing(whole, &best);
@@ -182,9 +182,9 @@ impl Grower<'_> {
     /// Lets the stacks that are not near enough descend at evenly spread pixels, and sorts all by
     /// their error over all pixels. Where not all goals can be met, the pixels that are farthest
     /// off must not decide alone.
-    fn evened(&self, stacks: &mut [Stack]) -> Result<(), Diagnostic> {
+    fn evened(&self, stacks: &mut [FitStack]) -> Result<(), Diagnostic> {
         let Self { whole, even, .. } = *self;
-        let step = |stack: &mut Stack| -> Result<(), Diagnostic> {
+        let step = |stack: &mut FitStack| -> Result<(), Diagnostic> {
             stack.error = whole.error(&whole.taken_over(&stack.point));
             if stack.error > whole.error_of(self.enough) {
                 let until = StopRule { steps: 20, error: even.error_of(0.5 * self.enough) };
@@ -204,7 +204,7 @@ impl Grower<'_> {
 
     /// Turns the lowest layer over, then takes each layer out and searches for it again, as long as
     /// that brings the whole nearer.
-    fn again(&self, best: Vec<Layer>) -> Result<Stack, Diagnostic> {
+    fn again(&self, best: Vec<FitLayer>) -> Result<FitStack, Diagnostic> {
         let whole = self.whole;
         let mut best = Minimum { error: whole.error(&whole.taken_over(&best)), point: best };
         for _ in 0..ROUNDS {
@@ -241,21 +241,29 @@ impl Grower<'_> {
     /// Stacks whose lowest layer is turned over, to cover its complement, at any place: light that
     /// covers a dark base, and dark that covers a light base from the other side, are so nearly the
     /// same picture that a search may find either.
-    fn turned_over(&self, search: &Search, layers: &[Layer]) -> Result<Vec<Stack>, Diagnostic> {
+    fn turned_over(
+        &self,
+        search: &Search,
+        layers: &[FitLayer],
+    ) -> Result<Vec<FitStack>, Diagnostic> {
         let Some((lowest, rest)) = layers.split_first() else { return Ok(Vec::new()) };
         let lit = lowest.lit.turned_over();
         let tone = search.tone(&lit);
         let over = |(place, mode)| {
             let mut point = rest.to_vec();
-            point.insert(place, Layer { lit, mode, tone: tone.clone() });
+            point.insert(place, FitLayer { lit, mode, tone: tone.clone() });
             point
         };
         self.downhill(search, places(rest.len(), search).into_iter().map(over).collect())
     }
 
     /// The best of some stacks, after descending.
-    fn downhill(&self, search: &Search, stacks: Vec<Vec<Layer>>) -> Result<Vec<Stack>, Diagnostic> {
-        let turned = |stack: Vec<Layer>, steps: usize, share: f64| {
+    fn downhill(
+        &self,
+        search: &Search,
+        stacks: Vec<Vec<FitLayer>>,
+    ) -> Result<Vec<FitStack>, Diagnostic> {
+        let turned = |stack: Vec<FitLayer>, steps: usize, share: f64| {
             descend(
                 search,
                 stack,
@@ -263,7 +271,7 @@ impl Grower<'_> {
                 self.progress,
             )
         };
-        let begun: Result<Vec<Stack>, Diagnostic> =
+        let begun: Result<Vec<FitStack>, Diagnostic> =
             stacks.into_par_iter().map(|stack| turned(stack, 8, 0.5)).collect();
         best_of(begun?, self.width.beam)
             .into_par_iter()
@@ -275,9 +283,9 @@ impl Grower<'_> {
     fn with_one_more(
         &self,
         search: &Search,
-        layers: &[Layer],
+        layers: &[FitLayer],
         missing: &[f64],
-    ) -> Result<Vec<Stack>, Diagnostic> {
+    ) -> Result<Vec<FitStack>, Diagnostic> {
         if self.progress.is_stopped() {
             return Ok(Vec::new());
         }
@@ -287,15 +295,15 @@ impl Grower<'_> {
         let few = search.thinned(FEW_PIXELS);
         let below = few.taken_over(layers);
         let places = places(layers.len(), search);
-        let tried = |lit: &Lit| {
+        let tried = |lit: &LayerLight| {
             if self.progress.is_stopped() {
                 return None;
             }
             let tone = few.tone(lit);
-            let mut best: Option<Stack> = None;
+            let mut best: Option<FitStack> = None;
             for &(place, mode) in &places {
                 let mut point = below.clone();
-                point.insert(place, Layer { lit: *lit, mode, tone: tone.clone() });
+                point.insert(place, FitLayer { lit: *lit, mode, tone: tone.clone() });
                 let error = few.error(&point);
                 if best.as_ref().is_none_or(|best| error < best.error) {
                     best = Some(Minimum { point, error });
@@ -303,7 +311,7 @@ impl Grower<'_> {
             }
             best.map(|best| (*lit, best))
         };
-        let mut found: Vec<(Lit, Stack)> = lights.par_iter().filter_map(tried).collect();
+        let mut found: Vec<(LayerLight, FitStack)> = lights.par_iter().filter_map(tried).collect();
         found.sort_by(|a, b| a.1.error.total_cmp(&b.1.error));
         let begun = apart(found, self.width.beginnings)
             .into_iter()
@@ -312,11 +320,11 @@ impl Grower<'_> {
     }
 
     /// Lights to try: from everywhere, and from where most is missing.
-    fn lights(&self, missing: &[f64]) -> Vec<Lit> {
+    fn lights(&self, missing: &[f64]) -> Vec<LayerLight> {
         let mut order: Vec<usize> = (0..missing.len()).collect();
         order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
         let mut lights = Vec::new();
-        for (which, kind) in Kind::ALL.into_iter().enumerate() {
+        for (which, kind) in LightingModel::ALL.into_iter().enumerate() {
             let mut directions = even_directions(self.width.lights);
             let mut told: Vec<DVec3> = Vec::new();
             for &pixel in order.iter().take(order.len() / 4 + 1) {
@@ -327,10 +335,10 @@ impl Grower<'_> {
             }
             directions.extend(told);
             for direction in directions {
-                lights.extend(SHAPES.map(|ends| Lit {
+                lights.extend(SHAPES.map(|ends| LayerLight {
                     kind,
                     direction,
-                    shape: Shape::new(ends.map(f64::to_radians)),
+                    shape: ProfileShape::new(ends.map(f64::to_radians)),
                 }));
             }
         }
@@ -339,17 +347,18 @@ impl Grower<'_> {
 }
 
 /// Distance of each pixel from its goal.
-fn missing(whole: &Search, layers: &[Layer]) -> Vec<f64> {
+fn missing(whole: &Search, layers: &[FitLayer]) -> Vec<f64> {
     let misses = whole.misses(&whole.taken_over(layers));
     misses.chunks_exact(3).map(|miss| miss.iter().map(|x| x * x).sum::<f64>().sqrt()).collect()
 }
 
 /// Places in the stack and modes for a layer among `count` others. To add to the base is to cover
 /// it, unless the sum is cut off at white.
-fn places(count: usize, search: &Search) -> Vec<(usize, Mode)> {
+fn places(count: usize, search: &Search) -> Vec<(usize, BlendMode)> {
     let at = |place: usize| {
         let is_the_same = place == 0 && !search.is_cut_off();
-        let modes: &[Mode] = if is_the_same { &[Mode::Alpha] } else { &[Mode::Alpha, Mode::Add] };
+        let modes: &[BlendMode] =
+            if is_the_same { &[BlendMode::Alpha] } else { &[BlendMode::Alpha, BlendMode::Add] };
         modes.iter().map(move |mode| (place, *mode))
     };
     (0..=count).flat_map(at).collect()

@@ -12,8 +12,8 @@ use crate::frame::Setup;
 use crate::ids::{LightId, NodePath, PortName};
 use crate::library::{Library, Type};
 
-use super::Keep;
-use super::state::{Setting, Shape};
+use super::KeptParts;
+use super::state::{KnobSetting, ProfileShape};
 
 /// The ports of a profile, which belong together.
 const ENDS: [&str; 3] = ["offset", "falloff", "cutoff"];
@@ -59,14 +59,16 @@ impl Knob {
 
     /// The values of the knob's inputs, in their order. `before` is the current value of the input:
     /// the stops of a ramp are set one after the other.
-    pub(super) fn values(&self, setting: &Setting, before: Option<&Value>) -> Vec<Value> {
+    pub(super) fn values(&self, setting: &KnobSetting, before: Option<&Value>) -> Vec<Value> {
         match (self, setting) {
-            (Self::Stop { index, ramp, .. }, Setting::Color(color)) => {
+            (Self::Stop { index, ramp, .. }, KnobSetting::Color(color)) => {
                 let before = if let Some(Value::Ramp(before)) = before { before } else { ramp };
                 vec![Value::Ramp(with_stop(before, *index, *color))]
             }
-            (Self::Profile(_), Setting::Profile(shape)) => shape.ends().map(Value::Number).to_vec(),
-            (Self::Color { alpha, .. }, Setting::Color([r, g, b])) => {
+            (Self::Profile(_), KnobSetting::Profile(shape)) => {
+                shape.ends().map(Value::Number).to_vec()
+            }
+            (Self::Color { alpha, .. }, KnobSetting::Color([r, g, b])) => {
                 vec![Value::Vector(vec![*r, *g, *b, *alpha])]
             }
             _ => Vec::new(),
@@ -76,11 +78,11 @@ impl Knob {
 
 /// Edits that write settings into a look, in numbers that people can read: five decimals are finer
 /// than a tenth of a pixel.
-pub(super) fn edits(knobs: &[Knob], state: &[Setting], look: &Look) -> Vec<Edit> {
+pub(super) fn edits(knobs: &[Knob], state: &[KnobSetting], look: &Look) -> Vec<Edit> {
     let mut edits = Vec::new();
     let mut values: IndexMap<(NodePath, PortName), Value> = IndexMap::new();
     for (knob, setting) in knobs.iter().zip(state) {
-        if let (Knob::Direction(id), Setting::Direction(direction)) = (knob, setting) {
+        if let (Knob::Direction(id), KnobSetting::Direction(direction)) = (knob, setting) {
             edits.extend(look.lights.get(id).map(|light| {
                 let light = Light { direction: direction.to_array().map(short), ..light.clone() };
                 Edit::SetLight { id: id.clone(), light }
@@ -141,8 +143,8 @@ pub(super) fn knobs_of(
     setup: &Setup,
     index: usize,
     library: &Library,
-    keep: &Keep,
-) -> Result<Vec<(Knob, Setting)>, Vec<Diagnostic>> {
+    keep: &KeptParts,
+) -> Result<Vec<(Knob, KnobSetting)>, Vec<Diagnostic>> {
     let look = &setup.looks[index].look;
     let located = |mut problems: Vec<Diagnostic>| {
         setup.looks[index].source.locate_all(&mut problems);
@@ -228,7 +230,7 @@ fn lights(
     typed: &TypedGraph,
     live: &[usize],
     fixed: &HashSet<Target>,
-) -> Vec<(Knob, Setting)> {
+) -> Vec<(Knob, KnobSetting)> {
     let mut named: Vec<&LightId> = Vec::new();
     for id in live.iter().filter_map(|&node| typed.nodes[node].light.as_ref()) {
         if !named.contains(&id) {
@@ -242,13 +244,13 @@ fn lights(
     let knob = |id: &LightId| {
         let light = look.lights.get(id).filter(|light| light.kind == LightKind::Directional)?;
         let direction = glam::DVec3::from(light.direction).try_normalize()?;
-        Some((Knob::Direction(id.clone()), Setting::Direction(direction)))
+        Some((Knob::Direction(id.clone()), KnobSetting::Direction(direction)))
     };
     named.into_iter().filter(free).filter_map(knob).collect()
 }
 
 /// The profile that a parameter is an end of, if all of its ends are parameters.
-fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
+fn profile(param: &Param, params: &[Param]) -> Option<(Knob, KnobSetting)> {
     let end = |name: &str| {
         let it =
             params.iter().find(|other| other.path == param.path && other.port.as_str() == name)?;
@@ -257,12 +259,12 @@ fn profile(param: &Param, params: &[Param]) -> Option<(Knob, Setting)> {
             _ => None,
         }
     };
-    let shape = Shape::new([end(ENDS[0])?, end(ENDS[1])?, end(ENDS[2])?]);
-    Some((Knob::Profile(param.path.clone()), Setting::Profile(shape)))
+    let shape = ProfileShape::new([end(ENDS[0])?, end(ENDS[1])?, end(ENDS[2])?]);
+    Some((Knob::Profile(param.path.clone()), KnobSetting::Profile(shape)))
 }
 
 /// The color knobs of a ramp.
-fn stops(param: &Param, ramp: &Ramp) -> Vec<(Knob, Setting)> {
+fn stops(param: &Param, ramp: &Ramp) -> Vec<(Knob, KnobSetting)> {
     let stop = |(index, color): (usize, &Vec<f64>)| {
         let &[r, g, b, ..] = color.as_slice() else { return None };
         let knob = Knob::Stop {
@@ -271,16 +273,16 @@ fn stops(param: &Param, ramp: &Ramp) -> Vec<(Knob, Setting)> {
             index,
             ramp: ramp.clone(),
         };
-        Some((knob, Setting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
+        Some((knob, KnobSetting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
     };
     ramp.stops.iter().map(|stop| &stop.color).enumerate().filter_map(stop).collect()
 }
 
-fn color(param: &Param, input: &TypedInput, look: &Look) -> Option<(Knob, Setting)> {
+fn color(param: &Param, input: &TypedInput, look: &Look) -> Option<(Knob, KnobSetting)> {
     if !matches!(input.ty, Type::Color | Type::Composite) {
         return None;
     }
     let [r, g, b, alpha] = param.value.as_ref()?.color_in(look.color_space)?;
     let knob = Knob::Color { node: param.path.clone(), port: param.port.clone(), alpha };
-    Some((knob, Setting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
+    Some((knob, KnobSetting::Color([r, g, b].map(|x| x.clamp(0.0, 1.0)))))
 }

@@ -9,19 +9,19 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::state::Shape;
+use super::state::ProfileShape;
 
 /// Number of angles, and of initial offsets, at which the complement of a profile is searched for.
 const TURNED: u32 = 48;
 
 /// Direction of the surface that a layer's light is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum LightingModel {
     Diffuse,
     Specular,
 }
 
-impl Kind {
+impl LightingModel {
     pub(super) const ALL: [Self; 2] = [Self::Diffuse, Self::Specular];
 
     /// Word for the kind in documents.
@@ -35,13 +35,13 @@ impl Kind {
 
 /// Direction, kind and profile of a layer's light.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Lit {
-    pub(super) kind: Kind,
+pub(super) struct LayerLight {
+    pub(super) kind: LightingModel,
     pub(super) direction: DVec3,
-    pub(super) shape: Shape,
+    pub(super) shape: ProfileShape,
 }
 
-impl Lit {
+impl LayerLight {
     /// The tone for the surface direction `direction`: 1 up to the offset, 0 from the cut-off on
     /// (BADF eq. 5).
     pub(super) fn tone(&self, direction: DVec3) -> f64 {
@@ -57,13 +57,13 @@ impl Lit {
             let offset = cutoff * f64::from(begin) / f64::from(TURNED);
             // A steep profile has all but vanished long before its cut-off, so the complement may
             // begin at any angle.
-            [0.2, 0.35, 0.5, 0.65, 0.8, 0.95].map(|share| Shape {
+            [0.2, 0.35, 0.5, 0.65, 0.8, 0.95].map(|share| ProfileShape {
                 offset,
                 width: cutoff - offset,
                 share,
             })
         });
-        let miss = |shape: &Shape| {
+        let miss = |shape: &ProfileShape| {
             angles().map(|angle| (shape.tone(angle) - around(angle)).powi(2)).sum::<f64>()
         };
         let nearest = shapes.map(|shape| (miss(&shape), shape)).min_by(|a, b| a.0.total_cmp(&b.0));
@@ -75,7 +75,7 @@ impl Lit {
     }
 }
 
-impl Shape {
+impl ProfileShape {
     /// The tone at `angle` radians from the light.
     fn tone(&self, angle: f64) -> f64 {
         let Self { offset, width, share } = *self;
@@ -104,7 +104,11 @@ mod tests {
     #[test]
     fn what_is_turned_over_lies_around() {
         for ends in [[0.3, 0.8, 1.4], [1.9, 2.0, PI], [0.8, 1.2, 1.25], [0.0, 1.0, PI]] {
-            let lit = Lit { kind: Kind::Diffuse, direction: DVec3::Z, shape: Shape::new(ends) };
+            let lit = LayerLight {
+                kind: LightingModel::Diffuse,
+                direction: DVec3::Z,
+                shape: ProfileShape::new(ends),
+            };
             let over = lit.turned_over();
             assert_eq!((over.kind, over.direction), (lit.kind, -lit.direction));
             for step in 0..=180 {

@@ -1,11 +1,11 @@
 //! Painted shading (Okabe et al. 2007, the last wish of the BADF paper): a look from strokes
 //! painted on a picture.
 //!
-//! A [`Target`] holds the goals of some pixels. [`fit_look`] turns the lights, profiles and colors
-//! of a look until the look shows them; [`fit_layers`] begins from nothing and lays light layers
-//! one over the other, each where most is missing. Both end in damped least squares (`solve`) on
-//! the picture of the f64 reference at the painted pixels alone (`model`), and return an ordinary
-//! look with the edit that makes it. [`Report`] holds the errors before and after.
+//! A [`FitTarget`] holds the goals of some pixels. [`fit_look`] turns the lights, profiles and
+//! colors of a look until the look shows them; [`fit_layers`] begins from nothing and lays light
+//! layers one over the other, each where most is missing. Both end in damped least squares
+//! (`solve`) on the picture of the f64 reference at the painted pixels alone (`model`), and return
+//! an ordinary look with the edit that makes it. [`FitReport`] holds the errors before and after.
 //!
 //! Two facts keep the search honest and quick. The colors of a stack of layers enter its picture
 //! linearly, so that for any tones of the layers the best colors are known at once, and only the
@@ -31,13 +31,13 @@ mod turn;
 use crate::document::{Edit, Look};
 
 pub use grow::fit_layers;
-pub use report::{Changed, KnobCounts, MissedPixel, Report, picture_of};
-pub use target::{MAX_SIDE, PixelGoal, Target};
+pub use report::{FitReport, KnobCounts, LookChange, MissedPixel, picture_of};
+pub use target::{FitTarget, MAX_SIDE, PixelGoal};
 pub use turn::fit_look;
 
 /// Parts of a look that a fit leaves as they are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Keep {
+pub struct KeptParts {
     /// True to keep the directions of lights.
     pub lights: bool,
     /// True to keep offsets, fall-offs and cut-offs.
@@ -54,7 +54,7 @@ pub struct FitOptions {
     /// Time of the picture, in seconds.
     pub time: f64,
     /// Parts that stay as they are.
-    pub keep: Keep,
+    pub keep: KeptParts,
     /// Degree to which unpainted pixels stay as they are: 0 lets them go, 1 keeps them as far as
     /// the strokes allow; by default 0.
     pub keep_rest: f64,
@@ -68,7 +68,13 @@ pub struct FitOptions {
 
 impl Default for FitOptions {
     fn default() -> Self {
-        Self { time: 0.0, keep: Keep::default(), keep_rest: 0.0, starts: 6, enough: 0.5 / 255.0 }
+        Self {
+            time: 0.0,
+            keep: KeptParts::default(),
+            keep_rest: 0.0,
+            starts: 6,
+            enough: 0.5 / 255.0,
+        }
     }
 }
 
@@ -80,7 +86,7 @@ pub struct FittedLook {
     /// Edit that makes the fitted look of the given one, to be undone as one step.
     pub edit: Edit,
     /// Errors before and after the fit, and the changes.
-    pub report: Report,
+    pub report: FitReport,
     /// Errors at every painted pixel that was compared, by row and column.
     pub misses: Vec<MissedPixel>,
 }

@@ -1,8 +1,8 @@
 //! Model of a look at chosen pixels, as a function of its knobs.
 //!
 //! The look is compiled with its knobs as uniforms and all else folded, and its picture is drawn
-//! once by the reference, which keeps the fragments of the chosen pixels ([`Gathered`]). A step
-//! then runs only the host's programs in f64 and the fragment shader of these pixels: it gives
+//! once by the reference, which keeps the fragments of the chosen pixels ([`GatheredFragments`]). A
+//! step then runs only the host's programs in f64 and the fragment shader of these pixels: it gives
 //! exactly the picture's own numbers, at a thousandth of its cost.
 
 use std::collections::{BTreeMap, HashSet};
@@ -13,8 +13,8 @@ use indexmap::IndexMap;
 
 use super::choose::{evenly, telling};
 use super::knobs::Knob;
-use super::solve::Problem;
-use super::state::Setting;
+use super::solve::LeastSquares;
+use super::state::KnobSetting;
 use super::target::PixelGoal;
 use crate::compile::{HostInputs, Live, Param, ParamId};
 use crate::diag::Diagnostic;
@@ -25,11 +25,11 @@ use crate::frame::{
 use crate::ids::{LightId, ObjectId};
 use crate::library::Library;
 use crate::progress::Progress;
-use crate::reference::{Gathered, Options, Sheet};
+use crate::reference::{GatheredFragments, PixelSheet, ReferenceOptions};
 
 /// Scene, look, size and time of a picture.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shot<'a> {
+pub(super) struct FitShot<'a> {
     pub(super) setup: &'a Setup,
     /// Index of the look in the setup.
     pub(super) look: usize,
@@ -42,7 +42,7 @@ pub(super) struct Shot<'a> {
 
 /// One draw that wears the look.
 #[derive(Debug)]
-struct Part {
+struct FitDraw {
     draw: usize,
     /// Index and center of the object.
     object: (usize, DVec3),
@@ -59,8 +59,8 @@ struct Part {
 /// A look at chosen pixels.
 #[derive(Debug)]
 pub(super) struct Model {
-    gathered: Gathered,
-    parts: Vec<Part>,
+    gathered: GatheredFragments,
+    parts: Vec<FitDraw>,
     pub(super) knobs: Vec<Knob>,
     rig: Rig,
     lights: IndexMap<LightId, Light>,
@@ -80,7 +80,7 @@ impl Model {
     /// # Errors
     /// Problems of the look, and shaders that the interpreter cannot run.
     pub(super) fn new(
-        shot: &Shot<'_>,
+        shot: &FitShot<'_>,
         knobs: Vec<Knob>,
         chosen: &HashSet<[u32; 2]>,
     ) -> Result<Self, Vec<Diagnostic>> {
@@ -88,7 +88,7 @@ impl Model {
         setup.edited = Some(shot.look);
         let touched = knobs.iter().flat_map(Knob::inputs).collect();
         let options = PlanOptions { size: shot.size, samples: 1, time: shot.time };
-        let mut planner = Planner::new(Assets::default()).culling(crate::frame::Cull::Objects);
+        let mut planner = Planner::new(Assets::default()).culling(crate::frame::CullMode::Objects);
         let plan = planner.plan(&setup, shot.library, &Live::Touched(touched), &options)?.value;
         let look = &setup.looks[shot.look].look;
         let mut parts = Vec::new();
@@ -111,7 +111,7 @@ impl Model {
             let ids = |knob: &Knob| {
                 knob.inputs().iter().map(|(node, port)| table.find(node, port)).collect()
             };
-            parts.push(Part {
+            parts.push(FitDraw {
                 draw: number,
                 object: (index, object.center()),
                 front: object.world_from_object.transform_vector3(DVec3::Z),
@@ -126,8 +126,13 @@ impl Model {
             [shot.time, ((shot.time - setup.scene.time.start) * setup.scene.time.fps).round()];
         let (rig, lights) = (Rig::new(look).value, look.lights.clone());
         let is_chosen = |pixel: [u32; 2]| chosen.contains(&pixel);
-        let gathered = Gathered::new(plan, &is_chosen, &Options::default(), &Progress::new())
-            .map_err(|one| vec![one])?;
+        let gathered = GatheredFragments::new(
+            plan,
+            &is_chosen,
+            &ReferenceOptions::default(),
+            &Progress::new(),
+        )
+        .map_err(|one| vec![one])?;
         let wears = |index: &usize| {
             let seen = gathered.seen[*index];
             parts.iter().any(|part| part.draw == seen.draw) && !is_edge(&gathered, seen.pixel)
@@ -194,7 +199,7 @@ impl Model {
     }
 
     /// Some of the pixels, by their indices in [`pixels`](Self::pixels), ready to be shaded.
-    pub(super) fn sheet(&self, chosen: &[usize]) -> Sheet {
+    pub(super) fn sheet(&self, chosen: &[usize]) -> PixelSheet {
         let places: Vec<usize> = chosen.iter().map(|&index| self.places[index]).collect();
         self.gathered.sheet(&places)
     }
@@ -206,8 +211,8 @@ impl Model {
     /// Shaders that do not end.
     pub(super) fn colors(
         &self,
-        sheet: &Sheet,
-        state: &[Setting],
+        sheet: &PixelSheet,
+        state: &[KnobSetting],
     ) -> Result<Vec<[f64; 3]>, Diagnostic> {
         let plan = self.gathered.plan();
         let mut numbers: Vec<Vec<f64>> = plan.draws.iter().map(plan_numbers).collect();
@@ -226,11 +231,11 @@ impl Model {
     }
 
     /// The numbers of the look's uniform on one draw.
-    fn numbers(&self, part: &Part, state: &[Setting]) -> Result<Vec<f64>, Diagnostic> {
+    fn numbers(&self, part: &FitDraw, state: &[KnobSetting]) -> Result<Vec<f64>, Diagnostic> {
         let plan = self.gathered.plan();
         let mut lights = self.lights.clone();
         for (knob, setting) in self.knobs.iter().zip(state) {
-            if let (Knob::Direction(id), Setting::Direction(direction)) = (knob, setting)
+            if let (Knob::Direction(id), KnobSetting::Direction(direction)) = (knob, setting)
                 && let Some(light) = lights.get_mut(id)
             {
                 light.direction = direction.to_array();
@@ -293,7 +298,7 @@ fn plan_numbers(draw: &crate::frame::Draw) -> Vec<f64> {
 
 /// True if a pixel lies beside one with another draw on top: an antialiased picture has mixed their
 /// colors there.
-fn is_edge(gathered: &Gathered, [x, y]: [u32; 2]) -> bool {
+fn is_edge(gathered: &GatheredFragments, [x, y]: [u32; 2]) -> bool {
     let [width, height] = gathered.plan().size;
     let draw = |x: u32, y: u32| gathered.coverage[(y * width + x) as usize].draw;
     let around = |at: u32, size: u32| at.saturating_sub(1)..(at + 2).min(size);
@@ -307,15 +312,15 @@ pub(super) fn rms_of(channels: [f64; 3]) -> f64 {
 
 /// Distance of a look from the goals of some pixels, as a least squares problem.
 #[derive(Debug)]
-pub(super) struct Painted<'a> {
+pub(super) struct LookProblem<'a> {
     pub(super) model: &'a Model,
-    pub(super) sheet: Sheet,
+    pub(super) sheet: PixelSheet,
     pub(super) wishes: Vec<PixelGoal>,
     /// Error that a hard or narrow profile counts as.
     pub(super) soft: f64,
 }
 
-impl<'a> Painted<'a> {
+impl<'a> LookProblem<'a> {
     /// The problem for the pixels at the indices `chosen`; `wishes` holds a goal for each of the
     /// model's pixels.
     pub(super) fn new(model: &'a Model, wishes: &[PixelGoal], chosen: &[usize]) -> Self {
@@ -334,16 +339,16 @@ impl<'a> Painted<'a> {
     }
 }
 
-impl Problem for Painted<'_> {
-    type Point = Vec<Setting>;
+impl LeastSquares for LookProblem<'_> {
+    type Point = Vec<KnobSetting>;
 
-    fn room(&self, state: &Vec<Setting>) -> Vec<[f64; 2]> {
-        state.iter().flat_map(Setting::room).collect()
+    fn room(&self, state: &Vec<KnobSetting>) -> Vec<[f64; 2]> {
+        state.iter().flat_map(KnobSetting::room).collect()
     }
 
-    fn moved(&self, state: &Vec<Setting>, by: &[f64]) -> Result<Vec<Setting>, Diagnostic> {
+    fn moved(&self, state: &Vec<KnobSetting>, by: &[f64]) -> Result<Vec<KnobSetting>, Diagnostic> {
         let mut rest = by;
-        let step = |setting: &Setting| {
+        let step = |setting: &KnobSetting| {
             let (own, others) = rest.split_at(setting.count());
             rest = others;
             if own.iter().all(|x| *x == 0.0) { *setting } else { setting.moved(own) }
@@ -355,14 +360,14 @@ impl Problem for Painted<'_> {
         4
     }
 
-    fn residuals(&self, state: &Vec<Setting>) -> Result<Vec<f64>, Diagnostic> {
+    fn residuals(&self, state: &Vec<KnobSetting>) -> Result<Vec<f64>, Diagnostic> {
         let colors = self.model.colors(&self.sheet, state)?;
         let residuals = colors.iter().zip(&self.wishes).flat_map(|(color, wish)| {
             let root = wish.weight.sqrt();
             (0..3).map(move |c| root * (color[c] - wish.color[c]))
         });
         let hardness = state.iter().map(|setting| match setting {
-            Setting::Profile(shape) if self.soft > 0.0 => self.soft * shape.hardness(),
+            KnobSetting::Profile(shape) if self.soft > 0.0 => self.soft * shape.hardness(),
             _ => 0.0,
         });
         Ok(residuals.chain(hardness).collect())

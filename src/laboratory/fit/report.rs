@@ -6,10 +6,10 @@ use serde::Serialize;
 
 use super::choose::{pixels_of, wearing, wishes_of};
 use super::knobs::{Knob, knobs_of};
-use super::model::{Model, Shot, rms_of};
-use super::state::Setting;
-use super::target::{PixelGoal, Target};
-use super::{FitOptions, Keep};
+use super::model::{FitShot, Model, rms_of};
+use super::state::KnobSetting;
+use super::target::{FitTarget, PixelGoal};
+use super::{FitOptions, KeptParts};
 use crate::diag::Diagnostic;
 use crate::document::Look;
 use crate::figures::count;
@@ -27,7 +27,7 @@ const HARDLY: f64 = 0.7;
 /// Result of a fit. Errors are those of a channel, straight and as shown, from 0 to 1, weighted as
 /// painted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Report {
+pub struct FitReport {
     /// Number of pixels that were painted.
     pub painted: usize,
     /// Number of pixels that were compared: painted ones within the objects, thinned if there are
@@ -52,7 +52,7 @@ pub struct Report {
     /// True if the fit was stopped, and returned the nearest look so far.
     pub is_stopped: bool,
     /// All parts of the look that have changed.
-    pub changed: Vec<Changed>,
+    pub changed: Vec<LookChange>,
     /// The pixels that are farthest off, weighted by how much they count, the worst first.
     pub worst: Vec<MissedPixel>,
 }
@@ -69,7 +69,7 @@ pub struct KnobCounts {
 }
 
 impl KnobCounts {
-    fn of(knobs: &[(Knob, Setting)]) -> Self {
+    fn of(knobs: &[(Knob, KnobSetting)]) -> Self {
         let mut things = Self::default();
         for (knob, _) in knobs {
             let count = match knob {
@@ -106,7 +106,7 @@ impl KnobCounts {
 
 /// One part of the look that has changed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Changed {
+pub struct LookChange {
     /// Kind of the part: `light`, `profile` or `color`.
     pub what: &'static str,
     /// Place of the part: the light's id, the node, or the input.
@@ -171,18 +171,18 @@ pub(super) fn painted(compared: &ComparedPixels) -> Vec<MissedPixel> {
     compared.iter().filter(|one| !one.is_rest).map(|one| one.missed).collect()
 }
 
-impl Report {
+impl FitReport {
     /// The report on the look of `shot`, from its errors before and after the fit.
     pub(super) fn new(
-        shot: &Shot<'_>,
+        shot: &FitShot<'_>,
         fitted: &Look,
-        target: &Target,
+        target: &FitTarget,
         before: &ComparedPixels,
         after: &ComparedPixels,
         how: &FitOptions,
     ) -> Result<Self, Vec<Diagnostic>> {
         let turned = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &how.keep)?;
-        let all = Keep::default();
+        let all = KeptParts::default();
         let old = knobs_of(shot.setup, shot.look, shot.library, &all)?;
         let new = knobs_of(&wearing(shot, fitted.clone()), shot.look, shot.library, &all)?;
         let mut worst: Vec<&ComparedPixel> = after.iter().filter(|one| !one.is_rest).collect();
@@ -208,7 +208,7 @@ impl Report {
     }
 }
 
-impl Report {
+impl FitReport {
     /// True if the look hardly shows what was painted: it is off by more than an eye passes over,
     /// or by most of its former error.
     pub fn is_far_off(&self) -> bool {
@@ -274,7 +274,7 @@ fn places(size: [u32; 2], compared: &ComparedPixels) -> usize {
 
 /// Comparison of the look of `shot` with the goals, as it is.
 pub(super) fn compared_as_is(
-    shot: &Shot<'_>,
+    shot: &FitShot<'_>,
     given: &[PixelGoal],
 ) -> Result<ComparedPixels, Vec<Diagnostic>> {
     let model = Model::new(shot, Vec::new(), &pixels_of(given))?;
@@ -286,7 +286,7 @@ pub(super) fn compared_as_is(
 pub(super) fn compared(
     model: &Model,
     wishes: &[PixelGoal],
-    state: &[Setting],
+    state: &[KnobSetting],
 ) -> Result<ComparedPixels, Diagnostic> {
     let colors = model.colors(&model.sheet(&model.all()), state)?;
     let missed = |(wish, shown): (&PixelGoal, [f64; 3])| {
@@ -306,7 +306,7 @@ fn rms(compared: &ComparedPixels, of_rest: bool) -> Option<f64> {
     (weight > 0.0).then(|| (sum / weight).sqrt())
 }
 
-fn changed(old: &[(Knob, Setting)], new: &[(Knob, Setting)]) -> Vec<Changed> {
+fn changed(old: &[(Knob, KnobSetting)], new: &[(Knob, KnobSetting)]) -> Vec<LookChange> {
     let changes = new.iter().filter_map(|(knob, setting)| {
         let was = old
             .iter()
@@ -314,7 +314,7 @@ fn changed(old: &[(Knob, Setting)], new: &[(Knob, Setting)]) -> Vec<Changed> {
             .map(|(_, setting)| told(setting));
         let to = told(setting);
         let (what, place) = knob.told();
-        (was.as_ref() != Some(&to)).then(|| Changed {
+        (was.as_ref() != Some(&to)).then(|| LookChange {
             what,
             place,
             from: was.unwrap_or_default(),
@@ -325,17 +325,17 @@ fn changed(old: &[(Knob, Setting)], new: &[(Knob, Setting)]) -> Vec<Changed> {
 }
 
 /// A setting as people read it: angles in degrees, colors in hex.
-fn told(setting: &Setting) -> String {
+fn told(setting: &KnobSetting) -> String {
     match setting {
-        Setting::Direction(direction) => {
+        KnobSetting::Direction(direction) => {
             let [x, y, z] = direction.to_array();
             format!("{x:.3} {y:.3} {z:.3}")
         }
-        Setting::Profile(shape) => {
+        KnobSetting::Profile(shape) => {
             let [offset, falloff, cutoff] = shape.ends().map(f64::to_degrees);
             format!("{offset:.1}° {falloff:.1}° {cutoff:.1}°")
         }
-        Setting::Color(color) => {
+        KnobSetting::Color(color) => {
             let [r, g, b] = color.map(|x| (x * 255.0).round() as u8);
             format!("#{r:02x}{g:02x}{b:02x}")
         }

@@ -8,8 +8,8 @@
 use std::collections::HashSet;
 
 use super::choose::evenly;
-use super::model::{Model, Shot};
-use super::target::{PixelGoal, Target};
+use super::model::{FitShot, Model};
+use super::target::{FitTarget, PixelGoal};
 use crate::diag::Diagnostic;
 
 /// Number of unpainted pixels that are given goals.
@@ -23,22 +23,22 @@ const REACH: f64 = 0.1;
 
 /// Goals of the unpainted pixels.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Rest {
+pub(super) struct UnpaintedPixels {
     /// Goals of the pixels that are to stay: the colors that they show.
     pub(super) wishes: Vec<PixelGoal>,
     /// Share of the object that was not painted, from 0 to 1.
     pub(super) share: f64,
 }
 
-impl Rest {
+impl UnpaintedPixels {
     /// The unpainted pixels of `target`, kept to the degree `kept`: 0 lets them go, 1 keeps them
     /// fully.
     ///
     /// # Errors
     /// Problems of the look, and shaders that the interpreter cannot run.
     pub(super) fn new(
-        shot: &Shot<'_>,
-        target: &Target,
+        shot: &FitShot<'_>,
+        target: &FitTarget,
         kept: f64,
     ) -> Result<Self, Vec<Diagnostic>> {
         let [width, height] = target.size;
@@ -74,7 +74,7 @@ impl Rest {
 }
 
 /// Distance of a pixel from all strokes: 0 beside a stroke, 1 beyond the strokes' reach.
-fn away([x, y]: [u32; 2], target: &Target) -> f64 {
+fn away([x, y]: [u32; 2], target: &FitTarget) -> f64 {
     let reach = REACH * f64::from(target.size[1]);
     let squared = |wish: &PixelGoal| {
         let [across, down] =
@@ -112,7 +112,7 @@ mod tests {
     #[test]
     fn the_rest_counts_from_a_distance_on() {
         let wish = PixelGoal { pixel: [10, 50], color: [0.5; 3], weight: 1.0, is_rest: false };
-        let target = Target { size: [100, 100], wishes: vec![wish] };
+        let target = FitTarget { size: [100, 100], wishes: vec![wish] };
         let at = |x: u32| away([x, 50], &target);
         assert!(at(11) < 0.05 && (at(15) - 0.5).abs() < 1e-12 && at(20) == 1.0 && at(90) == 1.0);
     }

@@ -16,7 +16,7 @@ const STEP: f64 = 1e-6;
 const TRIES: usize = 8;
 
 /// A problem of least squares: residuals that depend on a point.
-pub(super) trait Problem: Sync {
+pub(super) trait LeastSquares: Sync {
     /// The unknowns of the problem.
     type Point: Clone + Send + Sync;
 
@@ -57,7 +57,7 @@ pub(super) struct StopRule {
 ///
 /// # Errors
 /// Points that cannot be evaluated.
-pub(super) fn descend<P: Problem>(
+pub(super) fn descend<P: LeastSquares>(
     problem: &P,
     start: P::Point,
     until: StopRule,
@@ -88,7 +88,7 @@ pub(super) fn descend<P: Problem>(
             let found = problem.residuals(&next)?;
             let sum = squared(&found);
             let is_better = sum < error;
-            bring_up_to_date(&mut columns, &by, &residuals, &found);
+            broyden_update(&mut columns, &by, &residuals, &found);
             if is_better {
                 (point, residuals, error) = (next, found, sum);
                 damping = (damping * 0.2).max(1e-10);
@@ -125,7 +125,7 @@ fn squared(residuals: &[f64]) -> f64 {
 }
 
 /// Updates the Jacobian by the change of residuals along a step (Broyden 1965).
-fn bring_up_to_date(columns: &mut [Vec<f64>], by: &[f64], before: &[f64], after: &[f64]) {
+fn broyden_update(columns: &mut [Vec<f64>], by: &[f64], before: &[f64], after: &[f64]) {
     let length: f64 = by.iter().map(|x| x * x).sum();
     if length <= 0.0 {
         return;
@@ -137,7 +137,7 @@ fn bring_up_to_date(columns: &mut [Vec<f64>], by: &[f64], before: &[f64], after:
     }
 }
 
-fn jacobian<P: Problem>(
+fn jacobian<P: LeastSquares>(
     problem: &P,
     point: &P::Point,
     room: &[[f64; 2]],
@@ -258,7 +258,7 @@ mod tests {
         patience: usize,
     }
 
-    impl Problem for Valley {
+    impl LeastSquares for Valley {
         type Point = [f64; 2];
 
         fn room(&self, point: &[f64; 2]) -> Vec<[f64; 2]> {

@@ -9,9 +9,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::choose::evenly;
-use super::lit::{Kind, Lit};
-use super::solve::{Problem, solve_in_place};
-use super::state::Setting;
+use super::lit::{LayerLight, LightingModel};
+use super::solve::{LeastSquares, solve_in_place};
+use super::state::KnobSetting;
 use super::target::PixelGoal;
 use crate::diag::Diagnostic;
 
@@ -24,12 +24,12 @@ const SATURATED: f64 = 0.998;
 
 /// Mode of a layer over what is below.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Mode {
+pub(super) enum BlendMode {
     Alpha,
     Add,
 }
 
-impl Mode {
+impl BlendMode {
     /// Word for the mode in documents.
     pub(super) fn word(self) -> &'static str {
         match self {
@@ -41,9 +41,9 @@ impl Mode {
 
 /// A layer with its tone at the pixels of a search.
 #[derive(Clone, Debug)]
-pub(super) struct Layer {
-    pub(super) lit: Lit,
-    pub(super) mode: Mode,
+pub(super) struct FitLayer {
+    pub(super) lit: LayerLight,
+    pub(super) mode: BlendMode,
     pub(super) tone: Arc<[f64]>,
 }
 
@@ -82,17 +82,20 @@ impl Search {
     }
 
     /// The tone of a layer at each pixel.
-    pub(super) fn tone(&self, lit: &Lit) -> Arc<[f64]> {
+    pub(super) fn tone(&self, lit: &LayerLight) -> Arc<[f64]> {
         let which = match lit.kind {
-            Kind::Diffuse => 0,
-            Kind::Specular => 1,
+            LightingModel::Diffuse => 0,
+            LightingModel::Specular => 1,
         };
         self.surface.iter().map(|directions| lit.tone(directions[which])).collect()
     }
 
     /// The layers with their tones at this search's pixels.
-    pub(super) fn taken_over(&self, layers: &[Layer]) -> Vec<Layer> {
-        layers.iter().map(|layer| Layer { tone: self.tone(&layer.lit), ..layer.clone() }).collect()
+    pub(super) fn taken_over(&self, layers: &[FitLayer]) -> Vec<FitLayer> {
+        layers
+            .iter()
+            .map(|layer| FitLayer { tone: self.tone(&layer.lit), ..layer.clone() })
+            .collect()
     }
 
     /// The sum of squared residuals that corresponds to an RMS of `enough` in a channel.
@@ -101,10 +104,10 @@ impl Search {
     }
 
     /// The best colors of base and layers, straight RGB, from the base up.
-    pub(super) fn colors(&self, layers: &[Layer]) -> Vec<[f64; 3]> {
+    pub(super) fn colors(&self, layers: &[FitLayer]) -> Vec<[f64; 3]> {
         let count = layers.len() + 1;
         let mut sums = [Sums::default(); 3];
-        let adds = layers.iter().any(|layer| layer.mode == Mode::Add);
+        let adds = layers.iter().any(|layer| layer.mode == BlendMode::Add);
         for (index, wish) in self.wishes.iter().enumerate() {
             let factors = factors(layers, index);
             for (channel, sums) in sums.iter_mut().enumerate() {
@@ -119,7 +122,7 @@ impl Search {
     }
 
     /// Weighted differences of each channel of each pixel, with the best colors.
-    pub(super) fn misses(&self, layers: &[Layer]) -> Vec<f64> {
+    pub(super) fn misses(&self, layers: &[FitLayer]) -> Vec<f64> {
         let colors = self.colors(layers);
         let mut misses = Vec::with_capacity(3 * self.wishes.len());
         for (index, wish) in self.wishes.iter().enumerate() {
@@ -137,14 +140,14 @@ impl Search {
     }
 
     /// The sum of the squared differences, with the error that hard profiles count as.
-    pub(super) fn error(&self, layers: &[Layer]) -> f64 {
+    pub(super) fn error(&self, layers: &[FitLayer]) -> f64 {
         let misses: f64 = self.misses(layers).iter().map(|miss| miss * miss).sum();
         misses + self.hardness(layers).iter().map(|hard| hard * hard).sum::<f64>()
     }
 
     /// Error that each profile's hardness counts as; empty if the search has no preference for soft
     /// ones.
-    fn hardness(&self, layers: &[Layer]) -> Vec<f64> {
+    fn hardness(&self, layers: &[FitLayer]) -> Vec<f64> {
         if self.soft <= 0.0 {
             return Vec::new();
         }
@@ -154,12 +157,12 @@ impl Search {
 }
 
 /// Factors of the colors of base and layers at a pixel.
-fn factors(layers: &[Layer], pixel: usize) -> [f64; MOST] {
+fn factors(layers: &[FitLayer], pixel: usize) -> [f64; MOST] {
     let mut factors = [0.0; MOST];
     factors[0] = 1.0;
     for (part, layer) in layers.iter().enumerate() {
         let tone = layer.tone[pixel];
-        if layer.mode == Mode::Alpha {
+        if layer.mode == BlendMode::Alpha {
             factors[..=part].iter_mut().for_each(|factor| *factor *= 1.0 - tone);
         }
         factors[part + 1] = tone;
@@ -219,31 +222,32 @@ impl Sums {
     }
 }
 
-impl Problem for Search {
-    type Point = Vec<Layer>;
+impl LeastSquares for Search {
+    type Point = Vec<FitLayer>;
 
-    fn room(&self, layers: &Vec<Layer>) -> Vec<[f64; 2]> {
-        let of_layer = |layer: &Layer| {
-            [Setting::Direction(layer.lit.direction), Setting::Profile(layer.lit.shape)]
+    fn room(&self, layers: &Vec<FitLayer>) -> Vec<[f64; 2]> {
+        let of_layer = |layer: &FitLayer| {
+            [KnobSetting::Direction(layer.lit.direction), KnobSetting::Profile(layer.lit.shape)]
                 .map(|setting| setting.room())
         };
         layers.iter().flat_map(of_layer).flatten().collect()
     }
 
-    fn moved(&self, layers: &Vec<Layer>, by: &[f64]) -> Result<Vec<Layer>, Diagnostic> {
-        let step = |(layer, by): (&Layer, &[f64])| {
+    fn moved(&self, layers: &Vec<FitLayer>, by: &[f64]) -> Result<Vec<FitLayer>, Diagnostic> {
+        let step = |(layer, by): (&FitLayer, &[f64])| {
             if by.iter().all(|x| *x == 0.0) {
                 return layer.clone();
             }
             let mut lit = layer.lit;
-            if let Setting::Direction(direction) = Setting::Direction(lit.direction).moved(&by[..2])
+            if let KnobSetting::Direction(direction) =
+                KnobSetting::Direction(lit.direction).moved(&by[..2])
             {
                 lit.direction = direction;
             }
-            if let Setting::Profile(shape) = Setting::Profile(lit.shape).moved(&by[2..]) {
+            if let KnobSetting::Profile(shape) = KnobSetting::Profile(lit.shape).moved(&by[2..]) {
                 lit.shape = shape;
             }
-            Layer { lit, mode: layer.mode, tone: self.tone(&lit) }
+            FitLayer { lit, mode: layer.mode, tone: self.tone(&lit) }
         };
         Ok(layers.iter().zip(by.chunks(5)).map(step).collect())
     }
@@ -252,7 +256,7 @@ impl Problem for Search {
         0
     }
 
-    fn residuals(&self, layers: &Vec<Layer>) -> Result<Vec<f64>, Diagnostic> {
+    fn residuals(&self, layers: &Vec<FitLayer>) -> Result<Vec<f64>, Diagnostic> {
         let mut residuals = self.misses(layers);
         residuals.extend(self.hardness(layers));
         Ok(residuals)

@@ -17,7 +17,7 @@ const EASY: [f64; 2] = [0.3, 0.8];
 
 /// A profile by coordinates that cannot come out of order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shape {
+pub(super) struct ProfileShape {
     /// Angle up to which the profile is 1, in radians.
     pub(super) offset: f64,
     /// Distance from the offset to the cut-off, in radians.
@@ -26,7 +26,7 @@ pub(super) struct Shape {
     pub(super) share: f64,
 }
 
-impl Shape {
+impl ProfileShape {
     /// A profile from an artist's offset, fall-off and cut-off in radians, brought into order as
     /// the Profile node does.
     pub(super) fn new([offset, falloff, cutoff]: [f64; 3]) -> Self {
@@ -76,16 +76,16 @@ impl Shape {
 
 /// Setting of one knob.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Setting {
+pub(super) enum KnobSetting {
     /// Unit direction toward a light, in the light's own frame.
     Direction(DVec3),
     /// A profile.
-    Profile(Shape),
+    Profile(ProfileShape),
     /// Straight RGB, in the look's color space.
     Color([f64; 3]),
 }
 
-impl Setting {
+impl KnobSetting {
     /// Number of coordinates of the setting.
     pub(super) fn count(&self) -> usize {
         match self {
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn steps_stay_in_range_and_keep_profiles_in_order() {
-        let shape = Shape::new([0.2, 0.5, 0.8]);
+        let shape = ProfileShape::new([0.2, 0.5, 0.8]);
         assert!(shape.ends().iter().zip([0.2, 0.5, 0.8]).all(|(is, was)| (is - was).abs() < 1e-12));
         for by in [[-9.0, 0.0, 0.0], [9.0, 9.0, 9.0], [0.0, -9.0, -9.0], [0.1, -0.2, 0.3]] {
             let [offset, falloff, cutoff] = shape.moved(&by).ends();
@@ -157,13 +157,13 @@ mod tests {
                 "{by:?}"
             );
         }
-        let color = Setting::Color([0.2, 0.9, 0.0]).moved(&[0.1, 0.5, -0.5]);
-        assert_eq!(color, Setting::Color([0.2 + 0.1, 1.0, 0.0]));
+        let color = KnobSetting::Color([0.2, 0.9, 0.0]).moved(&[0.1, 0.5, -0.5]);
+        assert_eq!(color, KnobSetting::Color([0.2 + 0.1, 1.0, 0.0]));
     }
 
     #[test]
     fn spots_and_edges_are_hard_and_a_broad_light_is_soft() {
-        let hardness = |ends: [f64; 3]| Shape::new(ends.map(f64::to_radians)).hardness();
+        let hardness = |ends: [f64; 3]| ProfileShape::new(ends.map(f64::to_radians)).hardness();
         assert_eq!(hardness([0.0, 45.0, 90.0]), 0.0);
         assert_eq!(hardness([20.0, 60.0, 90.0]), 0.0);
         assert!(hardness([10.0, 15.0, 20.0]) > 0.8, "a spot");

@@ -24,14 +24,14 @@ pub struct PixelGoal {
 
 /// A painted picture: goals for some of its pixels.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Target {
+pub struct FitTarget {
     /// Width and height, in pixels.
     pub size: [u32; 2],
     /// Goals of pixels, each pixel at most once.
     pub wishes: Vec<PixelGoal>,
 }
 
-impl Target {
+impl FitTarget {
     /// The target of a picture in straight RGBA, rows from the top: alpha is the weight of a pixel,
     /// and a pixel with alpha 0 has no goal.
     pub fn from_rgba8(size: [u32; 2], rgba: &[u8]) -> Self {
@@ -91,7 +91,7 @@ mod tests {
     fn transparent_pixels_wish_nothing_and_alpha_is_the_weight() {
         let rgba = vec![[1.0, 0.0, 0.0, 1.0], [0.0; 4], [0.0, 1.0, 0.0, 0.2], [0.0, 0.0, 1.0, 0.0]];
         let png = Picture { size: [2, 2], rgba }.to_png().unwrap();
-        let target = Target::from_png(&png).unwrap();
+        let target = FitTarget::from_png(&png).unwrap();
         assert_eq!(target.size, [2, 2]);
         let wish = |pixel, color, weight| PixelGoal { pixel, color, weight, is_rest: false };
         assert_eq!(
@@ -104,7 +104,7 @@ mod tests {
     fn what_wishes_nothing_or_is_no_picture_is_told() {
         let clear = Picture { size: [1, 1], rgba: vec![[0.0; 4]] }.to_png().unwrap();
         for bytes in [&clear[..], b"no picture", &clear[..20]] {
-            assert_eq!(Target::from_png(bytes).unwrap_err().code, "fit-target");
+            assert_eq!(FitTarget::from_png(bytes).unwrap_err().code, "fit-target");
         }
     }
 }

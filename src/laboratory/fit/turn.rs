@@ -1,14 +1,14 @@
 //! Fit of an existing look: its lights, profiles and colors are turned until it shows what was
 //! painted.
 
-use super::choose::{Surface, pixels_of, thinned, wearing, wishes_of};
+use super::choose::{SurfaceSamples, pixels_of, thinned, wearing, wishes_of};
 use super::knobs::{Knob, edits, knobs_of};
-use super::model::{Model, Painted, Shot};
-use super::report::{ComparedPixel, ComparedPixels, Report, compared, painted as painted_of};
-use super::rest::Rest;
+use super::model::{FitShot, LookProblem, Model};
+use super::report::{ComparedPixel, ComparedPixels, FitReport, compared, painted as painted_of};
+use super::rest::UnpaintedPixels;
 use super::solve::{Minimum, StopRule, descend, stopped};
-use super::state::Setting;
-use super::target::{PixelGoal, Target};
+use super::state::KnobSetting;
+use super::target::{FitTarget, PixelGoal};
 use super::{FitOptions, FittedLook};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
@@ -42,24 +42,24 @@ pub fn fit_look(
     setup: &Setup,
     look: usize,
     library: &Library,
-    target: &Target,
+    target: &FitTarget,
     options: &FitOptions,
     progress: &Progress,
 ) -> Result<FittedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     progress.begin(options.starts.max(1) as u64 + GOING_ON as u64 + 1);
-    let shot = Shot { setup, look, library, size: target.size, time: options.time };
+    let shot = FitShot { setup, look, library, size: target.size, time: options.time };
     let mut given = thinned(target);
     if options.keep_rest > 0.0 {
-        given.extend(Rest::new(&shot, target, options.keep_rest)?.wishes);
+        given.extend(UnpaintedPixels::new(&shot, target, options.keep_rest)?.wishes);
     }
     let (model, begin) = model(&shot, &given, options)?;
     let wishes = wishes_of(&model.pixels, &given)?;
     let before = compared(&model, &wishes, &begin).map_err(one)?;
     let missing = missing_of(&before);
-    let painted = Painted::new(&model, &wishes, &model.telling(&missing, QUADS));
+    let painted = LookProblem::new(&model, &wishes, &model.telling(&missing, QUADS));
     let enough = error_of(&painted.wishes, options.enough);
-    let mut found: Vec<Minimum<Vec<Setting>>> = Vec::new();
+    let mut found: Vec<Minimum<Vec<KnobSetting>>> = Vec::new();
     for start in starts(&shot, &given, &begin, &missing, options.starts)? {
         let until = StopRule { steps: FIRST_STEPS, error: enough };
         found.push(descend(&painted, start, until, progress).map_err(one)?);
@@ -70,7 +70,7 @@ pub fn fit_look(
         }
     }
     found.truncate(GOING_ON);
-    let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
+    let mut best = NearestSettings::new(&model, &wishes, begin).map_err(one)?;
     for start in found {
         let far =
             descend(&painted, start.point, StopRule { steps: 40, error: 0.25 * enough }, progress)
@@ -80,7 +80,7 @@ pub fn fit_look(
     }
     if best.error > error_of(&wishes, options.enough) {
         // Not all goals can be met, and the pixels that are farthest off must not decide alone.
-        let even = Painted::new(&model, &wishes, &model.even(EVEN_QUADS));
+        let even = LookProblem::new(&model, &wishes, &model.even(EVEN_QUADS));
         let until =
             StopRule { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
         let next = descend(&even, best.state.clone(), until, progress).map_err(one)?;
@@ -89,8 +89,8 @@ pub fn fit_look(
     let state = best.state;
     let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
     let worn = wearing(&shot, turned);
-    let Polished { look: fitted, edits, after } =
-        polished(&Shot { setup: &worn, ..shot }, &given, 0.0, options, progress)?;
+    let PolishedLook { look: fitted, edits, after } =
+        polished(&FitShot { setup: &worn, ..shot }, &given, 0.0, options, progress)?;
     progress.add(1);
     let is_stopped = progress.is_stopped();
     if squares(&missing_of(&after)) >= squares(&missing_of(&before)) {
@@ -99,13 +99,15 @@ pub fn fit_look(
         }
         // The fit, written in numbers that people read, is no nearer: the look stays as it was.
         let report =
-            Report::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
+            FitReport::new(&shot, &setup.looks[look].look, target, &before, &before, options)?;
         let misses = painted_of(&before);
         let edit = Edit::Group { edits: Vec::new() };
         return Ok(FittedLook { edit, look: setup.looks[look].look.clone(), report, misses });
     }
-    let report =
-        Report { is_stopped, ..Report::new(&shot, &fitted, target, &before, &after, options)? };
+    let report = FitReport {
+        is_stopped,
+        ..FitReport::new(&shot, &fitted, target, &before, &after, options)?
+    };
     if is_stopped && report.changed.is_empty() {
         // Rounding alone accounts for the gain.
         return Err(vec![stopped()]);
@@ -116,7 +118,7 @@ pub fn fit_look(
 }
 
 /// A look at the nearest minimum, after turning it at all painted pixels.
-pub(super) struct Polished {
+pub(super) struct PolishedLook {
     pub(super) look: Look,
     /// Edits that make the look of the former one.
     pub(super) edits: Vec<Edit>,
@@ -130,16 +132,16 @@ pub(super) struct Polished {
 /// # Errors
 /// As [`fit_look`].
 pub(super) fn polished(
-    shot: &Shot<'_>,
+    shot: &FitShot<'_>,
     given: &[PixelGoal],
     soft: f64,
     options: &FitOptions,
     progress: &Progress,
-) -> Result<Polished, Vec<Diagnostic>> {
+) -> Result<PolishedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     let (model, begin) = model(shot, given, options)?;
     let wishes = wishes_of(&model.pixels, given)?;
-    let mut best = Nearest::new(&model, &wishes, begin).map_err(one)?;
+    let mut best = NearestSettings::new(&model, &wishes, begin).map_err(one)?;
     let mut is_even = false;
     for _ in 0..ROUNDS {
         // Colors painted in eight bits are off by a third of a step.
@@ -148,7 +150,7 @@ pub(super) fn polished(
         }
         let chosen =
             if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
-        let painted = Painted::new(&model, &wishes, &chosen).softly(soft);
+        let painted = LookProblem::new(&model, &wishes, &chosen).softly(soft);
         let steps = if is_even { EVEN_STEPS } else { 25 };
         let until = StopRule { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
         let before = best.error;
@@ -167,22 +169,26 @@ pub(super) fn polished(
     let (look, edits) = applied(&model, &state, &shot.setup.looks[shot.look].look).map_err(one)?;
     // The comparison uses the settings as they are written, in numbers that people can read.
     let written = knobs_of(&wearing(shot, look.clone()), shot.look, shot.library, &options.keep)?;
-    let written: Vec<Setting> = written.into_iter().map(|(_, setting)| setting).collect();
+    let written: Vec<KnobSetting> = written.into_iter().map(|(_, setting)| setting).collect();
     let after = compared(&model, &wishes, &written).map_err(one)?;
-    Ok(Polished { look, edits, after })
+    Ok(PolishedLook { look, edits, after })
 }
 
 /// The nearest settings so far at all painted pixels, however few a descent looks at.
-struct Nearest {
-    state: Vec<Setting>,
+struct NearestSettings {
+    state: Vec<KnobSetting>,
     /// Sum of squared residuals.
     error: f64,
     /// Weighted distance of each pixel from its goal.
     missing: Vec<f64>,
 }
 
-impl Nearest {
-    fn new(model: &Model, wishes: &[PixelGoal], state: Vec<Setting>) -> Result<Self, Diagnostic> {
+impl NearestSettings {
+    fn new(
+        model: &Model,
+        wishes: &[PixelGoal],
+        state: Vec<KnobSetting>,
+    ) -> Result<Self, Diagnostic> {
         let missing = missing_of(&compared(model, wishes, &state)?);
         Ok(Self { state, error: squares(&missing), missing })
     }
@@ -192,7 +198,7 @@ impl Nearest {
         &mut self,
         model: &Model,
         wishes: &[PixelGoal],
-        state: Vec<Setting>,
+        state: Vec<KnobSetting>,
     ) -> Result<(), Diagnostic> {
         let other = Self::new(model, wishes, state)?;
         if other.error < self.error {
@@ -208,11 +214,11 @@ fn squares(missing: &[f64]) -> f64 {
 
 /// The model of the look at the painted pixels, with the settings of its knobs.
 fn model(
-    shot: &Shot<'_>,
+    shot: &FitShot<'_>,
     given: &[PixelGoal],
     options: &FitOptions,
-) -> Result<(Model, Vec<Setting>), Vec<Diagnostic>> {
-    let (knobs, begin): (Vec<Knob>, Vec<Setting>) =
+) -> Result<(Model, Vec<KnobSetting>), Vec<Diagnostic>> {
+    let (knobs, begin): (Vec<Knob>, Vec<KnobSetting>) =
         knobs_of(shot.setup, shot.look, shot.library, &options.keep)?.into_iter().unzip();
     if knobs.is_empty() {
         let problem = Diagnostic::error(
@@ -228,7 +234,11 @@ fn model(
 }
 
 /// A look with settings written into it, and the edits that do that.
-fn applied(model: &Model, state: &[Setting], look: &Look) -> Result<(Look, Vec<Edit>), Diagnostic> {
+fn applied(
+    model: &Model,
+    state: &[KnobSetting],
+    look: &Look,
+) -> Result<(Look, Vec<Edit>), Diagnostic> {
     let mut turned = look.clone();
     let edits = edits(&model.knobs, state, look);
     turned.apply(Edit::Group { edits: edits.clone() }).map_err(|problem| *problem)?;
@@ -248,23 +258,23 @@ fn missing_of(compared: &ComparedPixels) -> Vec<f64> {
 /// Starting points: the look as it is, then with soft profiles, then also with the lights where
 /// most is missing.
 fn starts(
-    shot: &Shot<'_>,
+    shot: &FitShot<'_>,
     given: &[PixelGoal],
-    begin: &[Setting],
+    begin: &[KnobSetting],
     missing: &[f64],
     count: usize,
-) -> Result<Vec<Vec<Setting>>, Vec<Diagnostic>> {
-    let softened = |setting: &Setting| match setting {
-        Setting::Profile(shape) => Setting::Profile(shape.softened(SOFT)),
+) -> Result<Vec<Vec<KnobSetting>>, Vec<Diagnostic>> {
+    let softened = |setting: &KnobSetting| match setting {
+        KnobSetting::Profile(shape) => KnobSetting::Profile(shape.softened(SOFT)),
         other => *other,
     };
-    let soft: Vec<Setting> = begin.iter().map(softened).collect();
+    let soft: Vec<KnobSetting> = begin.iter().map(softened).collect();
     let mut starts = vec![begin.to_vec()];
     if count > 1 {
         starts.push(soft.clone());
     }
     if count > 2 {
-        let surface = Surface::new(shot, &pixels_of(given))?.directions;
+        let surface = SurfaceSamples::new(shot, &pixels_of(given))?.directions;
         let mut order: Vec<usize> = (0..missing.len()).collect();
         order.sort_by(|&a, &b| missing[b].total_cmp(&missing[a]).then(a.cmp(&b)));
         // Lights come, in turns, from the normal and from the mirrored view of one of the quarter
@@ -272,12 +282,12 @@ fn starts(
         let far = order.len() / 4 + 1;
         for start in 2..count {
             let mut next = start;
-            let turned = |setting: &Setting| match setting {
-                Setting::Direction(_) => {
+            let turned = |setting: &KnobSetting| match setting {
+                KnobSetting::Direction(_) => {
                     // A large prime as the step spreads the lights over these pixels.
                     let pixel = order[next * 7919 % far];
                     next += count;
-                    Setting::Direction(surface[pixel][start % 2])
+                    KnobSetting::Direction(surface[pixel][start % 2])
                 }
                 other => *other,
             };

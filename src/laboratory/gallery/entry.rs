@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::{GalleryDocument, Options};
-use crate::accuracy::{BenchOptions, MeasuredNodes, Report, bench};
+use super::{GalleryDocument, GalleryOptions};
+use crate::accuracy::{BenchOptions, BenchReport, MeasuredNodes, bench};
 use crate::compile::Live;
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::{Assets, FramePlan, Pass, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
@@ -15,7 +15,7 @@ use crate::progress::Progress;
 use crate::render::{Gpu, Renderer};
 
 /// Content of one document's page.
-pub(super) struct Entry {
+pub(super) struct GalleryEntry {
     /// The artist's name of the document.
     pub(super) name: String,
     /// Description of the picture and of how the document is built.
@@ -33,7 +33,7 @@ pub(super) struct Entry {
     /// Number of uses of each kind of node in the looks.
     pub(super) kinds: BTreeMap<String, usize>,
     /// Costs and errors, if they were asked for.
-    pub(super) report: Option<Report>,
+    pub(super) report: Option<BenchReport>,
     pub(super) triangles: usize,
 }
 
@@ -50,7 +50,7 @@ impl DocumentPlan {
     fn new(
         shown: &GalleryDocument,
         library: &Library,
-        options: &Options,
+        options: &GalleryOptions,
         assets: &mut Assets,
     ) -> Result<Self, Vec<Diagnostic>> {
         let mesh = options.mesh.as_deref().or(shown.mesh.as_deref());
@@ -71,7 +71,7 @@ impl DocumentPlan {
 pub(super) fn content(
     shown: &GalleryDocument,
     library: &Library,
-    options: &Options,
+    options: &GalleryOptions,
     assets: &mut Assets,
     sink: &mut dyn FnMut(&[u8]),
 ) -> Result<(), Vec<Diagnostic>> {
@@ -83,14 +83,14 @@ pub(super) fn content(
     Ok(())
 }
 
-impl Entry {
+impl GalleryEntry {
     /// Draws and measures a document.
     pub(super) async fn make(
         shown: &GalleryDocument,
         library: &Library,
         gpu: &Gpu,
-        options: &Options,
-    ) -> Result<Warned<Self>, Vec<Diagnostic>> {
+        options: &GalleryOptions,
+    ) -> Result<WithWarnings<Self>, Vec<Diagnostic>> {
         let DocumentPlan { setup, options: plan_options, plan, warnings } =
             DocumentPlan::new(shown, library, options, &mut Assets::default())?;
         let picture = gpu.executor().picture(&plan, &Progress::new()).await;
@@ -123,7 +123,7 @@ impl Entry {
             report,
             triangles: setup.objects.iter().map(|object| object.mesh.triangle_count()).sum(),
         };
-        Ok(Warned::new(entry, warnings))
+        Ok(WithWarnings::new(entry, warnings))
     }
 }
 
@@ -133,7 +133,7 @@ async fn measure(
     gpu: &Gpu,
     plan: &PlanOptions,
     rounds: usize,
-) -> Result<Report, Vec<Diagnostic>> {
+) -> Result<BenchReport, Vec<Diagnostic>> {
     let options = BenchOptions {
         plan: PlanOptions { samples: 1, ..plan.clone() },
         rounds,

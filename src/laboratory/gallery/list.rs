@@ -10,7 +10,7 @@ use crate::diag::Diagnostic;
 use crate::document::{Scene, parse_hex};
 use crate::examples;
 use crate::files::read_text;
-use crate::frame::{Misplaced, SHAPE_PREFIX, place_camera, turn_lights};
+use crate::frame::{PlacementError, SHAPE_PREFIX, place_camera, turn_lights};
 
 /// Name of the file in a folder that lists the documents of its gallery.
 pub const LIST_FILE: &str = "gallery.json";
@@ -65,7 +65,7 @@ impl GalleryDocument {
     /// # Errors
     /// A camera or lights that cannot be read so.
     pub(super) fn place(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
-        let bad = |what: &str, wrong: Misplaced| {
+        let bad = |what: &str, wrong: PlacementError| {
             let message = format!("{what} of {} cannot be `{}`", self.file.display(), wrong.found);
             Diagnostic::error("bad-gallery", message).hint(format!("write {}", wrong.wanted))
         };

@@ -23,7 +23,7 @@ use crate::ids::make_slug;
 use crate::library::Library;
 use crate::progress::Progress;
 use crate::render::Gpu;
-use entry::Entry;
+use entry::GalleryEntry;
 pub use list::{GalleryDocument, List, Section};
 
 /// Size that pages of a gallery stay below, in bytes.
@@ -31,7 +31,7 @@ const MAX_PAGE_BYTES: u64 = 64 << 20;
 
 /// Options of a gallery.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Options {
+pub struct GalleryOptions {
     /// Width and height of a picture, in pixels.
     pub size: [u32; 2],
     /// Samples a pixel: 1 or 4.
@@ -78,7 +78,7 @@ pub async fn build(
     outputs: &mut Outputs,
     gpu: &Gpu,
     library_for: &dyn Fn(&Path) -> Library,
-    options: &Options,
+    options: &GalleryOptions,
     progress: &Progress,
 ) -> Result<GalleryReport, Vec<Diagnostic>> {
     check(list, folder, outputs)?;
@@ -97,7 +97,7 @@ pub async fn build(
             made.problems.extend(library.problems.iter().cloned());
             // Each document has a store of its own; a shared one would keep the pipelines and
             // textures of all documents.
-            match Entry::make(shown, &library, &gpu.with_own_store(), options).await {
+            match GalleryEntry::make(shown, &library, &gpu.with_own_store(), options).await {
                 Ok(entry) => {
                     let entry = entry.tell(&mut made.problems);
                     let mut catalog = Catalog::new(&library);
@@ -154,7 +154,7 @@ pub async fn build(
 pub fn content(
     shown: &GalleryDocument,
     library: &Library,
-    options: &Options,
+    options: &GalleryOptions,
     assets: &mut Assets,
     sink: &mut dyn FnMut(&[u8]),
 ) -> Result<(), Vec<Diagnostic>> {

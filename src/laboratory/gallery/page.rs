@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::entry::Entry;
-use super::{GENERATOR, List, Options, Section};
-use crate::accuracy::report::{Row, Subject, tier_word};
+use super::entry::GalleryEntry;
+use super::{GENERATOR, GalleryOptions, List, Section};
+use crate::accuracy::report::{MeasurementRow, MeasurementSubject, tier_word};
 use crate::catalog::Catalog;
 use crate::document::Look;
 use crate::drawing::{escaped, graph_svg};
@@ -56,7 +56,7 @@ impl Index {
         self.is_open = true;
     }
 
-    pub(super) fn entry(&mut self, entry: &Entry, slug: &str) {
+    pub(super) fn entry(&mut self, entry: &GalleryEntry, slug: &str) {
         let [width, height] = entry.size;
         let name = escaped(&entry.name);
         let _ = writeln!(
@@ -90,7 +90,12 @@ pub(super) fn graph(look: &Look, catalog: &Catalog) -> String {
 }
 
 /// HTML of one document's page.
-pub(super) fn entry(entry: &Entry, slug: &str, list: &List, options: &Options) -> String {
+pub(super) fn entry(
+    entry: &GalleryEntry,
+    slug: &str,
+    list: &List,
+    options: &GalleryOptions,
+) -> String {
     let mut html = head(&format!("{} – {}", entry.name, list.title));
     let [width, height] = entry.size;
     let name = escaped(&entry.name);
@@ -151,7 +156,7 @@ pub(super) fn entry(entry: &Entry, slug: &str, list: &List, options: &Options) -
     html + "</main>\n</body>\n</html>\n"
 }
 
-fn facts(entry: &Entry, options: &Options) -> String {
+fn facts(entry: &GalleryEntry, options: &GalleryOptions) -> String {
     let kind = |(kind, count): (&String, &usize)| {
         let name = match &options.nodes {
             Some(nodes) => format!("<a href=\"{0}#{1}\">{1}</a>", escaped(nodes), escaped(kind)),
@@ -171,7 +176,7 @@ fn facts(entry: &Entry, options: &Options) -> String {
     )
 }
 
-fn costs(rows: &[Row]) -> String {
+fn costs(rows: &[MeasurementRow]) -> String {
     let mut html = String::from(
         "<table>\n<tr><th>Tier</th><th>ms</th><th>95% interval</th><th>largest error</th><th>99.9% \
          are below</th>\
@@ -179,9 +184,9 @@ fn costs(rows: &[Row]) -> String {
     );
     for row in rows {
         let what = match &row.subject {
-            Subject::Whole => tier_word(row.tier).to_owned(),
-            Subject::Pass(kind) => format!("&nbsp;&nbsp;{} pass", kind.label()),
-            Subject::Node { name, .. } => escaped(name),
+            MeasurementSubject::Whole => tier_word(row.tier).to_owned(),
+            MeasurementSubject::Pass(kind) => format!("&nbsp;&nbsp;{} pass", kind.label()),
+            MeasurementSubject::Node { name, .. } => escaped(name),
         };
         let small =
             |number: f64| if number == 0.0 { "0".to_owned() } else { format!("{number:.1e}") };

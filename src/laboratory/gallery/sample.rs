@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value as Json;
 
-use crate::catalog::{Catalog, Kind, Port};
+use crate::catalog::{Catalog, NodeKind, Port};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Endpoint, Light, Look, Node, Value, Values, Wire};
@@ -40,7 +40,7 @@ struct NodeSample {
 }
 
 /// A look that shows the first output of a node of `kind`; `None` if nothing of it can be seen.
-fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> {
+fn look_of(kind: &NodeKind, catalog: &Catalog, showing: NodeSample) -> Option<Look> {
     let mut build = Build { look: Look::default(), catalog };
     let lights = [("key", [-0.5, 0.6, 0.62]), ("back", [0.8, -0.1, 0.2])];
     for (id, direction) in lights {
@@ -84,7 +84,7 @@ fn look_of(kind: &Kind, catalog: &Catalog, showing: NodeSample) -> Option<Look> 
 
 impl NodeSample {
     /// The table's sample of a kind, with files and lights for inputs that name some.
-    fn of(kind: &Kind) -> Option<Self> {
+    fn of(kind: &NodeKind) -> Option<Self> {
         let table: serde_json::Map<String, Json> = serde_json::from_str(VALUES).unwrap_or_default();
         let mut showing = Self { mesh: MESH.to_owned(), ..Self::default() };
         if let Some(own) = table.get(&kind.id) {
@@ -121,7 +121,7 @@ impl NodeSample {
 }
 
 /// Name of the default source for an input of a type.
-fn source_of(kind: &Kind, ty: &Type) -> Option<&'static str> {
+fn source_of(kind: &NodeKind, ty: &Type) -> Option<&'static str> {
     let is_plain = matches!(kind.category.as_str(), "math" | "vector");
     Some(match ty {
         Type::Light => "light",
@@ -172,7 +172,7 @@ impl Build<'_> {
 
     /// True if an input gets a wire: each input that needs one, and the first input of a node that
     /// would look the same everywhere, unless the sample chose a source.
-    fn is_fed(&self, kind: &Kind, port: &Port, is_chosen: bool) -> bool {
+    fn is_fed(&self, kind: &NodeKind, port: &Port, is_chosen: bool) -> bool {
         let has_value = self
             .look
             .graph
@@ -279,7 +279,7 @@ impl Build<'_> {
 /// Draws the output of a node of a kind, on a transparent ground; `None` if nothing of it can be
 /// seen. `folder` holds the image and the HCBTF that some nodes read ([`write_assets`]).
 pub(super) async fn picture(
-    kind: &Kind,
+    kind: &NodeKind,
     catalog: &Catalog,
     library: &Library,
     executor: &mut dyn Executor,

@@ -211,7 +211,7 @@ impl fmt::Display for Diagnostic {
 /// down to [`tell`](Self::tell). A scene without what could not be read is such a value, too, and
 /// then the errors of the parts that are missing are among its warnings.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Warned<T> {
+pub struct WithWarnings<T> {
     /// Value itself.
     pub value: T,
     /// Warnings and notes, and errors of parts that the value does without, in the order in which
@@ -219,7 +219,7 @@ pub struct Warned<T> {
     pub warnings: Vec<Diagnostic>,
 }
 
-impl<T> Warned<T> {
+impl<T> WithWarnings<T> {
     /// Value with warnings.
     pub fn new(value: T, warnings: Vec<Diagnostic>) -> Self {
         Self { value, warnings }
@@ -237,12 +237,12 @@ impl<T> Warned<T> {
     }
 
     /// Another value made of this one, with the same warnings.
-    pub fn map<U>(self, make: impl FnOnce(T) -> U) -> Warned<U> {
-        Warned { value: make(self.value), warnings: self.warnings }
+    pub fn map<U>(self, make: impl FnOnce(T) -> U) -> WithWarnings<U> {
+        WithWarnings { value: make(self.value), warnings: self.warnings }
     }
 }
 
-impl<T> From<T> for Warned<T> {
+impl<T> From<T> for WithWarnings<T> {
     fn from(value: T) -> Self {
         Self { value, warnings: Vec::new() }
     }

@@ -4,7 +4,7 @@
 pub(super) type Slot = u32;
 
 /// Number of an instruction; while compiling, number of a label.
-pub(super) type Target = u32;
+pub(super) type JumpTarget = u32;
 
 /// Instruction: one step of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub(super) enum Instruction {
     /// `a * 2^exponent`; the exponent is an i32.
     FloatScale { to: Slot, a: Slot, exponent: Slot },
     /// (float, float) -> bool
-    FloatCompare { op: Compare, to: Slot, a: Slot, b: Slot },
+    FloatCompare { op: Comparison, to: Slot, a: Slot, b: Slot },
     /// integer -> integer
     IntUnary { op: IntUnary, to: Slot, a: Slot },
     /// (integer, integer) -> integer or bool
@@ -36,7 +36,7 @@ pub(super) enum Instruction {
     /// `a` with the bits `offset..offset + count` replaced by the low bits of `b`.
     InsertBits { to: Slot, a: Slot, b: Slot, offset: Slot, count: Slot },
     /// Conversion from one kind of scalar to another.
-    Convert { op: Conversion, to: Slot, a: Slot },
+    Convert { op: ScalarConversion, to: Slot, a: Slot },
     /// `to = if condition { accept } else { reject }`
     Select { to: Slot, condition: Slot, accept: Slot, reject: Slot },
     /// `to = pointer + min(index, count - 1) * stride`; `count` and `stride` are numbers.
@@ -58,22 +58,22 @@ pub(super) enum Instruction {
     /// End of a lane, which from here on only helps its neighbors.
     Kill,
     /// Jump to `target`.
-    Jump { target: Target },
+    Jump { target: JumpTarget },
     /// Jump to `target` if the condition is `when`.
-    JumpIf { condition: Slot, when: bool, target: Target },
+    JumpIf { condition: Slot, when: bool, target: JumpTarget },
     /// Jump to the target that the table of that number gives for the selector.
     Switch { selector: Slot, table: u32 },
     /// Jump to `target`, with the number of the next instruction left in `link`.
-    Call { target: Target, link: Slot },
+    Call { target: JumpTarget, link: Slot },
     /// Call of a function that gives the same result for the same arguments; the number is that of
     /// a [`PureCall`].
-    CallPure { target: Target, link: Slot, call: u32 },
+    CallPure { target: JumpTarget, link: Slot, call: u32 },
     /// Jump to the instruction whose number is in `link`.
     Return { link: Slot },
 }
 
 impl Instruction {
-    /// Cost of the instruction, counted in [`super::Options::step_limit`].
+    /// Cost of the instruction, counted in [`super::FunctionOptions::step_limit`].
     #[inline(always)]
     pub(super) fn cost(self) -> u64 {
         match self {
@@ -101,14 +101,14 @@ pub(super) struct PureCall {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Switch {
     /// Values and their targets, sorted by value once the program is complete.
-    pub(super) cases: Vec<(u32, Target)>,
+    pub(super) cases: Vec<(u32, JumpTarget)>,
     /// Target of all other values.
-    pub(super) default: Target,
+    pub(super) default: JumpTarget,
 }
 
 impl Switch {
     /// Target of a value.
-    pub(super) fn target(&self, selector: u32) -> Target {
+    pub(super) fn target(&self, selector: u32) -> JumpTarget {
         let found = self.cases.binary_search_by_key(&selector, |case| case.0);
         found.map_or(self.default, |index| self.cases[index].1)
     }
@@ -163,7 +163,7 @@ pub(super) enum FloatBinary {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Compare {
+pub(super) enum Comparison {
     Equal,
     NotEqual,
     Less,
@@ -216,7 +216,7 @@ pub(super) enum IntBinary {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Conversion {
+pub(super) enum ScalarConversion {
     /// Truncation with saturation; NaN gives 0.
     FloatToI32,
     /// Truncation with saturation; NaN gives 0.

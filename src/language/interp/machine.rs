@@ -1,11 +1,11 @@
 //! Machine that runs programs, one call at a time.
 
-use super::instruction::{Instruction, Target};
+use super::instruction::{Instruction, JumpTarget};
 use super::math::{Double, Rounding, Single};
 use super::memory::{ALL, Mask, Memory};
-use super::resources::{Held, World};
+use super::resources::{BoundContent, BoundResources};
 use super::step::step;
-use super::{Parameter, Precision, Program, Value};
+use super::{Precision, Program, ProgramParameter, Value};
 use crate::diag::Diagnostic;
 
 /// Memory in which one [`Program`] runs, one call after the other.
@@ -14,13 +14,13 @@ pub struct Machine<'p> {
     program: &'p Program,
     precision: Precision,
     memory: Memory<1>,
-    held: &'p [Held],
+    held: &'p [BoundContent],
 }
 
 /// Error of a program that ran for longer than allowed.
-pub(super) struct Endless;
+pub(super) struct TimeLimitError;
 
-impl Endless {
+impl TimeLimitError {
     #[cold]
     pub(super) fn diagnose(&self, program: &Program) -> Diagnostic {
         let Program { name, step_limit, .. } = program;
@@ -33,8 +33,12 @@ impl Endless {
 }
 
 impl<'p> Machine<'p> {
-    pub(super) fn new(program: &'p Program, precision: Precision, held: &'p [Held]) -> Self {
-        let world = World { held, operations: &program.operations };
+    pub(super) fn new(
+        program: &'p Program,
+        precision: Precision,
+        held: &'p [BoundContent],
+    ) -> Self {
+        let world = BoundResources { held, operations: &program.operations };
         Self { program, precision, memory: Memory::new(program, precision, &world), held }
     }
 
@@ -50,7 +54,7 @@ impl<'p> Machine<'p> {
                 .hint("bind them, and run what `Program::bind` gives"));
         }
         write_arguments(name, parameters, arguments, self.precision, &self.memory, 0)?;
-        let world = World { held: self.held, operations: &self.program.operations };
+        let world = BoundResources { held: self.held, operations: &self.program.operations };
         let (entry, steps) = (self.program.entry, &mut self.program.step_limit.clone());
         let outcome = match self.precision {
             Precision::F64 => run::<Double>(self.program, &self.memory, &world, entry, steps),
@@ -64,7 +68,7 @@ impl<'p> Machine<'p> {
 /// Writes the arguments of one lane to the slots where the program expects them.
 pub(super) fn write_arguments<const W: usize>(
     function: &str,
-    parameters: &[Parameter],
+    parameters: &[ProgramParameter],
     arguments: &[Value],
     precision: Precision,
     memory: &Memory<W>,
@@ -90,8 +94,8 @@ pub(super) fn write_arguments<const W: usize>(
 }
 
 #[cold]
-fn wrong_shape(function: &str, parameter: &Parameter, value: &Value) -> Diagnostic {
-    let Parameter { name, shape, .. } = parameter;
+fn wrong_shape(function: &str, parameter: &ProgramParameter, value: &Value) -> Diagnostic {
+    let ProgramParameter { name, shape, .. } = parameter;
     let message = format!(
         "argument `{name}` of `{function}` is {shape}, but {value} ({}) was given",
         value.describe()
@@ -104,16 +108,16 @@ fn wrong_shape(function: &str, parameter: &Parameter, value: &Value) -> Diagnost
 pub(super) fn run<R: Rounding>(
     program: &Program,
     memory: &Memory<1>,
-    world: &World,
-    entry: Target,
+    world: &BoundResources,
+    entry: JumpTarget,
     steps: &mut u64,
-) -> Result<(), Endless> {
+) -> Result<(), TimeLimitError> {
     let code = program.code.as_slice();
     let mut counter = entry as usize;
     loop {
         let instruction = code[counter];
         counter += 1;
-        *steps = steps.checked_sub(instruction.cost()).ok_or(Endless)?;
+        *steps = steps.checked_sub(instruction.cost()).ok_or(TimeLimitError)?;
         match instruction {
             Instruction::Halt => return Ok(()),
             Instruction::Jump { target } => counter = target as usize,

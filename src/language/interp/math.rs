@@ -6,7 +6,9 @@
 
 use half::f16;
 
-use super::instruction::{Compare, Conversion, FloatBinary, FloatUnary, IntBinary, IntUnary};
+use super::instruction::{
+    Comparison, FloatBinary, FloatUnary, IntBinary, IntUnary, ScalarConversion,
+};
 
 /// Operands of one kind, on each of which a function can be run.
 pub(super) trait Unary<T, U> {
@@ -144,12 +146,12 @@ fn pow(x: f64, y: f64) -> f64 {
 
 /// Comparisons of two floats.
 #[inline(always)]
-pub(super) fn float_compare(op: Compare, each: impl Binary<f64, bool>) {
+pub(super) fn float_compare(op: Comparison, each: impl Binary<f64, bool>) {
     match op {
-        Compare::Equal => each.with(|a, b| a == b),
-        Compare::NotEqual => each.with(|a, b| a != b),
-        Compare::Less => each.with(|a, b| a < b),
-        Compare::LessEqual => each.with(|a, b| a <= b),
+        Comparison::Equal => each.with(|a, b| a == b),
+        Comparison::NotEqual => each.with(|a, b| a != b),
+        Comparison::Less => each.with(|a, b| a < b),
+        Comparison::LessEqual => each.with(|a, b| a <= b),
     }
 }
 
@@ -269,7 +271,7 @@ pub(super) fn insert_bits(x: u32, new: u32, offset: u32, count: u32) -> u32 {
 
 /// Conversions from the bits of one slot to those of another.
 #[inline(always)]
-pub(super) fn convert<R: Rounding>(op: Conversion, each: impl Unary<u64, u64>) {
+pub(super) fn convert<R: Rounding>(op: ScalarConversion, each: impl Unary<u64, u64>) {
     let float = f64::from_bits;
     let integer = |bits: u64| bits as u32;
     let signed = |bits: u64| f64::from(bits as u32 as i32);
@@ -282,27 +284,35 @@ pub(super) fn convert<R: Rounding>(op: Conversion, each: impl Unary<u64, u64>) {
         whole((0.5 + scale * float(bits).clamp(least, 1.0)).floor() as i32)
     };
     match op {
-        Conversion::FloatToI32 => each.with(|x| whole(at_most(float(x), greatest_i32) as i32)),
-        Conversion::FloatToU32 => each.with(|x| u64::from(at_most(float(x), greatest_u32) as u32)),
-        Conversion::FloatToBool => each.with(|x| u64::from(float(x) != 0.0)),
-        Conversion::IntToBool => each.with(|x| u64::from(integer(x) != 0)),
-        Conversion::I32ToFloat => each.with(|x| real(signed(x))),
-        Conversion::U32ToFloat => each.with(|x| real(f64::from(integer(x)))),
-        Conversion::FloatToBits => each.with(|x| u64::from((float(x) as f32).to_bits())),
-        Conversion::BitsToFloat => each.with(|x| f64::from(f32::from_bits(integer(x))).to_bits()),
-        Conversion::FrexpExponent => each.with(|x| whole(frexp(float(x)).1)),
-        Conversion::IsNan => each.with(|x| u64::from(float(x).is_nan())),
-        Conversion::IsInf => each.with(|x| u64::from(float(x).is_infinite())),
-        Conversion::ToSnorm8 => each.with(|x| normalized(x, -1.0, 127.0)),
-        Conversion::ToUnorm8 => each.with(|x| normalized(x, 0.0, 255.0)),
-        Conversion::ToSnorm16 => each.with(|x| normalized(x, -1.0, 32767.0)),
-        Conversion::ToUnorm16 => each.with(|x| normalized(x, 0.0, 65535.0)),
-        Conversion::ToHalf => each.with(|x| u64::from(f16::from_f64(float(x)).to_bits())),
-        Conversion::FromSnorm8 => each.with(|x| real((signed(x) / 127.0).max(-1.0))),
-        Conversion::FromUnorm8 => each.with(|x| real(signed(x) / 255.0)),
-        Conversion::FromSnorm16 => each.with(|x| real((signed(x) / 32767.0).max(-1.0))),
-        Conversion::FromUnorm16 => each.with(|x| real(signed(x) / 65535.0)),
-        Conversion::FromHalf => each.with(|x| real(f16::from_bits(integer(x) as u16).to_f64())),
-        Conversion::HalfInSingle => each.with(|x| R::half(float(x)).to_bits()),
+        ScalarConversion::FloatToI32 => {
+            each.with(|x| whole(at_most(float(x), greatest_i32) as i32))
+        }
+        ScalarConversion::FloatToU32 => {
+            each.with(|x| u64::from(at_most(float(x), greatest_u32) as u32))
+        }
+        ScalarConversion::FloatToBool => each.with(|x| u64::from(float(x) != 0.0)),
+        ScalarConversion::IntToBool => each.with(|x| u64::from(integer(x) != 0)),
+        ScalarConversion::I32ToFloat => each.with(|x| real(signed(x))),
+        ScalarConversion::U32ToFloat => each.with(|x| real(f64::from(integer(x)))),
+        ScalarConversion::FloatToBits => each.with(|x| u64::from((float(x) as f32).to_bits())),
+        ScalarConversion::BitsToFloat => {
+            each.with(|x| f64::from(f32::from_bits(integer(x))).to_bits())
+        }
+        ScalarConversion::FrexpExponent => each.with(|x| whole(frexp(float(x)).1)),
+        ScalarConversion::IsNan => each.with(|x| u64::from(float(x).is_nan())),
+        ScalarConversion::IsInf => each.with(|x| u64::from(float(x).is_infinite())),
+        ScalarConversion::ToSnorm8 => each.with(|x| normalized(x, -1.0, 127.0)),
+        ScalarConversion::ToUnorm8 => each.with(|x| normalized(x, 0.0, 255.0)),
+        ScalarConversion::ToSnorm16 => each.with(|x| normalized(x, -1.0, 32767.0)),
+        ScalarConversion::ToUnorm16 => each.with(|x| normalized(x, 0.0, 65535.0)),
+        ScalarConversion::ToHalf => each.with(|x| u64::from(f16::from_f64(float(x)).to_bits())),
+        ScalarConversion::FromSnorm8 => each.with(|x| real((signed(x) / 127.0).max(-1.0))),
+        ScalarConversion::FromUnorm8 => each.with(|x| real(signed(x) / 255.0)),
+        ScalarConversion::FromSnorm16 => each.with(|x| real((signed(x) / 32767.0).max(-1.0))),
+        ScalarConversion::FromUnorm16 => each.with(|x| real(signed(x) / 65535.0)),
+        ScalarConversion::FromHalf => {
+            each.with(|x| real(f16::from_bits(integer(x) as u16).to_f64()))
+        }
+        ScalarConversion::HalfInSingle => each.with(|x| R::half(float(x)).to_bits()),
     }
 }

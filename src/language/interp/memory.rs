@@ -5,26 +5,26 @@
 use std::cell::Cell;
 
 use super::instruction::Slot;
-use super::resources::World;
+use super::resources::BoundResources;
 use super::{Precision, Program};
 
 /// Bits of a mask with all lanes.
 pub(super) const ALL: u64 = u64::MAX;
 
 /// Lanes of one slot.
-pub(super) type Row<const W: usize> = [Cell<u64>; W];
+pub(super) type LaneRow<const W: usize> = [Cell<u64>; W];
 
 /// Memory of slots, whose types the instructions know.
 #[derive(Clone, Debug)]
 pub(super) struct Memory<const W: usize> {
-    rows: Vec<Row<W>>,
+    rows: Vec<LaneRow<W>>,
 }
 
 impl<const W: usize> Memory<W> {
     /// Memory of a program before it runs, the same in all lanes.
-    pub(super) fn new(program: &Program, precision: Precision, world: &World) -> Self {
+    pub(super) fn new(program: &Program, precision: Precision, world: &BoundResources) -> Self {
         let row = |bits: u64| std::array::from_fn(|_| Cell::new(bits));
-        let mut rows: Vec<Row<W>> = program.image.iter().map(|&bits| row(bits)).collect();
+        let mut rows: Vec<LaneRow<W>> = program.image.iter().map(|&bits| row(bits)).collect();
         if precision == Precision::F32 {
             for &(slot, bits) in &program.wide_constants {
                 rows[slot as usize] = row(bits);
@@ -42,7 +42,7 @@ impl<const W: usize> Memory<W> {
     }
 
     #[inline(always)]
-    pub(super) fn row(&self, slot: Slot) -> &Row<W> {
+    pub(super) fn row(&self, slot: Slot) -> &LaneRow<W> {
         &self.rows[slot as usize]
     }
 

@@ -81,11 +81,11 @@ mod tests;
 
 pub use lanes::{Batch, LANES, Lanes};
 pub use machine::Machine;
-pub use observed::Observed;
-pub use port::Port;
+pub use observed::ObservedValue;
+pub use port::LanePort;
 pub use resources::{
-    Address, Bindings, Bound, Filter, Level, Resource, ResourceKind, Sampler, SamplerCompare,
-    Texel, Texture, TextureDimension,
+    AddressMode, Bindings, BoundProgram, Filter, Resource, ResourceKind, Sampler, SamplerCompare,
+    Texel, Texture, TextureDimension, TextureLevel,
 };
 pub use shape::{ScalarKind, Shape};
 pub use value::{Scalar, Value};
@@ -116,7 +116,7 @@ pub enum Derivatives {
 
 /// Options of the compilation of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options<'s> {
+pub struct FunctionOptions<'s> {
     /// Meaning of derivatives.
     pub derivatives: Derivatives,
     /// True if the function may use features that only a stage of a pipeline has: resources,
@@ -132,7 +132,7 @@ pub struct Options<'s> {
     pub step_limit: u64,
 }
 
-impl Default for Options<'_> {
+impl Default for FunctionOptions<'_> {
     fn default() -> Self {
         Self {
             derivatives: Derivatives::default(),
@@ -144,7 +144,7 @@ impl Default for Options<'_> {
     }
 }
 
-impl<'s> Options<'s> {
+impl<'s> FunctionOptions<'s> {
     /// Options for an entry point of a pipeline, run in [`Lanes`], with constants at f64.
     pub fn stage(source: &'s str) -> Self {
         Self {
@@ -158,7 +158,7 @@ impl<'s> Options<'s> {
 
 /// Parameter of a [`Program`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
+pub struct ProgramParameter {
     /// Name in the source, or empty.
     pub name: String,
     /// Shape of the argument.
@@ -180,14 +180,14 @@ pub struct Program {
     /// Slots of float constants that f32 cannot hold, with their bits in [`Precision::F32`].
     wide_constants: Vec<(u32, u64)>,
     /// Slots that hold scalars of buffers, or the buffers' lengths.
-    bound_slots: Vec<(u32, resources::Source)>,
+    bound_slots: Vec<(u32, resources::SlotSource)>,
     resources: Vec<Resource>,
     operations: Vec<image::Operation>,
-    observed: Vec<Observed>,
+    observed: Vec<ObservedValue>,
     entry: u32,
-    parameters: Vec<Parameter>,
-    inputs: Vec<Port>,
-    outputs: Vec<Port>,
+    parameters: Vec<ProgramParameter>,
+    inputs: Vec<LanePort>,
+    outputs: Vec<LanePort>,
     result: Shape,
     result_slot: u32,
     step_limit: u64,
@@ -201,15 +201,15 @@ impl Program {
     /// - `interp-unknown-function`: the module has no function of that name.
     /// - `interp-unsupported`: the function, or one that it calls, uses a feature that only a GPU
     ///   has (barriers, atomics, storage textures, ray queries; derivatives unless
-    ///   [`Options::derivatives`] gives their meaning; resources unless [`Options::is_stage`]), or
-    ///   a type that is none of bool, i32, u32, float and their composites, or gives no result and
-    ///   is no stage. The place has the span in the WGSL source.
+    ///   [`FunctionOptions::derivatives`] gives their meaning; resources unless
+    ///   [`FunctionOptions::is_stage`]), or a type that is none of bool, i32, u32, float and their
+    ///   composites, or gives no result and is no stage. The place has the span in the WGSL source.
     /// - `interp-too-big`: the function needs more memory than the interpreter grants (32 MiB), or
     ///   nests types more than 64 deep.
     pub fn compile(
         module: &naga::Module,
         function: &str,
-        options: Options,
+        options: FunctionOptions,
     ) -> Result<Self, Diagnostic> {
         compile::compile(module, function, options).map_err(|boxed| *boxed)
     }
@@ -219,7 +219,8 @@ impl Program {
     /// # Errors
     /// - `interp-argument`: the number of arguments is wrong, or one has another shape than the
     ///   [`parameters`](Self::parameters).
-    /// - `interp-endless`: the program ran for more instructions than [`Options::step_limit`].
+    /// - `interp-endless`: the program ran for more instructions than
+    /// [`FunctionOptions::step_limit`].
     /// - `interp-unbound`: the program reads [`resources`](Self::resources); [`bind`](Self::bind)
     ///   them.
     pub fn call(&self, arguments: &[Value], precision: Precision) -> Result<Value, Diagnostic> {
@@ -240,8 +241,8 @@ impl Program {
         &self,
         bindings: &Bindings,
         precision: Precision,
-    ) -> Result<Bound<'_>, Vec<Diagnostic>> {
-        Bound::new(self, bindings, precision)
+    ) -> Result<BoundProgram<'_>, Vec<Diagnostic>> {
+        BoundProgram::new(self, bindings, precision)
     }
 
     /// Name of the function.
@@ -250,7 +251,7 @@ impl Program {
     }
 
     /// Parameters of the function.
-    pub fn parameters(&self) -> &[Parameter] {
+    pub fn parameters(&self) -> &[ProgramParameter] {
         &self.parameters
     }
 
@@ -261,12 +262,12 @@ impl Program {
 
     /// Scalars and vectors among the arguments and the members of arguments that are structs, in
     /// order.
-    pub fn inputs(&self) -> &[Port] {
+    pub fn inputs(&self) -> &[LanePort] {
         &self.inputs
     }
 
     /// Scalars and vectors of the result, or the members of a result that is a struct, in order.
-    pub fn outputs(&self) -> &[Port] {
+    pub fn outputs(&self) -> &[LanePort] {
         &self.outputs
     }
 

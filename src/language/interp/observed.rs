@@ -10,7 +10,7 @@ use super::{Lanes, Program, ScalarKind, Shape};
 ///
 /// A function that is called several times keeps the values of its last call.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Observed {
+pub struct ObservedValue {
     /// Name in the source.
     pub name: String,
     /// Name of the function that holds the value.
@@ -21,7 +21,7 @@ pub struct Observed {
     pub(super) slots: Vec<(Slot, ScalarKind)>,
 }
 
-impl Observed {
+impl ObservedValue {
     /// Number of scalars of the value.
     pub fn len(&self) -> usize {
         self.slots.len()
@@ -35,8 +35,8 @@ impl Observed {
 
 impl Program {
     /// All named values; none unless the program was compiled with
-    /// [`Options::observe`](super::Options::observe).
-    pub fn observed(&self) -> &[Observed] {
+    /// [`FunctionOptions::observe`](super::FunctionOptions::observe).
+    pub fn observed(&self) -> &[ObservedValue] {
         &self.observed
     }
 }
@@ -46,7 +46,7 @@ impl Lanes<'_> {
     ///
     /// # Panics
     /// There is no such lane.
-    pub fn observe(&self, value: &Observed, lane: usize) -> Vec<f64> {
+    pub fn observe(&self, value: &ObservedValue, lane: usize) -> Vec<f64> {
         value
             .slots
             .iter()

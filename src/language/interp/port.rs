@@ -6,7 +6,7 @@ use super::instruction::Slot;
 /// Scalar or vector that [`Lanes`](super::Lanes) take or give: an argument or result, or a member
 /// of one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Port {
+pub struct LanePort {
     /// Name of the port: `in.position`, `color`. An unnamed result is empty.
     pub name: String,
     /// Binding given by the attribute: a builtin, or a location with its interpolation.
@@ -19,7 +19,7 @@ pub struct Port {
     pub(super) slot: Slot,
 }
 
-impl Port {
+impl LanePort {
     /// Location of the port, if it has one.
     pub fn location(&self) -> Option<u32> {
         if let Some(naga::Binding::Location { location, .. }) = self.binding {

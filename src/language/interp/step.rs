@@ -3,19 +3,19 @@
 use super::image;
 use super::instruction::{Derivative, Instruction};
 use super::math::{self, Binary, Rounding, Unary};
-use super::memory::{Mask, Memory, Row};
-use super::resources::World;
+use super::memory::{LaneRow, Mask, Memory};
+use super::resources::BoundResources;
 
 /// Rows of the result and one operand.
 struct Lanes1<'m, const W: usize> {
-    to: &'m Row<W>,
-    a: &'m Row<W>,
+    to: &'m LaneRow<W>,
+    a: &'m LaneRow<W>,
 }
 
 struct Lanes2<'m, const W: usize> {
-    to: &'m Row<W>,
-    a: &'m Row<W>,
-    b: &'m Row<W>,
+    to: &'m LaneRow<W>,
+    a: &'m LaneRow<W>,
+    b: &'m LaneRow<W>,
 }
 
 /// Rows of floats, rounded when stored.
@@ -94,7 +94,7 @@ pub(super) fn step<R: Rounding, const W: usize>(
     instruction: Instruction,
     memory: &Memory<W>,
     mask: Mask,
-    world: &World,
+    world: &BoundResources,
 ) {
     let lanes1 = |to, a| Lanes1 { to: memory.row(to), a: memory.row(a) };
     let lanes2 = |to, a, b| Lanes2 { to: memory.row(to), a: memory.row(a), b: memory.row(b) };
@@ -161,7 +161,7 @@ fn rare<R: Rounding, const W: usize>(
     instruction: Instruction,
     memory: &Memory<W>,
     mask: Mask,
-    world: &World,
+    world: &BoundResources,
 ) {
     match instruction {
         Instruction::FloatFma { to, a, b, c } => {
@@ -207,7 +207,12 @@ fn rare<R: Rounding, const W: usize>(
 }
 
 /// Differences within each quad of lanes; 0 where lanes are no quads.
-fn derivative<const W: usize>(op: Derivative, to: &Row<W>, a: &Row<W>, round: impl Fn(f64) -> f64) {
+fn derivative<const W: usize>(
+    op: Derivative,
+    to: &LaneRow<W>,
+    a: &LaneRow<W>,
+    round: impl Fn(f64) -> f64,
+) {
     let at = |lane: usize| f64::from_bits(a[lane].get());
     for (lane, to) in to.iter().enumerate() {
         let (quad, place) = (lane & !3, lane & 3);

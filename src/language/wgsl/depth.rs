@@ -67,7 +67,7 @@ struct Walk<'a> {
 }
 
 /// Call under way.
-struct Frame<'a> {
+struct DepthFrame<'a> {
     function: &'a Function,
     arguments: &'a [Depth],
     /// Depth of each expression, once it is known.
@@ -83,7 +83,7 @@ impl Walk<'_> {
     /// Depth of a function's result, and the greatest depth that it stored through its caller's
     /// pointers.
     fn function(&mut self, function: &Function, arguments: &[Depth]) -> (Depth, u64) {
-        let mut frame = Frame {
+        let mut frame = DepthFrame {
             function,
             arguments,
             values: vec![None; function.expressions.len()],
@@ -96,7 +96,7 @@ impl Walk<'_> {
     }
 
     /// Walks statements in their order. WGSL allows blocks within blocks at most 127 deep.
-    fn block(&mut self, block: &Block, frame: &mut Frame<'_>) {
+    fn block(&mut self, block: &Block, frame: &mut DepthFrame<'_>) {
         for statement in block {
             match statement {
                 Statement::Emit(range) => range.clone().for_each(|handle| self.emit(handle, frame)),
@@ -136,7 +136,7 @@ impl Walk<'_> {
         function: Handle<Function>,
         arguments: &[Handle<Expression>],
         result: Option<Handle<Expression>>,
-        frame: &mut Frame<'_>,
+        frame: &mut DepthFrame<'_>,
     ) {
         let depths: Vec<Depth> =
             arguments.iter().map(|&argument| self.value(argument, frame)).collect();
@@ -158,7 +158,7 @@ impl Walk<'_> {
 
     /// Notes the depth of a value stored through a pointer; nothing, where an expression is no
     /// pointer.
-    fn store(&mut self, pointer: Handle<Expression>, depth: u64, frame: &mut Frame<'_>) {
+    fn store(&mut self, pointer: Handle<Expression>, depth: u64, frame: &mut DepthFrame<'_>) {
         self.deepest = self.deepest.max(depth);
         match frame.function.expressions[base_of(frame.function, pointer)] {
             Expression::LocalVariable(local) => {
@@ -171,7 +171,7 @@ impl Walk<'_> {
         }
     }
 
-    fn emit(&mut self, handle: Handle<Expression>, frame: &mut Frame<'_>) {
+    fn emit(&mut self, handle: Handle<Expression>, frame: &mut DepthFrame<'_>) {
         let depth = match &frame.function.expressions[handle] {
             Expression::Compose { components, .. } => components
                 .iter()
@@ -191,7 +191,7 @@ impl Walk<'_> {
         frame.values[handle.index()] = Some(depth);
     }
 
-    fn value(&self, handle: Handle<Expression>, frame: &Frame<'_>) -> Depth {
+    fn value(&self, handle: Handle<Expression>, frame: &DepthFrame<'_>) -> Depth {
         if let Some(known) = &frame.values[handle.index()] {
             return known.clone();
         }

@@ -12,7 +12,7 @@ const ROOT: &str = "chiaro::";
 
 /// Named text.
 #[derive(Clone, Copy, Debug)]
-pub struct Source<'a> {
+pub struct NamedSource<'a> {
     /// File name, as messages give it.
     pub name: &'a str,
     /// Text of the file.
@@ -21,19 +21,19 @@ pub struct Source<'a> {
 
 /// Sources with their imports resolved: plain WGSL.
 #[derive(Clone, Debug, Default)]
-pub struct Linked {
+pub struct LinkedSource {
     /// Text, ready for naga.
     pub text: String,
-    parts: Vec<Part>,
+    parts: Vec<SourceSpan>,
 }
 
 #[derive(Clone, Debug)]
-struct Part {
+struct SourceSpan {
     name: String,
     span: Range<usize>,
 }
 
-impl Linked {
+impl LinkedSource {
     /// File that a byte of the text came from, and the place in it.
     pub fn locate(&self, offset: usize) -> Option<(&str, LineColumn)> {
         let part =
@@ -47,7 +47,7 @@ impl Linked {
         self.parts.last().map_or(0..0, |part| part.span.clone())
     }
 
-    fn push(&mut self, source: &Source<'_>, scan: &Scan) {
+    fn push(&mut self, source: &NamedSource<'_>, scan: &Scan) {
         let start = self.text.len();
         let mut at = 0;
         // Imports become spaces, so that lines and columns stay true.
@@ -60,15 +60,15 @@ impl Linked {
         if !self.text.ends_with('\n') {
             self.text.push('\n');
         }
-        self.parts.push(Part { name: source.name.to_owned(), span: start..self.text.len() });
+        self.parts.push(SourceSpan { name: source.name.to_owned(), span: start..self.text.len() });
     }
 }
 
 /// File of the shared library that `import` names.
-fn library_file(import: &str) -> Option<Source<'static>> {
+fn library_file(import: &str) -> Option<NamedSource<'static>> {
     let name = import.strip_prefix(ROOT)?;
     let (path, text) = SHADER_LIBRARY.iter().find(|(path, _)| file_stem(path) == name)?;
-    Some(Source { name: path, text })
+    Some(NamedSource { name: path, text })
 }
 
 fn file_stem(path: &str) -> &str {
@@ -80,8 +80,8 @@ fn file_stem(path: &str) -> &str {
 ///
 /// # Errors
 /// A diagnostic for every import that is not in the library, with its file and line.
-pub fn link(sources: &[Source<'_>]) -> Result<Linked, Vec<Diagnostic>> {
-    let mut linked = Linked::default();
+pub fn link(sources: &[NamedSource<'_>]) -> Result<LinkedSource, Vec<Diagnostic>> {
+    let mut linked = LinkedSource::default();
     let mut done = HashSet::new();
     let mut problems = Vec::new();
     for source in sources {
@@ -95,10 +95,10 @@ pub fn link(sources: &[Source<'_>]) -> Result<Linked, Vec<Diagnostic>> {
 /// Adds the files that a source imports. The depth of the recursion is bounded: every library file
 /// is entered at most once.
 fn add_imports(
-    source: &Source<'_>,
+    source: &NamedSource<'_>,
     scanned: &Scan,
     done: &mut HashSet<String>,
-    linked: &mut Linked,
+    linked: &mut LinkedSource,
     problems: &mut Vec<Diagnostic>,
 ) {
     for import in &scanned.imports {
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn an_unknown_import_names_its_line() {
         let problems =
-            link(&[Source { name: "a.wgsl", text: "\nimport chiaro::tipes;\n" }]).unwrap_err();
+            link(&[NamedSource { name: "a.wgsl", text: "\nimport chiaro::tipes;\n" }]).unwrap_err();
         let text = problems[0].to_string();
         assert!(text.starts_with("a.wgsl:2:1: error[unknown-import]"), "{text}");
         assert!(text.contains("chiaro::types"), "{text}");
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn a_byte_finds_its_file() {
         let text = "import chiaro::types;\nfn f() -> Color { return Color(0.0); }";
-        let linked = link(&[Source { name: "f.wgsl", text }]).unwrap();
+        let linked = link(&[NamedSource { name: "f.wgsl", text }]).unwrap();
         let offset = linked.text.find("fn f()").unwrap();
         assert_eq!(linked.locate(offset), Some(("f.wgsl", LineColumn { line: 2, column: 1 })));
         assert_eq!(linked.locate(0).unwrap().0, "shaders/lib/types.wgsl");

@@ -192,12 +192,12 @@ struct Code<'a> {
     tokens: Vec<Token>,
     scan: Scan,
     /// Values of constants that are whole numbers.
-    constants: HashMap<&'a str, Whole>,
+    constants: HashMap<&'a str, WholeNumber>,
 }
 
 /// Whole number, and whether its type is unsigned.
 #[derive(Clone, Copy, Debug)]
-struct Whole {
+struct WholeNumber {
     value: i64,
     is_unsigned: bool,
 }
@@ -222,7 +222,7 @@ impl<'a> Code<'a> {
 
     /// Constants outside functions that are whole numbers, and whose names mean nothing else
     /// anywhere.
-    fn whole_constants(&self) -> HashMap<&'a str, Whole> {
+    fn whole_constants(&self) -> HashMap<&'a str, WholeNumber> {
         let mut declared: HashMap<&str, usize> = HashMap::new();
         for index in 1..self.tokens.len() {
             let is_local = matches!(self.text(index - 1), "const" | "let" | "var");
@@ -253,11 +253,11 @@ impl<'a> Code<'a> {
     }
 
     /// Whole number at a token, and the index of the next token.
-    fn whole(&self, at: usize) -> Option<(Whole, usize)> {
+    fn whole(&self, at: usize) -> Option<(WholeNumber, usize)> {
         let (sign, at) = if self.text(at) == "-" { (-1, at + 1) } else { (1, at) };
         let text = self.text(at);
         if let Some(&constant) = self.constants.get(text) {
-            return Some((Whole { value: sign * constant.value, ..constant }, at + 1));
+            return Some((WholeNumber { value: sign * constant.value, ..constant }, at + 1));
         }
         let digits = text.strip_suffix(['i', 'u']).unwrap_or(text);
         let value = match digits.strip_prefix("0x").or_else(|| digits.strip_prefix("0X")) {
@@ -267,8 +267,10 @@ impl<'a> Code<'a> {
         let is_number = self.tokens.get(at).is_some_and(|token| token.kind == TokenKind::Number);
         // WGSL has no whole numbers beyond 32 bits, and within them no sum of two overflows here.
         let is_in_range = value <= i64::from(u32::MAX);
-        (is_number && is_in_range)
-            .then_some((Whole { value: sign * value, is_unsigned: text.ends_with('u') }, at + 1))
+        (is_number && is_in_range).then_some((
+            WholeNumber { value: sign * value, is_unsigned: text.ends_with('u') },
+            at + 1,
+        ))
     }
 
     fn functions(&self) -> Vec<FunctionLoops> {
@@ -401,15 +403,15 @@ impl<'a> Code<'a> {
     }
 
     /// Number that the third part of a `for` adds, from the token after the name on.
-    fn step(&self, at: usize) -> Option<(Whole, usize)> {
-        let one = Whole { value: 1, is_unsigned: false };
+    fn step(&self, at: usize) -> Option<(WholeNumber, usize)> {
+        let one = WholeNumber { value: 1, is_unsigned: false };
         match (self.text(at), self.text(at + 1)) {
             ("+", "+") => Some((one, at + 2)),
-            ("-", "-") => Some((Whole { value: -1, ..one }, at + 2)),
+            ("-", "-") => Some((WholeNumber { value: -1, ..one }, at + 2)),
             ("+", "=") => self.whole(at + 2),
-            ("-", "=") => {
-                self.whole(at + 2).map(|(whole, end)| (Whole { value: -whole.value, ..whole }, end))
-            }
+            ("-", "=") => self
+                .whole(at + 2)
+                .map(|(whole, end)| (WholeNumber { value: -whole.value, ..whole }, end)),
             _ => None,
         }
     }

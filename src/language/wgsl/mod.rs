@@ -3,7 +3,7 @@
 //!
 //! A source may begin with lines `import chiaro::name;`, each naming a file of `shaders/lib/`.
 //! [`link`] puts the imported files before the source, each file once; the result is plain WGSL,
-//! and [`Linked::locate`] finds the file and line that a byte of the result came from.
+//! and [`LinkedSource::locate`] finds the file and line that a byte of the result came from.
 
 use crate::diag::Diagnostic;
 
@@ -24,7 +24,7 @@ pub use depth::depth_of_entry_points;
 #[cfg(test)]
 pub use embedded::shipped_nodes;
 pub use embedded::{PASSES, SHADER_LIBRARY};
-pub use link::{Linked, Source, link};
+pub use link::{LinkedSource, NamedSource, link};
 pub use loops::{BoundedLoops, CountedLoop, MAX_CALL_ROUNDS, MAX_ROUNDS, bound_loops};
 pub use operations::Operations;
 pub use permitted::{
@@ -33,14 +33,14 @@ pub use permitted::{
 pub use scan::{
     Declaration, DeclarationKind, Field, Import, Scan, code, identifiers, rename_identifiers, scan,
 };
-pub use validate::{Valid, WgslError, parse, validate};
+pub use validate::{ValidModule, WgslError, parse, validate};
 
 /// Source of a pass: `shaders/passes/NAME.wgsl` with its imports, and with some of its constants
 /// set to other numbers.
 ///
 /// # Errors
 /// A diagnostic for a missing pass, constant or import.
-pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<Linked, Vec<Diagnostic>> {
+pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<LinkedSource, Vec<Diagnostic>> {
     let is_it = |path: &str| {
         path.rsplit('/').next().and_then(|file| file.strip_suffix(".wgsl")) == Some(name)
     };
@@ -57,7 +57,7 @@ pub fn pass(name: &str, constants: &[(&str, i32)]) -> Result<Linked, Vec<Diagnos
             vec![Diagnostic::error("missing-constant", message)]
         })?;
     }
-    link(&[Source { name: path, text: &text }])
+    link(&[NamedSource { name: path, text: &text }])
 }
 
 /// Replaces the number of the line `const NAME = NUMBER;` of `text`; `None` without such a line.

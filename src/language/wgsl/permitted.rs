@@ -10,7 +10,7 @@ use std::ops::Range;
 use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement, TypeInner};
 
 use super::operations::Operations;
-use super::validate::{Valid, WgslError};
+use super::validate::{ValidModule, WgslError};
 
 /// Greatest size of all variables of a node's code, private ones included, in bytes.
 ///
@@ -30,7 +30,7 @@ pub const MAX_TABLE_LENGTH: u64 = 512;
 pub const MAX_CODE_OPERATIONS: u64 = 10_000;
 
 /// Errors of everything in the part `own` of a module's text that is not permitted, with places.
-pub fn refusals(valid: &Valid, own: &Range<usize>) -> Vec<WgslError> {
+pub fn refusals(valid: &ValidModule, own: &Range<usize>) -> Vec<WgslError> {
     let mut refused = Refusals { valid, own, told: Vec::new() };
     refused.overrides();
     refused.variables();
@@ -41,7 +41,7 @@ pub fn refusals(valid: &Valid, own: &Range<usize>) -> Vec<WgslError> {
 }
 
 struct Refusals<'a> {
-    valid: &'a Valid,
+    valid: &'a ValidModule,
     own: &'a Range<usize>,
     told: Vec<WgslError>,
 }

@@ -6,7 +6,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
 /// Module that naga accepts, with the results of its validator.
 #[derive(Debug)]
-pub struct Valid {
+pub struct ValidModule {
     /// IR of the module.
     pub module: naga::Module,
     /// Side tables of the validator.
@@ -27,7 +27,7 @@ pub struct WgslError {
 ///
 /// # Errors
 /// The error that naga reports, with the place.
-pub fn parse(source: &str) -> Result<Valid, WgslError> {
+pub fn parse(source: &str) -> Result<ValidModule, WgslError> {
     #[expect(clippy::disallowed_methods, reason = "the one place that calls naga's front end")]
     let module = naga::front::wgsl::parse_str(source).map_err(|error| WgslError {
         message: error.message().to_owned(),
@@ -40,11 +40,11 @@ pub fn parse(source: &str) -> Result<Valid, WgslError> {
 ///
 /// # Errors
 /// The error that naga reports, with the place and every cause below it.
-pub fn validate(module: naga::Module) -> Result<Valid, WgslError> {
+pub fn validate(module: naga::Module) -> Result<ValidModule, WgslError> {
     #[expect(clippy::disallowed_methods, reason = "the one place that calls naga's validator")]
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
     match validator.validate(&module) {
-        Ok(info) => Ok(Valid { module, info }),
+        Ok(info) => Ok(ValidModule { module, info }),
         Err(error) => {
             // naga reports the function and the parts inside it; the innermost place is the one to
             // mend.

@@ -8,7 +8,7 @@ use crate::pipeline::{LookPipeline, Sides};
 use crate::{RenderError, Renderer};
 
 /// A draw with its pipeline and bind group.
-pub(super) struct Bound {
+pub(super) struct BoundDraw {
     pipeline: LookPipeline,
     group: wgpu::BindGroup,
 }
@@ -96,7 +96,7 @@ impl Renderer {
         draw: &Draw,
         view: &wgpu::Buffer,
         samples: u32,
-    ) -> Result<Bound, RenderError> {
+    ) -> Result<BoundDraw, RenderError> {
         let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
         let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides)?;
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
@@ -135,10 +135,10 @@ impl Renderer {
             entries: &entries,
         };
         let group = self.gpu.device.create_bind_group(&descriptor);
-        Ok(Bound { pipeline, group })
+        Ok(BoundDraw { pipeline, group })
     }
 
-    pub(super) fn submit(&self, pass: &mut wgpu::RenderPass<'_>, draw: &Draw, bound: &Bound) {
+    pub(super) fn submit(&self, pass: &mut wgpu::RenderPass<'_>, draw: &Draw, bound: &BoundDraw) {
         pass.set_pipeline(&bound.pipeline.pipeline);
         pass.set_bind_group(0, &bound.group, &[]);
         self.meshes.bind(pass, &draw.mesh, &bound.pipeline.attributes);

@@ -1,7 +1,7 @@
 //! Mesh passes: they come before the looks and draw every object with one sample a pixel: normals,
 //! object numbers and depth.
 
-use super::look::{Bound, depth_attachment};
+use super::look::{BoundDraw, depth_attachment};
 use crate::compile::Stage;
 use crate::frame::{FramePlan, PassId};
 use crate::{RenderError, Renderer};
@@ -14,7 +14,7 @@ impl Renderer {
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
         let view = self.uniform(&plan.view.uniform_bytes());
-        let mut bound: Vec<(usize, Bound)> = Vec::new();
+        let mut bound: Vec<(usize, BoundDraw)> = Vec::new();
         for (index, draw) in plan.draws.iter().enumerate() {
             if let Some(shader) = draw.module(stage) {
                 bound.push((index, self.bind(shader, draw, &view, 1)?));

@@ -33,7 +33,7 @@ fn blend(weights: &[f64], values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// The unit direction between one direction per key: the weighted sum of their unit vectors,
-/// normalised.
+/// normalized.
 ///
 /// Where the sum vanishes (half way between opposite directions) the result is the direction of the
 /// highest weight, the first of equals. Directions that are zero or not finite are left out; `None`

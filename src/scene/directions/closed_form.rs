@@ -29,7 +29,7 @@ impl ClosedForm {
     /// plus twice its peak is positive definite (its Legendre coefficients all are positive), and a
     /// constant does not matter to coefficients that sum to 0. So with G that matrix, U its
     /// inverse, u = U 1 and s = 1'u, the solution is C = U - u u' / s and a = u / s: one Cholesky
-    /// factorisation.
+    /// factorization.
     pub(super) fn solve(kernel: Kernel, centers: &[DVec3]) -> Option<Self> {
         let n = centers.len();
         let kernels = Mat::from_fn(n, n, |i, j| kernel.between(centers[i], centers[j]));

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 
 /// Angle below which keys are merged, in radians: raw weights grow like 1 over their distance, to
 /// -2e3 here.
@@ -39,7 +39,7 @@ pub(super) struct KeySet {
 
 impl KeySet {
     /// Normalises and merges directions, and reports every key that is merged or has no weight.
-    pub(super) fn gather(directions: &[DVec3]) -> Warned<Self> {
+    pub(super) fn gather(directions: &[DVec3]) -> WithWarnings<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
         for (key, &direction) in directions.iter().enumerate() {
@@ -57,11 +57,11 @@ impl KeySet {
                     .hint("those past the limit have no weight"),
             );
         }
-        Warned::new(set, diagnostics)
+        WithWarnings::new(set, diagnostics)
     }
 
     /// As `gather`, of points instead of directions: any finite numbers.
-    pub(super) fn gather_places(places: &[DVec3]) -> Warned<Self> {
+    pub(super) fn gather_places(places: &[DVec3]) -> WithWarnings<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();
         for (key, &place) in places.iter().enumerate() {
@@ -89,7 +89,7 @@ impl KeySet {
                     .hint("those past the limit have no weight"),
             );
         }
-        Warned::new(set, diagnostics)
+        WithWarnings::new(set, diagnostics)
     }
 
     /// The group of a new key, found or made.

@@ -38,14 +38,14 @@ const LEAST_HEIGHT: f64 = 0.1;
 
 /// Raw weights at the vertices of a mesh that has a vertex at every key.
 #[derive(Clone, Debug)]
-pub(super) struct Tessellated {
+pub(super) struct VertexWeights {
     mesh: Icosphere,
     neighbors: Vec<[u32; 3]>,
     /// Raw weights at the vertices, one row per vertex.
     values: Vec<f64>,
 }
 
-impl Tessellated {
+impl VertexWeights {
     /// Solves for the weights of unit directions. The error is the reason why the mesh cannot carry
     /// them.
     pub(super) fn solve(
@@ -132,9 +132,9 @@ fn pin(mesh: &Icosphere, centers: &[DVec3]) -> Option<Vec<u32>> {
     (sorted.len() == pins.len()).then_some(pins)
 }
 
-/// The values at all vertices that minimise the sum of squared jumps, with pin k held at the k-th
+/// The values at all vertices that minimize the sum of squared jumps, with pin k held at the k-th
 /// unit vector: rows of `pins.len()` numbers. Solved by normal equations, pinned values eliminated,
-/// and a sparse Cholesky factorisation.
+/// and a sparse Cholesky factorization.
 fn minimize(jumps: &[Jump], vertex_count: usize, pins: &[u32]) -> Option<Vec<f64>> {
     const PINNED: usize = usize::MAX;
     let mut key_of = vec![None; vertex_count];
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn every_direction_is_found_in_the_triangle_it_passes_through() {
-        let solved = Tessellated::solve(LEVEL_3, &centers()).unwrap();
+        let solved = VertexWeights::solve(LEVEL_3, &centers()).unwrap();
         let mut directions: Vec<DVec3> = (0..5000u32)
             .map(|i| {
                 let [a, b] = [f64::from(i) * 0.618_034, f64::from(i) * 0.754_878];
@@ -244,7 +244,7 @@ mod tests {
     fn the_solution_is_a_minimum() {
         // At every vertex that is no pin, the energy's derivative is 0.
         let centers = centers();
-        let solved = Tessellated::solve(LEVEL_3, &centers).unwrap();
+        let solved = VertexWeights::solve(LEVEL_3, &centers).unwrap();
         let key_count = centers.len();
         let mut gradient = vec![0.0; solved.values.len()];
         for Jump { vertices, coefficients } in solved.mesh.jumps(false) {

@@ -6,8 +6,8 @@ use super::closed_form::{ClosedForm, inverse_distance_into};
 use super::icosphere::Icosphere;
 use super::kernel::Kernel;
 use super::keys::{KeySet, NO_GROUP, unit};
-use super::tessellated::{Tessellated, Tessellation};
-use crate::diag::{Diagnostic, Warned};
+use super::tessellated::{Tessellation, VertexWeights};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::KeyScheme;
 
 /// The weights of keys as a function of direction. Made once for a set of keys, evaluated for every
@@ -27,7 +27,7 @@ use crate::document::KeyScheme;
 #[derive(Clone, Debug)]
 pub struct KeyWeights {
     set: KeySet,
-    field: Field,
+    field: WeightFunction,
     space: Space,
 }
 
@@ -43,11 +43,11 @@ enum Space {
 
 /// Function that gives raw weights to the groups of keys.
 #[derive(Clone, Debug)]
-enum Field {
+enum WeightFunction {
     /// All weight to the only group, if there is one.
     Whole,
     Closed(ClosedForm),
-    Mesh(Box<Tessellated>),
+    Mesh(Box<VertexWeights>),
     InverseDistance,
 }
 
@@ -59,15 +59,15 @@ impl KeyWeights {
     /// [`MAX_KEYS`](super::MAX_KEYS), have weight 0. All of these are reported, as are keys closer
     /// than [`CLOSE_ANGLE`](super::CLOSE_ANGLE); a diagnostic's JSON path starts at the list,
     /// `keys[3].direction`. Should a solve fail, that is reported and simpler weights stand in.
-    pub fn new(directions: &[DVec3], scheme: KeyScheme) -> Warned<Self> {
+    pub fn new(directions: &[DVec3], scheme: KeyScheme) -> WithWarnings<Self> {
         let (set, mut diagnostics) = KeySet::gather(directions).into_parts();
         let field = match scheme {
-            _ if set.centers.len() < 2 => Field::Whole,
+            _ if set.centers.len() < 2 => WeightFunction::Whole,
             KeyScheme::Biharmonic => closed(Kernel::Biharmonic, &set, &mut diagnostics),
             KeyScheme::AppendixB => closed(Kernel::AppendixB, &set, &mut diagnostics),
             KeyScheme::Tessellated => meshed(Tessellation::default(), &set, &mut diagnostics),
         };
-        Warned::new(Self { set, field, space: Space::Sphere }, diagnostics)
+        WithWarnings::new(Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
     /// Solves for the weights of keys at places: the values of one to three drivers, 0 where there
@@ -77,7 +77,7 @@ impl KeyWeights {
     /// together. Raw weights use the kernel -|x - y|, the counterpart in space of the sphere's;
     /// along one axis they are straight lines from key to key, so that weights go by a smoothstep
     /// from one key to the next and stay constant beyond the outermost.
-    pub fn at_places(places: &[DVec3]) -> Warned<Self> {
+    pub fn at_places(places: &[DVec3]) -> WithWarnings<Self> {
         let finite = || places.iter().copied().filter(|place| place.is_finite());
         let origin = finite().reduce(DVec3::min).unwrap_or(DVec3::ZERO);
         let extent = finite().reduce(DVec3::max).unwrap_or(DVec3::ZERO) - origin;
@@ -86,22 +86,22 @@ impl KeyWeights {
         let scaled: Vec<DVec3> = places.iter().map(|place| (*place - origin) * scale).collect();
         let (set, mut diagnostics) = KeySet::gather_places(&scaled).into_parts();
         let field = if set.centers.len() < 2 {
-            Field::Whole
+            WeightFunction::Whole
         } else {
             closed(Kernel::Distance, &set, &mut diagnostics)
         };
-        Warned::new(Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
+        WithWarnings::new(Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
     }
 
     /// As [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's choice.
-    pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> Warned<Self> {
+    pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> WithWarnings<Self> {
         let (set, mut diagnostics) = KeySet::gather(directions).into_parts();
         let field = if set.centers.len() < 2 {
-            Field::Whole
+            WeightFunction::Whole
         } else {
             meshed(tessellation, &set, &mut diagnostics)
         };
-        Warned::new(Self { set, field, space: Space::Sphere }, diagnostics)
+        WithWarnings::new(Self { set, field, space: Space::Sphere }, diagnostics)
     }
 
     /// The number of keys, which is also the number of weights.
@@ -183,10 +183,12 @@ impl KeyWeights {
             return;
         };
         match &self.field {
-            Field::Whole => groups.fill(1.0),
-            Field::Closed(closed) => closed.raw_into(direction, groups),
-            Field::Mesh(mesh) => mesh.raw_into(direction, groups),
-            Field::InverseDistance => inverse_distance_into(&self.set.centers, direction, groups),
+            WeightFunction::Whole => groups.fill(1.0),
+            WeightFunction::Closed(closed) => closed.raw_into(direction, groups),
+            WeightFunction::Mesh(mesh) => mesh.raw_into(direction, groups),
+            WeightFunction::InverseDistance => {
+                inverse_distance_into(&self.set.centers, direction, groups)
+            }
         }
     }
 
@@ -208,23 +210,27 @@ fn smoothstep(x: f64) -> f64 {
     x * x * (3.0 - 2.0 * x)
 }
 
-fn closed(kernel: Kernel, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> Field {
+fn closed(kernel: Kernel, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> WeightFunction {
     if let Some(closed) = ClosedForm::solve(kernel, &set.centers) {
-        return Field::Closed(closed);
+        return WeightFunction::Closed(closed);
     }
     let problem = "the smooth weights of these direction keys cannot be computed";
     diagnostics.push(Diagnostic::warning("unsolvable-keys", problem).json_path("keys").hint(
         "weights by distance stand in for them; move keys that are close to each other apart",
     ));
-    Field::InverseDistance
+    WeightFunction::InverseDistance
 }
 
-fn meshed(tessellation: Tessellation, set: &KeySet, diagnostics: &mut Vec<Diagnostic>) -> Field {
+fn meshed(
+    tessellation: Tessellation,
+    set: &KeySet,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> WeightFunction {
     let level = tessellation.level.min(Tessellation::MAX_LEVEL);
-    match Tessellated::solve(tessellation, &set.centers) {
+    match VertexWeights::solve(tessellation, &set.centers) {
         Ok(mesh) => {
             diagnostics.extend(coarse(level, set));
-            Field::Mesh(Box::new(mesh))
+            WeightFunction::Mesh(Box::new(mesh))
         }
         Err(why) => {
             let problem =

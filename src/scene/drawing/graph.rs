@@ -10,8 +10,8 @@ use super::{
     FRAME_MARGIN, FRAME_TITLE, NODE_WIDTH, NOTE_PADDING, ROW_HEIGHT, SOCKET, SocketShape,
     TEXT_SIZE, TITLE_HEIGHT, node_height, row_center, wire_reach,
 };
-use crate::catalog::values::{Shown, shown};
-use crate::catalog::{Catalog, Kind};
+use crate::catalog::values::{InputDisplay, shown};
+use crate::catalog::{Catalog, NodeKind};
 use crate::document::{Graph, Look, Node};
 use crate::ids::NodeId;
 use crate::library::Type;
@@ -42,7 +42,7 @@ const TYPES: [(Type, &str); 10] = [
 type Rect = [f32; 4];
 
 struct Row {
-    kind: Arc<Kind>,
+    kind: Arc<NodeKind>,
     title: String,
     node: Node,
     rect: Rect,
@@ -91,7 +91,7 @@ pub fn node_svg(kind: &str, catalog: &Catalog) -> String {
 }
 
 /// The rectangle of a node as it is drawn.
-fn rect_of(node: &Node, kind: &Kind) -> Rect {
+fn rect_of(node: &Node, kind: &NodeKind) -> Rect {
     // A position may be any finite number.
     let [x, y] = node.position.map(|x| (x as f32).clamp(-1e6, 1e6));
     let rows = kind.inputs.len() + kind.outputs.len();
@@ -298,18 +298,18 @@ impl<'a> Drawing<'a> {
             let middle = y + row_center(row.kind.outputs.len() + index);
             let is_wired = row.wired[index];
             let mut room = w - 24.0;
-            match if is_wired { Shown::Nothing } else { shown(port, &row.node, self.look) } {
-                Shown::Nothing => {}
-                Shown::Color(color) => {
+            match if is_wired { InputDisplay::Nothing } else { shown(port, &row.node, self.look) } {
+                InputDisplay::Nothing => {}
+                InputDisplay::Color(color) => {
                     swatch(body, (x + w - 40.0, middle - ROW_HEIGHT / 2.0 + 3.5), color);
                     room -= 34.0;
                 }
-                Shown::Source(value) => {
+                InputDisplay::Source(value) => {
                     let value = fitted(&value, TEXT_SIZE, w * 0.5);
                     room -= width(&value, TEXT_SIZE) + 8.0;
                     text(body, "s", (x + w - 12.0, middle), &value, "end");
                 }
-                Shown::Text(value) => {
+                InputDisplay::Text(value) => {
                     let value = fitted(&value, TEXT_SIZE, w * 0.5);
                     room -= width(&value, TEXT_SIZE) + 8.0;
                     text(body, "x", (x + w - 12.0, middle), &value, "end");

@@ -52,22 +52,22 @@ use serde_json::{Map, Value, json};
 use super::language::Language;
 use super::modules::{Modules, ShaderModule};
 use super::pretty::pretty;
-use super::reflect::Bound;
+use super::reflect::BoundVariable;
 use super::{exposed, host};
 use crate::compile::{ParamId, TypedGraph};
 use crate::document::{ColorSpace, Look};
 use crate::frame::ViewNumber;
 use crate::library::Library;
 
-pub use super::exposed::{LightDescription, Parameter};
+pub use super::exposed::{ExposedParameter, LightDescription};
 pub use super::host::{
     ContextDescription, DriverDescription, HostDescription, MemberDescription, StepDescription,
 };
 pub use super::language::{
     ClipSpace, LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
 };
-pub use super::modules::{Feed, Image, Pass, PassInput, Target};
-pub use super::reflect::{Attribute, EntryPoint, Kind, Located, Member};
+pub use super::modules::{ExportImage, ExportPass, ExportTarget, Feed, PassInput};
+pub use super::reflect::{AttributeDescription, BindingType, EntryPoint, LocatedValue, Member};
 
 /// Version of the description's form.
 const FORMAT: u32 = 1;
@@ -84,17 +84,17 @@ pub struct Description {
     /// Meaning of the picture's numbers: as shown (sRGB-encoded), or linear light. Straight alpha.
     pub color_space: ColorSpace,
     /// Passes to run, in order.
-    pub passes: Vec<Pass>,
+    pub passes: Vec<ExportPass>,
     /// Modules that passes run.
     pub modules: Vec<ModuleDescription>,
     /// Files, names and bindings of the modules in each language, by slug.
     pub languages: Map<String, Value>,
     /// Parameters that may be set.
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<ExposedParameter>,
     /// Lights that the look reads.
     pub lights: Vec<LightDescription>,
     /// Images that the look reads.
-    pub images: Vec<Image>,
+    pub images: Vec<ExportImage>,
     /// Direction keys of the look, as its document has them; left out where it has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub direction_keys: Vec<crate::document::DirectionKeys>,
@@ -125,7 +125,7 @@ pub struct BindingDescription {
     /// Name of the binding in WGSL.
     pub name: String,
     /// Kind of the binding for a graphics API.
-    pub kind: Kind,
+    pub kind: BindingType,
     /// Type of the binding in WGSL.
     #[serde(rename = "type")]
     pub ty: String,
@@ -203,12 +203,12 @@ fn describe_module(
     module: &ShaderModule,
     parameters: &std::collections::HashMap<ParamId, usize>,
 ) -> ModuleDescription {
-    let binding = |(bound, feed): (&Bound, &Feed)| BindingDescription {
+    let binding = |(bound, feed): (&BoundVariable, &Feed)| BindingDescription {
         name: bound.name.clone(),
         kind: bound.kind,
         ty: bound.ty.clone(),
         feed: feed.clone(),
-        size: (bound.kind == Kind::Uniform).then_some(bound.size),
+        size: (bound.kind == BindingType::Uniform).then_some(bound.size),
         members: bound.members.iter().map(|member| meaningful(member, feed)).collect(),
     };
     ModuleDescription {

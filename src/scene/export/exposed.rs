@@ -13,7 +13,7 @@ use crate::library::{Input, Library, Type};
 
 /// A value that may be set from outside, or that keys move.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Parameter {
+pub struct ExposedParameter {
     /// Name under which the artist exposed the value; none for a value that only keys move.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<PortName>,
@@ -66,7 +66,7 @@ pub struct LightDescription {
 
 /// The parameters, and the index among them of each live value.
 pub(super) struct Parameters {
-    pub(super) list: Vec<Parameter>,
+    pub(super) list: Vec<ExposedParameter>,
     pub(super) index: HashMap<ParamId, usize>,
 }
 
@@ -103,11 +103,12 @@ pub(super) fn parameters(
                     .position(|param| param.path == *node && param.port == *port);
                 let Some(id) = id else { continue };
                 found.index.entry(id).or_insert(found.list.len());
-                Parameter { live: live.contains(&id), ..input(look, library, typed, id) }
+                ExposedParameter { live: live.contains(&id), ..input(look, library, typed, id) }
             }
-            Target::Light { light, field } => {
-                Parameter { live: live_lights.contains(light), ..light_field(look, light, field) }
-            }
+            Target::Light { light, field } => ExposedParameter {
+                live: live_lights.contains(light),
+                ..light_field(look, light, field)
+            },
         };
         parameter.name = Some(exposed.name.clone());
         parameter.keyed = keyed(&exposed.target);
@@ -123,7 +124,7 @@ pub(super) fn parameters(
                 node: typed.params[id].path.clone(),
                 port: typed.params[id].port.clone(),
             };
-            found.list.push(Parameter {
+            found.list.push(ExposedParameter {
                 live: true,
                 keyed: keyed(&target),
                 ..input(look, library, typed, id)
@@ -135,10 +136,17 @@ pub(super) fn parameters(
 
 /// The parameter of an input, with labels and bounds from the library, or from the group around the
 /// input where that says more.
-fn input<'a>(look: &Look, library: &Library, typed: &'a TypedGraph, id: ParamId) -> Parameter {
+fn input<'a>(
+    look: &Look,
+    library: &Library,
+    typed: &'a TypedGraph,
+    id: ParamId,
+) -> ExposedParameter {
     let param = &typed.params[id];
-    let mut parameter =
-        Parameter { target: format!("{}.{}", param.path, param.port), ..Parameter::default() };
+    let mut parameter = ExposedParameter {
+        target: format!("{}.{}", param.path, param.port),
+        ..ExposedParameter::default()
+    };
     let reads = |node: &'a TypedNode| {
         let found = node.inputs.iter().position(|input| {
             matches!(
@@ -197,13 +205,13 @@ fn interface_port<'a>(
     definition?.inputs.iter().find(|interface| interface.name == *port)
 }
 
-fn light_field(look: &Look, light: &LightId, field: &str) -> Parameter {
+fn light_field(look: &Look, light: &LightId, field: &str) -> ExposedParameter {
     let document = look.lights.get(light).map_or(Value::Null, |light| json!(light));
     let known = LightField::named(field);
     let ty = known.map_or(Type::Float, Type::of_light_field);
     let range = known.and_then(LightField::range);
     let unit = known.map(LightField::unit).unwrap_or_default();
-    Parameter {
+    ExposedParameter {
         label: field.replace('_', " "),
         target: format!("lights.{light}.{field}"),
         ty: ty.to_string(),
@@ -212,7 +220,7 @@ fn light_field(look: &Look, light: &LightId, field: &str) -> Parameter {
         // Bounds of lengths and factors in files are not meant as ends of a slider.
         max: range.filter(|_| !unit.is_empty()).map(|[_, max]| max),
         unit: unit.to_owned(),
-        ..Parameter::default()
+        ..ExposedParameter::default()
     }
 }
 

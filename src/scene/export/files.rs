@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::File;
+use super::ExportFile;
 use crate::diag::Diagnostic;
 use crate::files::{OutputKind, Outputs, make_folder, read_text};
 
 /// The first file in `folder` that an export must not overwrite: one that the export reads, or one
 /// that no export has written. `None` if the way is free.
-pub fn in_the_way(files: &[File], folder: &Path, outputs: &Outputs) -> Option<PathBuf> {
+pub fn in_the_way(files: &[ExportFile], folder: &Path, outputs: &Outputs) -> Option<PathBuf> {
     check(files, folder, outputs).err().and_then(|problem| problem.place.file).map(PathBuf::from)
 }
 
@@ -18,18 +18,18 @@ pub fn in_the_way(files: &[File], folder: &Path, outputs: &Outputs) -> Option<Pa
 ///
 /// # Errors
 /// As [`Outputs::check`], for the first file that may not.
-fn check(files: &[File], folder: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
-    let earlier = Earlier::of(files, folder);
+fn check(files: &[ExportFile], folder: &Path, outputs: &Outputs) -> Result<(), Diagnostic> {
+    let earlier = EarlierDescriptions::of(files, folder);
     files.iter().try_for_each(|file| {
         earlier.with_kind(file, |kind| outputs.check(&folder.join(&file.name), kind))
     })
 }
 
 /// Texts of the descriptions of earlier exports in a folder.
-struct Earlier(Vec<String>);
+struct EarlierDescriptions(Vec<String>);
 
-impl Earlier {
-    fn of(files: &[File], folder: &Path) -> Self {
+impl EarlierDescriptions {
+    fn of(files: &[ExportFile], folder: &Path) -> Self {
         let descriptions =
             files.iter().map(|file| folder.join(&file.name)).filter(|path| is_description(path));
         Self(descriptions.filter_map(|path| read_text(&path).ok()).collect())
@@ -37,7 +37,7 @@ impl Earlier {
 
     /// Calls `then` with the kind of a file. A file of an earlier export is known by the comment
     /// that it begins with; a file in a format without comments, by the description that names it.
-    fn with_kind<T>(&self, file: &File, then: impl FnOnce(OutputKind<'_>) -> T) -> T {
+    fn with_kind<T>(&self, file: &ExportFile, then: impl FnOnce(OutputKind<'_>) -> T) -> T {
         let quoted = serde_json::Value::from(file.name.as_str()).to_string();
         let is_description_file = file.name.ends_with(".json");
         let is_own = |bytes: &[u8]| {
@@ -73,7 +73,7 @@ fn describes(text: &[u8]) -> bool {
 /// # Errors
 /// The file that is in the way, or the reason why a file cannot be written.
 pub fn write(
-    files: &[File],
+    files: &[ExportFile],
     folder: &Path,
     outputs: &mut Outputs,
 ) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
@@ -86,7 +86,7 @@ pub fn write(
     }
     let one = |problem: Diagnostic| vec![problem];
     check(files, folder, outputs).map_err(one)?;
-    let earlier = Earlier::of(files, folder);
+    let earlier = EarlierDescriptions::of(files, folder);
     let (last, first): (Vec<_>, Vec<_>) =
         files.iter().partition(|file| file.name.ends_with(".json"));
     for file in first.into_iter().chain(last) {
@@ -107,8 +107,8 @@ mod tests {
         let description = r#"{"look": "Rim", "chiaro": "1", "format": 1, "passes": [],
             "modules": [], "languages": {}}"#;
         let files = [
-            File::text("rim.wgsl".into(), SHADER.into()),
-            File::text("rim.json".into(), description.into()),
+            ExportFile::text("rim.wgsl".into(), SHADER.into()),
+            ExportFile::text("rim.json".into(), description.into()),
         ];
         let inner = folder.path().join("made/too");
         for _ in 0..2 {
@@ -145,9 +145,9 @@ mod tests {
         let description = r#"{"chiaro": "1", "format": 1, "passes": [],
             "modules": [{"file": "rim.spv"}], "languages": {}}"#;
         let files = [
-            File::text("rim.wgsl".into(), SHADER.into()),
-            File { name: "rim.spv".into(), bytes: vec![3, 2, 35, 7] },
-            File::text("rim.json".into(), description.into()),
+            ExportFile::text("rim.wgsl".into(), SHADER.into()),
+            ExportFile { name: "rim.spv".into(), bytes: vec![3, 2, 35, 7] },
+            ExportFile::text("rim.json".into(), description.into()),
         ];
         let path = |name: &str| folder.path().join(name);
         for name in ["rim.wgsl", "rim.spv"] {

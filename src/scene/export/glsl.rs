@@ -11,15 +11,15 @@ use naga::back::glsl::{self, Version};
 use naga::proc::BoundsCheckPolicies;
 use serde_json::json;
 
-use super::File;
+use super::ExportFile;
 use super::header::list;
 use super::language::{
-    LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule, Request,
-    Written,
+    ExportedModule, LanguageAttribute, LanguageBinding, LanguageEntryPoint, LanguageFile,
+    LanguageModule, Request,
 };
 use super::modules::ShaderModule;
-use super::reflect::{self, Bound, Kind};
-use crate::wgsl::{Valid, identifiers, rename_identifiers, validate};
+use super::reflect::{self, BindingType, BoundVariable};
+use crate::wgsl::{ValidModule, identifiers, rename_identifiers, validate};
 
 /// A stage, as naga writes it.
 struct StageText {
@@ -36,7 +36,7 @@ pub(super) fn write(
     request: &Request<'_>,
     version: Version,
     suffix: &str,
-) -> Result<Written, String> {
+) -> Result<ExportedModule, String> {
     let module = request.module;
     let slots = slots(&module.bindings);
     let binding_map = slots.iter().map(|(bound, slot)| (resource(bound), *slot)).collect();
@@ -65,9 +65,9 @@ pub(super) fn write(
         described.files.push(LanguageFile { file: file.clone(), entry_points: vec![point] });
         let header = request
             .header(&format!("The {stage_name} shader. "), &binds(&described.bindings, &slots));
-        files.push(File::text(file, after_version(&text, &header)));
+        files.push(ExportFile::text(file, after_version(&text, &header)));
     }
-    Ok(Written { files, described })
+    Ok(ExportedModule { files, described })
 }
 
 fn stage_text(
@@ -104,7 +104,7 @@ fn stage_text(
 
 /// The module reduced to one entry point and everything that it needs; naga would write every
 /// function into both files.
-fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, String> {
+fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<ValidModule, String> {
     let mut naga_module = module.valid().module.clone();
     naga_module.entry_points.retain(|other| other.name == point.name);
     naga::compact::compact(&mut naga_module, naga::compact::KeepUnused::No);
@@ -113,18 +113,18 @@ fn one_stage(module: &ShaderModule, point: &naga::EntryPoint) -> Result<Valid, S
 
 /// Slots for buffers and for textures, counted separately: OpenGL's binding points and texture
 /// units.
-fn slots(bindings: &[Bound]) -> Vec<(&Bound, u8)> {
+fn slots(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, u8)> {
     let mut counts: BTreeMap<bool, u8> = BTreeMap::new();
     let mut slots = Vec::new();
-    for bound in bindings.iter().filter(|bound| bound.kind != Kind::Sampler) {
-        let count = counts.entry(bound.kind == Kind::Texture).or_default();
+    for bound in bindings.iter().filter(|bound| bound.kind != BindingType::Sampler) {
+        let count = counts.entry(bound.kind == BindingType::Texture).or_default();
         slots.push((bound, *count));
         *count = count.saturating_add(1);
     }
     slots
 }
 
-fn resource(bound: &Bound) -> ResourceBinding {
+fn resource(bound: &BoundVariable) -> ResourceBinding {
     ResourceBinding { group: bound.group, binding: bound.binding }
 }
 
@@ -207,7 +207,7 @@ fn bindings(
     module: &ShaderModule,
     names: &Names,
     stages: &[StageText],
-    slots: &[(&Bound, u8)],
+    slots: &[(&BoundVariable, u8)],
     is_explicit: bool,
 ) -> Vec<LanguageBinding> {
     let mut found = Vec::new();
@@ -219,8 +219,8 @@ fn bindings(
         let Some(old) = block.or(texture.map(|(old, _)| old)) else { continue };
         let name = names.of.get(old).unwrap_or(old);
         let key = match (bound.kind, is_explicit) {
-            (Kind::Texture, true) => "unit",
-            (Kind::Texture, false) => "suggested_unit",
+            (BindingType::Texture, true) => "unit",
+            (BindingType::Texture, false) => "suggested_unit",
             (_, true) => "binding",
             (_, false) => "suggested_binding",
         };
@@ -234,11 +234,11 @@ fn bindings(
 }
 
 /// The bindings in words, for the header.
-fn binds(bindings: &[LanguageBinding], slots: &[(&Bound, u8)]) -> Vec<String> {
+fn binds(bindings: &[LanguageBinding], slots: &[(&BoundVariable, u8)]) -> Vec<String> {
     let named = |is_texture: bool| {
         let of_kind = bindings.iter().filter(move |binding| {
             let bound = slots.iter().find(|(bound, _)| bound.name == binding.binding);
-            bound.is_some_and(|(bound, _)| (bound.kind == Kind::Texture) == is_texture)
+            bound.is_some_and(|(bound, _)| (bound.kind == BindingType::Texture) == is_texture)
         });
         let text = of_kind.map(|binding| {
             let slot = slots

@@ -6,14 +6,14 @@
 use naga::back::hlsl;
 use serde_json::json;
 
-use super::File;
+use super::ExportFile;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
-    Request, TextFile, Written,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
+    LanguageModule, Request, TextFile,
 };
 use super::modules::ShaderModule;
-use super::reflect::{Bound, Kind};
+use super::reflect::{BindingType, BoundVariable};
 
 pub(super) const LANGUAGE: Language = Language {
     slug: "hlsl",
@@ -29,7 +29,7 @@ pub(super) const LANGUAGE: Language = Language {
     write,
 };
 
-fn write(request: &Request<'_>) -> Result<Written, String> {
+fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
     let module = request.module;
     let registers = registers(&module.bindings);
     let mut options = hlsl::Options { fake_missing_bindings: false, ..hlsl::Options::default() };
@@ -46,7 +46,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     }
     let (text, points) = naga_text(module, &options)?;
     let text = own_samplers(&text)?;
-    let place = |(bound, letter, register): &(&Bound, char, u32)| {
+    let place = |(bound, letter, register): &(&BoundVariable, char, u32)| {
         let at = [("register", json!(format!("{letter}{register}"))), ("space", json!(0))];
         LanguageBinding::new(
             &bound.name,
@@ -68,17 +68,20 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         bindings,
         attributes: Vec::new(),
     };
-    Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
+    Ok(ExportedModule {
+        files: vec![ExportFile::text(file, format!("{header}\n{text}"))],
+        described,
+    })
 }
 
 /// The register of each binding: `b` buffers, `t` textures and `s` samplers are counted separately.
-fn registers(bindings: &[Bound]) -> Vec<(&Bound, char, u32)> {
+fn registers(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, char, u32)> {
     let mut counts = [0u32; 3];
     let mut register = |bound| {
         let (index, letter) = match bound {
-            Kind::Uniform => (0, 'b'),
-            Kind::Texture | Kind::Storage => (1, 't'),
-            Kind::Sampler => (2, 's'),
+            BindingType::Uniform => (0, 'b'),
+            BindingType::Texture | BindingType::Storage => (1, 't'),
+            BindingType::Sampler => (2, 's'),
         };
         counts[index] += 1;
         (letter, counts[index] - 1)

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::File;
+use super::ExportFile;
 use super::modules::ShaderModule;
 use crate::diag::Diagnostic;
 
@@ -28,7 +28,7 @@ pub struct Language {
     pub clip_space: ClipSpace,
     /// Further hints for a host; may be empty.
     pub note: &'static str,
-    pub(super) write: fn(&Request<'_>) -> Result<Written, String>,
+    pub(super) write: fn(&Request<'_>) -> Result<ExportedModule, String>,
 }
 
 /// A text file that every exported look has.
@@ -92,8 +92,8 @@ pub(super) struct Request<'a> {
 }
 
 /// A module written in one language.
-pub(super) struct Written {
-    pub(super) files: Vec<File>,
+pub(super) struct ExportedModule {
+    pub(super) files: Vec<ExportFile>,
     pub(super) described: LanguageModule,
 }
 
@@ -167,7 +167,7 @@ impl Language {
         module: &ShaderModule,
         title: &str,
         stem: &str,
-    ) -> Result<Written, Diagnostic> {
+    ) -> Result<ExportedModule, Diagnostic> {
         let of_module =
             if module.is_draw() { stem.to_owned() } else { format!("{stem}.{}", module.name) };
         let request = Request {

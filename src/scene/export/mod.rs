@@ -31,7 +31,7 @@ mod wgsl;
 use std::path::Path;
 
 use crate::compile::check;
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::Assets;
 use crate::library::Library;
@@ -106,14 +106,14 @@ pub fn unverified(languages: &[&'static Language]) -> Option<String> {
 
 /// A file of an export, to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct File {
+pub struct ExportFile {
     /// Name of the file, without folders.
     pub name: String,
     /// Content of the file.
     pub bytes: Vec<u8>,
 }
 
-impl File {
+impl ExportFile {
     fn text(name: String, text: String) -> Self {
         Self { name, bytes: text.into_bytes() }
     }
@@ -132,7 +132,7 @@ pub fn export(
     stem: &str,
     languages: &[&'static Language],
     (folder, assets): (&Path, &mut Assets),
-) -> Result<Warned<Vec<File>>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<Vec<ExportFile>>, Vec<Diagnostic>> {
     let (typed, mut warnings) = check(look, library, None)?.into_parts();
     let mut modules = modules::compile(&typed, stem)?;
     let carried = textures::carried(&mut modules.images, stem, folder, assets).tell(&mut warnings);
@@ -155,7 +155,7 @@ pub fn export(
     }
     let description = description::describe(look, library, &typed, &modules, &written);
     files.extend(modules.prepare_files());
-    files.push(File::text(format!("{stem}.json"), description));
+    files.push(ExportFile::text(format!("{stem}.json"), description));
     files.extend(carried);
-    Ok(Warned::new(files, warnings))
+    Ok(WithWarnings::new(files, warnings))
 }

@@ -2,17 +2,17 @@
 
 use serde::Serialize;
 
-use super::File;
+use super::ExportFile;
 use super::header;
-use super::reflect::{self, Bound, EntryPoint, Kind};
+use super::reflect::{self, BindingType, BoundVariable, EntryPoint};
 use crate::compile::{
-    BindingKind, CompiledShader, HostSource, ImageShape, ImageUse, Live, Options, Stage,
+    BindingKind, CompileOptions, CompiledShader, HostSource, ImageShape, ImageUse, Live, Stage,
     TypedGraph, compile_typed,
 };
 use crate::diag::Diagnostic;
 use crate::frame::ScreenModule;
 use crate::library::{PassId, PassOutput};
-use crate::wgsl::Valid;
+use crate::wgsl::ValidModule;
 
 /// A WGSL module with everything that a host has to know of it.
 pub(super) struct ShaderModule {
@@ -21,7 +21,7 @@ pub(super) struct ShaderModule {
     /// Purpose of the module, as a sentence.
     pub(super) purpose: &'static str,
     pub(super) entry_points: Vec<EntryPoint>,
-    pub(super) bindings: Vec<Bound>,
+    pub(super) bindings: Vec<BoundVariable>,
     /// Feeds of the bindings, in their order.
     pub(super) feeds: Vec<Feed>,
     code: Code,
@@ -31,7 +31,7 @@ enum Code {
     /// A module made from a look.
     Look(Box<Host>),
     /// A module from a file of `shaders/passes`: its text, and naga's form of it.
-    Fixed(String, Box<Valid>),
+    Fixed(String, Box<ValidModule>),
 }
 
 /// Program that computes a module's `Look` uniform.
@@ -80,7 +80,7 @@ pub enum Feed {
 
 /// A pass: one step of drawing a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Pass {
+pub struct ExportPass {
     /// Name of the pass.
     pub name: &'static str,
     /// Module that the pass runs.
@@ -92,7 +92,7 @@ pub struct Pass {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub inputs: Vec<PassInput>,
     /// Targets that the pass draws into, in the order of locations.
-    pub outputs: Vec<Target>,
+    pub outputs: Vec<ExportTarget>,
 }
 
 /// A texture that a pass reads from an earlier one.
@@ -108,7 +108,7 @@ pub struct PassInput {
 
 /// A target that a pass draws into.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Target {
+pub struct ExportTarget {
     /// Name of the target.
     pub name: &'static str,
     /// Format of the target in WebGPU; `any` for the host's own color target.
@@ -119,7 +119,7 @@ pub struct Target {
 
 /// An image that the look reads, and how it is sampled.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Image {
+pub struct ExportImage {
     /// Path of the image's file, relative to the look's document.
     pub path: String,
     /// File beside this description that carries the image: an image file unchanged, or the texture
@@ -147,8 +147,8 @@ pub(super) struct Modules {
     pub(super) title: String,
     /// Modules, each before those that read its results.
     pub(super) modules: Vec<ShaderModule>,
-    pub(super) passes: Vec<Pass>,
-    pub(super) images: Vec<Image>,
+    pub(super) passes: Vec<ExportPass>,
+    pub(super) images: Vec<ExportImage>,
 }
 
 impl ShaderModule {
@@ -163,7 +163,7 @@ impl ShaderModule {
         }
     }
 
-    pub(super) fn valid(&self) -> &Valid {
+    pub(super) fn valid(&self) -> &ValidModule {
         match &self.code {
             Code::Look(host) => &host.shader.valid,
             Code::Fixed(_, valid) => valid,
@@ -182,7 +182,7 @@ impl ShaderModule {
         purpose: &'static str,
         shader: CompiledShader,
         stem: &str,
-        images: &mut Vec<Image>,
+        images: &mut Vec<ExportImage>,
     ) -> Self {
         let source = shader.host.source();
         let middle = if shader.stage.is_picture() { String::new() } else { format!(".{name}") };
@@ -202,7 +202,7 @@ impl ShaderModule {
         };
         let bindings = reflect::bindings(&valid.module);
         let feeds = bindings.iter().map(|bound| match bound.kind {
-            Kind::Texture => Feed::Inputs,
+            BindingType::Texture => Feed::Inputs,
             _ => Feed::Numbers,
         });
         Ok(Some(Self {
@@ -216,10 +216,10 @@ impl ShaderModule {
     }
 }
 
-fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed {
+fn feed(shader: &CompiledShader, bound: &BoundVariable, images: &mut Vec<ExportImage>) -> Feed {
     let mut image = |index: usize| {
         let used = &shader.needs.images[index];
-        let image = Image {
+        let image = ExportImage {
             path: used.path.clone(),
             file: None,
             kind: match used.shape {
@@ -232,7 +232,7 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
             used: used.clone(),
         };
         // Uses that differ only in the node that reads the image are the same.
-        let same = |known: &Image| {
+        let same = |known: &ExportImage| {
             known.used == ImageUse { node: known.used.node.clone(), ..used.clone() }
         };
         images.iter().position(same).unwrap_or_else(|| {
@@ -258,10 +258,10 @@ fn feed(shader: &CompiledShader, bound: &Bound, images: &mut Vec<Image>) -> Feed
     }
 }
 
-impl Pass {
+impl ExportPass {
     fn of(pass: PassId, draws: &'static str, inputs: Vec<PassInput>) -> Self {
         let row = pass.row();
-        let target = |output: &PassOutput| Target {
+        let target = |output: &PassOutput| ExportTarget {
             name: output.name,
             format: output.format.name(),
             clear: [0.0; 4],
@@ -274,7 +274,7 @@ impl Pass {
 /// Compiles a look's modules and plans its passes.
 pub(super) fn compile(typed: &TypedGraph, stem: &str) -> Result<Modules, Vec<Diagnostic>> {
     let compile = |stage| {
-        let options = Options { live: Live::Exposed, stage, ..Options::default() };
+        let options = CompileOptions { live: Live::Exposed, stage, ..CompileOptions::default() };
         compile_typed(typed, &options)
     };
     let draw = compile(Stage::default())?;
@@ -313,7 +313,7 @@ impl Modules {
             let Feed::Pass { pass, output } = feed else { return None };
             Some(PassInput { binding: bound.name.clone(), pass, output })
         });
-        self.passes.push(Pass::of(pass, "meshes", inputs.collect()));
+        self.passes.push(ExportPass::of(pass, "meshes", inputs.collect()));
         self.modules.push(module);
     }
 
@@ -327,7 +327,7 @@ impl Modules {
             }
             let Some(module) = ShaderModule::of_screen(first)? else { continue };
             let is_texture = |name: &str| {
-                module.bindings.iter().any(|b| b.kind == Kind::Texture && b.name == name)
+                module.bindings.iter().any(|b| b.kind == BindingType::Texture && b.name == name)
             };
             for &pass in passes {
                 let read = pass.row().reads.iter().filter(|input| is_texture(input.binding));
@@ -336,7 +336,7 @@ impl Modules {
                     pass: input.pass,
                     output: input.output,
                 });
-                self.passes.push(Pass::of(pass, "screen", inputs.collect()));
+                self.passes.push(ExportPass::of(pass, "screen", inputs.collect()));
             }
             self.modules.push(module);
         }
@@ -344,7 +344,7 @@ impl Modules {
     }
 
     /// The files of functions that hosts call, one file for each module that has any.
-    pub(super) fn prepare_files(&self) -> Vec<File> {
+    pub(super) fn prepare_files(&self) -> Vec<ExportFile> {
         let file = |module: &ShaderModule| {
             let host = module.host()?;
             let lines = [
@@ -356,7 +356,10 @@ impl Modules {
                 "called before drawing by the steps of `host` in the JSON file. Run it or port it."
                     .to_owned(),
             ];
-            Some(File::text(host.file.clone()?, header::comment(&lines) + "\n" + &host.source.wgsl))
+            Some(ExportFile::text(
+                host.file.clone()?,
+                header::comment(&lines) + "\n" + &host.source.wgsl,
+            ))
         };
         self.modules.iter().filter_map(file).collect()
     }

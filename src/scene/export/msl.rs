@@ -3,14 +3,14 @@
 use naga::back::msl;
 use serde_json::json;
 
-use super::File;
+use super::ExportFile;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageEntryPoint, LanguageFile, LanguageModule,
-    Request, TextFile, Written,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageEntryPoint, LanguageFile,
+    LanguageModule, Request, TextFile,
 };
 use super::modules::ShaderModule;
-use super::reflect::{Bound, Kind};
+use super::reflect::{BindingType, BoundVariable};
 
 pub(super) const LANGUAGE: Language = Language {
     slug: "msl",
@@ -26,18 +26,20 @@ pub(super) const LANGUAGE: Language = Language {
     write,
 };
 
-fn write(request: &Request<'_>) -> Result<Written, String> {
+fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
     let module = request.module;
     let slots = slots(&module.bindings);
     let mut resources = msl::EntryPointResources::default();
     for (bound, _, slot) in &slots {
         let target = match bound.kind {
-            Kind::Texture => msl::BindTarget { texture: Some(*slot), ..msl::BindTarget::default() },
-            Kind::Sampler => msl::BindTarget {
+            BindingType::Texture => {
+                msl::BindTarget { texture: Some(*slot), ..msl::BindTarget::default() }
+            }
+            BindingType::Sampler => msl::BindTarget {
                 sampler: Some(msl::BindSamplerTarget::Resource(*slot)),
                 ..msl::BindTarget::default()
             },
-            Kind::Uniform | Kind::Storage => {
+            BindingType::Uniform | BindingType::Storage => {
                 msl::BindTarget { buffer: Some(*slot), ..msl::BindTarget::default() }
             }
         };
@@ -46,7 +48,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
             .insert(naga::ResourceBinding { group: bound.group, binding: bound.binding }, target);
     }
     let (text, points) = naga_text(module, &resources)?;
-    let place = |(bound, kind, slot): &(&Bound, &'static str, u8)| {
+    let place = |(bound, kind, slot): &(&BoundVariable, &'static str, u8)| {
         LanguageBinding::new(
             &bound.name,
             name_at(&text, &format!("[[{kind}({slot})]]")),
@@ -67,18 +69,21 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         bindings,
         attributes: Vec::new(),
     };
-    Ok(Written { files: vec![File::text(file, format!("{header}\n{text}"))], described })
+    Ok(ExportedModule {
+        files: vec![ExportFile::text(file, format!("{header}\n{text}"))],
+        described,
+    })
 }
 
 /// The slot of each binding: buffers, textures and samplers are counted separately.
-fn slots(bindings: &[Bound]) -> Vec<(&Bound, &'static str, u8)> {
+fn slots(bindings: &[BoundVariable]) -> Vec<(&BoundVariable, &'static str, u8)> {
     let mut counts = [0u8; 3];
     let mut slots = Vec::new();
     for bound in bindings {
         let (index, kind) = match bound.kind {
-            Kind::Uniform | Kind::Storage => (0, "buffer"),
-            Kind::Texture => (1, "texture"),
-            Kind::Sampler => (2, "sampler"),
+            BindingType::Uniform | BindingType::Storage => (0, "buffer"),
+            BindingType::Texture => (1, "texture"),
+            BindingType::Sampler => (2, "sampler"),
         };
         slots.push((bound, kind, counts[index]));
         counts[index] = counts[index].saturating_add(1);

@@ -12,15 +12,15 @@ pub struct EntryPoint {
     pub stage: &'static str,
     /// Attributes of a vertex shader; empty for a fragment shader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub attributes: Vec<Attribute>,
+    pub attributes: Vec<AttributeDescription>,
     /// Outputs of a fragment shader; empty for a vertex shader.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub outputs: Vec<Located>,
+    pub outputs: Vec<LocatedValue>,
 }
 
 /// A vertex attribute.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Attribute {
+pub struct AttributeDescription {
     /// Location of the attribute.
     pub location: u32,
     /// Name of the attribute.
@@ -34,7 +34,7 @@ pub struct Attribute {
 
 /// An argument or a result at a location.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Located {
+pub struct LocatedValue {
     /// Location of the value.
     pub location: u32,
     /// Name of the value; empty where it has none.
@@ -48,7 +48,7 @@ pub struct Located {
 /// Kind of a binding for a graphics API.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Kind {
+pub enum BindingType {
     /// A uniform buffer.
     Uniform,
     /// A storage buffer, read only.
@@ -61,7 +61,7 @@ pub enum Kind {
 
 /// A global variable with a binding.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Bound {
+pub(super) struct BoundVariable {
     /// Group of the binding.
     pub group: u32,
     /// Number of the binding in the group.
@@ -69,7 +69,7 @@ pub(super) struct Bound {
     /// Name of the variable.
     pub name: String,
     /// Kind of the binding.
-    pub kind: Kind,
+    pub kind: BindingType,
     /// Type of the variable, in WGSL.
     pub ty: String,
     /// Size of a buffer, rounded up to 16; 0 for other kinds. In bytes.
@@ -108,7 +108,7 @@ pub(super) fn entry_points(module: &Module) -> Vec<EntryPoint> {
     let point = |point: &naga::EntryPoint| {
         let arguments =
             point.function.arguments.iter().map(|a| (a.name.clone(), a.ty, a.binding.as_ref()));
-        let inputs: Vec<Located> =
+        let inputs: Vec<LocatedValue> =
             arguments.flat_map(|(name, ty, binding)| located(module, name, ty, binding)).collect();
         let outputs = point
             .function
@@ -139,7 +139,7 @@ pub(super) fn stage_name(stage: ShaderStage) -> &'static str {
     }
 }
 
-fn attribute(found: Located) -> Attribute {
+fn attribute(found: LocatedValue) -> AttributeDescription {
     let semantic = match found.name.as_str() {
         "position" => "position in object space",
         "normal" => "unit normal in object space",
@@ -150,7 +150,7 @@ fn attribute(found: Located) -> Attribute {
         "color" => "straight RGBA; white where the mesh has none",
         _ => "",
     };
-    Attribute { location: found.location, name: found.name, ty: found.ty, semantic }
+    AttributeDescription { location: found.location, name: found.name, ty: found.ty, semantic }
 }
 
 /// All values with a location in an argument or a result.
@@ -159,9 +159,9 @@ fn located(
     name: Option<String>,
     ty: naga::Handle<naga::Type>,
     binding: Option<&naga::Binding>,
-) -> Vec<Located> {
+) -> Vec<LocatedValue> {
     if let Some(naga::Binding::Location { location, .. }) = binding {
-        return vec![Located {
+        return vec![LocatedValue {
             location: *location,
             name: name.unwrap_or_default(),
             ty: type_name(module, ty),
@@ -169,7 +169,7 @@ fn located(
     }
     let TypeInner::Struct { members, .. } = &module.types[ty].inner else { return Vec::new() };
     let of_member = |member: &naga::StructMember| match &member.binding {
-        Some(naga::Binding::Location { location, .. }) => Some(Located {
+        Some(naga::Binding::Location { location, .. }) => Some(LocatedValue {
             location: *location,
             name: member.name.clone().unwrap_or_default(),
             ty: type_name(module, member.ty),
@@ -180,35 +180,38 @@ fn located(
 }
 
 /// The values that go from the vertex shader to the fragment shader.
-pub(super) fn varyings(module: &Module) -> Vec<Located> {
+pub(super) fn varyings(module: &Module) -> Vec<LocatedValue> {
     let vertex = module.entry_points.iter().filter(|point| point.stage == ShaderStage::Vertex);
     let results = vertex.filter_map(|point| point.function.result.as_ref());
     results.flat_map(|result| located(module, None, result.ty, result.binding.as_ref())).collect()
 }
 
 /// The bindings, in the order of the source.
-pub(super) fn bindings(module: &Module) -> Vec<Bound> {
+pub(super) fn bindings(module: &Module) -> Vec<BoundVariable> {
     module.global_variables.iter().filter_map(|(_, variable)| bound(module, variable)).collect()
 }
 
-fn bound(module: &Module, variable: &naga::GlobalVariable) -> Option<Bound> {
+fn bound(module: &Module, variable: &naga::GlobalVariable) -> Option<BoundVariable> {
     let at = variable.binding.as_ref()?;
     let inner = &module.types[variable.ty].inner;
     let kind = match (variable.space, inner) {
-        (AddressSpace::Uniform, _) => Kind::Uniform,
-        (_, TypeInner::Image { .. }) => Kind::Texture,
-        (_, TypeInner::Sampler { .. }) => Kind::Sampler,
-        _ => Kind::Storage,
+        (AddressSpace::Uniform, _) => BindingType::Uniform,
+        (_, TypeInner::Image { .. }) => BindingType::Texture,
+        (_, TypeInner::Sampler { .. }) => BindingType::Sampler,
+        _ => BindingType::Storage,
     };
     let members = match inner {
         TypeInner::Struct { members, .. } => members.iter().map(|m| member(module, m)).collect(),
         _ => Vec::new(),
     };
-    let size =
-        if kind == Kind::Uniform { inner.size(module.to_ctx()).next_multiple_of(16) } else { 0 };
+    let size = if kind == BindingType::Uniform {
+        inner.size(module.to_ctx()).next_multiple_of(16)
+    } else {
+        0
+    };
     let (group, binding) = (at.group, at.binding);
     let (name, ty) = (variable.name.clone().unwrap_or_default(), type_name(module, variable.ty));
-    Some(Bound { group, binding, name, kind, ty, size, members })
+    Some(BoundVariable { group, binding, name, kind, ty, size, members })
 }
 
 /// The description of a member. Recursion is bounded: WGSL has no recursive types, and those of a

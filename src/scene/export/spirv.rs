@@ -3,9 +3,9 @@
 use naga::back::spv;
 use serde_json::json;
 
-use super::File;
+use super::ExportFile;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageFile, LanguageModule, Request,
     entry_points,
 };
 
@@ -25,12 +25,12 @@ pub(super) const LANGUAGE: Language = Language {
 ///
 /// # Errors
 /// A construct that SPIR-V cannot express.
-pub fn spirv_words(valid: &crate::wgsl::Valid) -> Result<Vec<u32>, String> {
+pub fn spirv_words(valid: &crate::wgsl::ValidModule) -> Result<Vec<u32>, String> {
     let options = spv::Options { lang_version: (1, 3), ..spv::Options::default() };
     spv::write_vec(&valid.module, &valid.info, &options, None).map_err(|error| error.to_string())
 }
 
-fn write(request: &Request<'_>) -> Result<Written, String> {
+fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
     let module = request.module;
     let mut options = spv::Options {
         lang_version: (1, 3),
@@ -63,5 +63,5 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
         bindings,
         attributes: Vec::new(),
     };
-    Ok(Written { files: vec![File { name: file, bytes }], described })
+    Ok(ExportedModule { files: vec![ExportFile { name: file, bytes }], described })
 }

@@ -3,23 +3,23 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use super::File;
-use super::modules::Image;
+use super::ExportFile;
+use super::modules::ExportImage;
 use crate::compile::ImageShape;
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::frame::{Assets, image_bytes};
-use crate::hcbtf::{LayerOptions, Layers, ktx2};
+use crate::hcbtf::{LayerOptions, LayeredTexture, ktx2};
 
 /// Reads every image, relative to `folder`, names the file that carries it, and returns those files
 /// with warnings about images that could not be read. An image is carried unchanged; an HCBTF as
 /// the texture that the shader looks up.
 pub(super) fn carried(
-    images: &mut [Image],
+    images: &mut [ExportImage],
     stem: &str,
     folder: &Path,
     assets: &mut Assets,
-) -> Warned<Vec<File>> {
-    let mut files: Vec<File> = Vec::new();
+) -> WithWarnings<Vec<ExportFile>> {
+    let mut files: Vec<ExportFile> = Vec::new();
     let mut problems = Vec::new();
     let mut taken = HashSet::new();
     for image in images.iter_mut().filter(|image| !image.path.is_empty()) {
@@ -37,7 +37,8 @@ pub(super) fn carried(
                 let baked = assets.hcbtf(folder, &image.path, options).map(|warned| {
                     let image = warned.value;
                     let (coding, bytes) = (image.coding, image.bytes.clone());
-                    let layers = Layers { size: image.size, count: image.layers, coding, bytes };
+                    let layers =
+                        LayeredTexture { size: image.size, count: image.layers, coding, bytes };
                     ktx2::write(&layers)
                 });
                 (baked, "ktx2".to_owned())
@@ -50,14 +51,14 @@ pub(super) fn carried(
                     files.iter().find(|file| file.bytes == bytes).map(|file| file.name.clone());
                 image.file = known.or_else(|| {
                     let name = name(stem, &image.path, &ending, &mut taken);
-                    files.push(File { name: name.clone(), bytes });
+                    files.push(ExportFile { name: name.clone(), bytes });
                     Some(name)
                 });
             }
             Err(found) => problems.extend(found.iter().map(|problem| left_out(problem, image))),
         }
     }
-    Warned::new(files, problems)
+    WithWarnings::new(files, problems)
 }
 
 /// A name that no other file of the export has: the look's name, then the image's own.
@@ -74,7 +75,7 @@ fn name(stem: &str, path: &str, ending: &str, taken: &mut HashSet<String>) -> St
     name
 }
 
-fn left_out(problem: &Diagnostic, image: &Image) -> Diagnostic {
+fn left_out(problem: &Diagnostic, image: &ExportImage) -> Diagnostic {
     let problem = Diagnostic::warning(
         "not-carried",
         format!("`{}` is not carried along: {}", image.path, problem.message),

@@ -2,10 +2,10 @@
 
 use serde_json::json;
 
-use super::File;
+use super::ExportFile;
 use super::header::list;
 use super::language::{
-    ClipSpace, Language, LanguageBinding, LanguageFile, LanguageModule, Request, Written,
+    ClipSpace, ExportedModule, Language, LanguageBinding, LanguageFile, LanguageModule, Request,
     entry_points,
 };
 
@@ -22,7 +22,7 @@ pub(super) const LANGUAGE: Language = Language {
     write,
 };
 
-fn write(request: &Request<'_>) -> Result<Written, String> {
+fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
     let module = request.module;
     let bindings: Vec<_> = module
         .bindings
@@ -45,7 +45,7 @@ fn write(request: &Request<'_>) -> Result<Written, String> {
     let source = module.wgsl();
     let source = if module.host().is_some() { without_header(source) } else { source };
     let text = format!("{header}\n{source}");
-    Ok(Written { files: vec![File::text(file, text)], described })
+    Ok(ExportedModule { files: vec![ExportFile::text(file, text)], described })
 }
 
 /// A compiled source without the comment that it begins with, which the export's header replaces.

@@ -8,11 +8,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::store::{AssetStore, FileStamp, HcbtfKey};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::files::{Files, ReadError, SharedFiles};
 use crate::geometry::{self, Mesh};
-use crate::hcbtf::{self, Coding, FilledSamples, LayerOptions, Layers, Region};
+use crate::hcbtf::{self, FilledSamples, LayerOptions, LayeredTexture, Region, TexelCoding};
 use crate::progress::Progress;
 
 /// Prefix of an object's mesh that is a built-in shape instead of a file.
@@ -32,7 +32,7 @@ pub struct Image {
     /// Number of layers; 1 for a flat image.
     pub layers: u32,
     /// Coding of the pixels in `bytes`.
-    pub coding: Coding,
+    pub coding: TexelCoding,
     /// Pixels, or blocks of pixels, as `coding` says.
     pub bytes: Vec<u8>,
     /// Hash of the content, for caches.
@@ -57,11 +57,11 @@ impl Image {
     }
 
     fn flat(size: [u32; 2], rgba: Vec<u8>) -> Self {
-        Self::new(Layers { size, count: 1, coding: Coding::Rgba8, bytes: rgba })
+        Self::new(LayeredTexture { size, count: 1, coding: TexelCoding::Rgba8, bytes: rgba })
     }
 
-    fn new(layers: Layers) -> Self {
-        let Layers { size, count, coding, bytes } = layers;
+    fn new(layers: LayeredTexture) -> Self {
+        let LayeredTexture { size, count, coding, bytes } = layers;
         let mut hasher = DefaultHasher::new();
         (size, count, coding, &bytes).hash(&mut hasher);
         Self { size, layers: count, coding, bytes, hash: hasher.finish(), change: None }
@@ -77,14 +77,14 @@ impl Image {
 #[derive(Clone, Debug)]
 struct UsedAsset<T> {
     stamp: FileStamp,
-    warned: Warned<Arc<T>>,
+    warned: WithWarnings<Arc<T>>,
     /// Round in which the asset was asked for last.
     round: u64,
 }
 
 impl<T> UsedAsset<T> {
     /// The asset, if its file has not changed since it was read.
-    fn at(&mut self, stamp: FileStamp, round: u64) -> Option<Warned<Arc<T>>> {
+    fn at(&mut self, stamp: FileStamp, round: u64) -> Option<WithWarnings<Arc<T>>> {
         self.round = round;
         (self.stamp == stamp).then(|| self.warned.clone())
     }
@@ -271,7 +271,7 @@ impl Assets {
         &mut self,
         folder: &Path,
         name: &str,
-    ) -> Result<Warned<Arc<Mesh>>, Vec<Diagnostic>> {
+    ) -> Result<WithWarnings<Arc<Mesh>>, Vec<Diagnostic>> {
         if let Some(shape) = name.strip_prefix(SHAPE_PREFIX) {
             return Ok(self.shape(shape)?.into());
         }
@@ -385,7 +385,7 @@ impl Assets {
         folder: &Path,
         path: &str,
         options: LayerOptions,
-    ) -> Result<Warned<Arc<Image>>, Vec<Diagnostic>> {
+    ) -> Result<WithWarnings<Arc<Image>>, Vec<Diagnostic>> {
         let path = folder.join(path);
         if let Some(image) = self.overlaid(&path, options) {
             return Ok(image.map_err(|problem| vec![problem])?.into());
@@ -415,14 +415,14 @@ fn read_hcbtf(
     files: &dyn Files,
     key: &HcbtfKey,
     progress: &Progress,
-) -> Result<Warned<Image>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<Image>, Vec<Diagnostic>> {
     let (mut hcbtf, notes) = hcbtf::load(files, &key.path)?.into_parts();
     if key.is_draft && hcbtf.painted.is_empty() {
         hcbtf.grid = drafted(hcbtf.grid);
     }
     let image = bake(&hcbtf, key.options, progress)
         .map_err(|problem| vec![problem.in_file(key.path.display().to_string())])?;
-    Ok(Warned::new(image, notes))
+    Ok(WithWarnings::new(image, notes))
 }
 
 /// A grid reduced to the few directions of a draft.
@@ -531,8 +531,8 @@ mod tests {
         let grid = Grid { size: [16, 16], light: directions, view: directions };
         let rules = vec![Rule::Blend { sharpness: 2.0 }];
         let mut hcbtf = Hcbtf { rules, ..Hcbtf::new(grid) };
-        for (light, grey) in [([0, 0], 40), ([3, 2], 200)] {
-            let tile = Tile::filled(grid.size, [grey, grey, grey, 255]);
+        for (light, gray) in [([0, 0], 40), ([3, 2], 200)] {
+            let tile = Tile::filled(grid.size, [gray, gray, gray, 255]);
             hcbtf.painted.insert(Address::new(light, [0, 0]), Arc::new(tile));
         }
         let progress = Progress::new();

@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use super::plan::{Draw, PlanOptions};
 use super::screen::ScreenModule;
-use crate::compile::{Attribute, CompiledShader};
+use crate::compile::{CompiledShader, VertexAttribute};
 use crate::figures;
 use crate::library::PassId;
-use crate::wgsl::{Operations, Valid};
+use crate::wgsl::{Operations, ValidModule};
 
 /// Cost of an effect; for a dropped effect, the cost that it would have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -53,11 +53,11 @@ impl std::fmt::Display for EffectCost {
 }
 
 /// Size of a vertex's attribute, in bytes.
-pub fn attribute_bytes(attribute: Attribute) -> u64 {
+pub fn attribute_bytes(attribute: VertexAttribute) -> u64 {
     match attribute {
-        Attribute::Uv => 8,
-        Attribute::Position | Attribute::Normal => 12,
-        Attribute::Tangent | Attribute::Color => 16,
+        VertexAttribute::Uv => 8,
+        VertexAttribute::Position | VertexAttribute::Normal => 12,
+        VertexAttribute::Tangent | VertexAttribute::Color => 16,
     }
 }
 
@@ -80,7 +80,7 @@ pub(super) fn pass_operations(pass: PassId, draws: &[Draw]) -> u64 {
 }
 
 /// The number of operations of a whole module.
-fn module_operations(valid: &Valid) -> u64 {
+fn module_operations(valid: &ValidModule) -> u64 {
     Operations::of(&valid.module).of_entry_points(&valid.module)
 }
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::cost::{EffectCost, attribute_bytes, pass_operations, shader_operations};
 use super::plan::{Draw, FramePlan};
-use crate::compile::{Attribute, BindingKind, CompiledShader, Proof, StructLayout};
+use crate::compile::{BindingKind, CompiledShader, Proof, StructLayout, VertexAttribute};
 use crate::library::{PassId, Type};
 
 /// Kind of an effect.
@@ -170,7 +170,7 @@ fn push_look(effects: &mut Vec<Effect>, shader: &CompiledShader, draw: &Draw) {
     push(Effect::runs(what, EffectKind::Look, reason).costs(cost));
     push_lights(&mut push, shader);
     let read = read_attributes(shader, draw);
-    for attribute in Attribute::ALL {
+    for attribute in VertexAttribute::ALL {
         let what = format!("vertex {}", attribute.name());
         let cost = EffectCost::bytes(attribute_bytes(attribute) * draw.mesh.positions.len() as u64);
         push(match read.get(&attribute) {
@@ -254,7 +254,10 @@ fn plural(count: usize, word: &str) -> String {
 }
 
 /// The attributes that a draw's modules read, each with the first module that reads it.
-fn read_attributes(shader: &CompiledShader, draw: &Draw) -> BTreeMap<Attribute, &'static str> {
+fn read_attributes(
+    shader: &CompiledShader,
+    draw: &Draw,
+) -> BTreeMap<VertexAttribute, &'static str> {
     let mut read = BTreeMap::new();
     for attribute in shader.needs.attributes() {
         read.insert(attribute, "look's");

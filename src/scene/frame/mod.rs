@@ -30,7 +30,8 @@ mod visibility;
 /// Types of the compiler that a plan holds; executors of plans need no more of the compiler than
 /// these.
 pub use crate::compile::{
-    Attribute, BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
+    BindingKind, CompiledShader, ImageShape, ImageUse, SAMPLES_PER_ROW, Stage, Uniform,
+    VertexAttribute,
 };
 /// The passes of a plan, which the compiler lists: a look's module names those that it reads.
 pub use crate::library::{PassId, PassOutput, PassRow, PassWork, TexelFormat};
@@ -49,16 +50,16 @@ pub use keys::{
     is_direction, light_field, set_light_field, structural_look,
 };
 pub use picture::Picture;
-pub use place::{Misplaced, place_camera, turn_lights};
-pub use plan::{Draw, Dropped, FramePlan, Pass, PlanOptions, PlanStyle, Planner};
+pub use place::{PlacementError, place_camera, turn_lights};
+pub use plan::{Draw, DroppedEffect, FramePlan, Pass, PlanOptions, PlanStyle, Planner};
 pub use samples::{EvalBatch, EvalSample, Evaluable, LightOverride, eval_batches};
 pub use screen::{PassImage, ScreenBinding, ScreenModule, ScreenResource, ViewNumber};
 pub use setup::{
-    ANY_MATERIAL, DEFAULT_MESH, Setup, SetupLook, SetupObject, Wardrobe, default_setup, look_of,
+    ANY_MATERIAL, DEFAULT_MESH, LookSource, Setup, SetupLook, SetupObject, default_setup, look_of,
     object_matrix, open, place_objects, scene_setup,
 };
 pub use store::AssetStore;
 pub use tiles::{MAX_TILE_SAMPLES, TileView, moving_light, tile_assets};
 pub use uvs::missing_uvs;
 pub use values::check_exposed_value;
-pub use visibility::Cull;
+pub use visibility::CullMode;

@@ -8,21 +8,21 @@ use glam::{DMat4, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::setup::SetupObject;
-use super::visibility::Placed;
+use super::visibility::ObjectPlacement;
 use crate::geometry::{Bounds, Mesh};
 
 /// The distance from `eye` to the nearest triangle that wears a look, in scene units; `None` where
 /// the distance is `reach` or more.
 pub(super) fn nearest_surface(
     objects: &[SetupObject],
-    placed: &[Placed],
+    placed: &[ObjectPlacement],
     eye: DVec3,
     reach: f64,
 ) -> Option<f64> {
     if reach <= 0.0 {
         return None;
     }
-    let is_near = |(object, placed): &(&SetupObject, &Placed)| {
+    let is_near = |(object, placed): &(&SetupObject, &ObjectPlacement)| {
         reaches(object.world_from_object, &placed.bounds, eye, reach)
     };
     let near = objects.iter().zip(placed).filter(is_near);

@@ -6,7 +6,7 @@ use crate::document::{Camera, Projection, Scene};
 
 /// Error in a line of text that places a camera or lights.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Misplaced {
+pub struct PlacementError {
     /// Part of the text that is wrong.
     pub found: String,
     /// Form of the text that is accepted there.
@@ -18,8 +18,8 @@ pub struct Misplaced {
 ///
 /// # Errors
 /// A part in another form, and an eye at its target.
-pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
-    let bad = |part: &str| Misplaced {
+pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), PlacementError> {
+    let bad = |part: &str| PlacementError {
         found: part.to_owned(),
         wanted: "eye=X,Y,Z, target=X,Y,Z, up=X,Y,Z, orbit=YAW,PITCH, distance=D, ortho=HEIGHT or \
                  fov=DEGREES \
@@ -61,7 +61,7 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
         || DVec3::from(camera.up).length() < 1e-9
     {
         let wanted = "an eye away from the target, and an `up` of any length but 0";
-        return Err(Misplaced { found: text.to_owned(), wanted });
+        return Err(PlacementError { found: text.to_owned(), wanted });
     }
     Ok(())
 }
@@ -71,11 +71,12 @@ pub fn place_camera(camera: &mut Camera, text: &str) -> Result<(), Misplaced> {
 ///
 /// # Errors
 /// A text that is not one angle or two.
-pub fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), Misplaced> {
-    let angles = numbers(text).filter(|n| (1..=2).contains(&n.len())).ok_or_else(|| Misplaced {
-        found: text.to_owned(),
-        wanted: "degrees around the vertical axis, or YAW,PITCH",
-    })?;
+pub fn turn_lights(scene: &mut Scene, text: &str) -> Result<(), PlacementError> {
+    let angles =
+        numbers(text).filter(|n| (1..=2).contains(&n.len())).ok_or_else(|| PlacementError {
+            found: text.to_owned(),
+            wanted: "degrees around the vertical axis, or YAW,PITCH",
+        })?;
     let yaw = DQuat::from_rotation_y(angles[0].to_radians());
     let pitch = DQuat::from_rotation_x(-angles.get(1).copied().unwrap_or(0.0).to_radians());
     let turned = yaw * pitch * DQuat::from_array(scene.illumination);

@@ -14,8 +14,8 @@ use super::plan::images;
 use super::setup::SetupLook;
 use super::values::{check_exposed_value, live_for_values};
 use crate::compile::{
-    CompiledShader, HostInputs, LightValues, Options, Stage, StructLayout, TypedGraph, Uniform,
-    check, compile, push_numbers,
+    CompileOptions, CompiledShader, HostInputs, LightValues, Stage, StructLayout, TypedGraph,
+    Uniform, check, compile, push_numbers,
 };
 use crate::diag::Diagnostic;
 use crate::document::{Light, LightKind, Look, Value, Values};
@@ -136,7 +136,11 @@ impl<'a> Evaluable<'a> {
         assets: &mut Assets,
     ) -> Result<Self, Vec<Diagnostic>> {
         let look = structural_look(&setup.look, 0.0, &Values::new());
-        let shader = compile(&look, library, &Options { stage: Stage::Eval, ..Options::default() });
+        let shader = compile(
+            &look,
+            library,
+            &CompileOptions { stage: Stage::Eval, ..CompileOptions::default() },
+        );
         let shader = shader.map_err(|mut problems| {
             setup.source.locate_all(&mut problems);
             problems
@@ -191,7 +195,7 @@ pub fn eval_batches(
     setup: &SetupLook,
     library: &Library,
     samples: &[EvalSample],
-    options: &Options,
+    options: &CompileOptions,
     assets: &mut Assets,
 ) -> Result<Vec<EvalBatch>, Vec<Diagnostic>> {
     let located = |mut problems: Vec<Diagnostic>| {
@@ -211,7 +215,7 @@ pub fn eval_batches(
     for indices in group(setup, samples).into_values() {
         let first = &samples[indices[0]];
         let look = structural_look(&setup.look, first.time, &first.values);
-        let options = Options {
+        let options = CompileOptions {
             stage: Stage::Eval,
             live: live_for_values(&options.live, any_set),
             ..options.clone()

@@ -4,7 +4,7 @@
 use super::camera::View;
 use crate::diag::Diagnostic;
 use crate::library::{PassId, PassInput, PassWork};
-use crate::wgsl::{self, Valid};
+use crate::wgsl::{self, ValidModule};
 
 /// The module of a pass over the whole picture.
 #[derive(Debug)]
@@ -12,7 +12,7 @@ pub struct ScreenModule {
     /// Source of the module, in WGSL.
     pub text: String,
     /// The module as naga validated it.
-    pub valid: Valid,
+    pub valid: ValidModule,
     /// Bindings, all in group 0.
     pub bindings: Vec<ScreenBinding>,
 }

@@ -8,7 +8,7 @@ use indexmap::IndexMap;
 
 use super::assets::Assets;
 use super::store::AssetStore;
-use crate::diag::{Diagnostic, Warned, has_errors};
+use crate::diag::{Diagnostic, WithWarnings, has_errors};
 use crate::document::{Document, Look, Object, Scene, SourceMap, Transform, Values};
 use crate::files::Files;
 use crate::geometry::Mesh;
@@ -136,7 +136,7 @@ pub fn open(
     path: &Path,
     mesh: Option<&str>,
     assets: &mut Assets,
-) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<Setup>, Vec<Diagnostic>> {
     let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
     match Document::load(&**assets.source(), path) {
         Document::Look(loaded) => {
@@ -148,7 +148,7 @@ pub fn open(
             let setup = default_setup(look, mesh.unwrap_or(DEFAULT_MESH), assets)
                 .map_err(|more| [problems.clone(), more].concat())?
                 .tell(&mut problems);
-            Ok(Warned::new(setup, problems))
+            Ok(WithWarnings::new(setup, problems))
         }
         Document::Scene(loaded) => {
             let mut problems = loaded.diagnostics.clone();
@@ -157,7 +157,11 @@ pub fn open(
             };
             let setup =
                 scene_setup(scene, &folder, &loaded.source, mesh, assets).tell(&mut problems);
-            if has_errors(&problems) { Err(problems) } else { Ok(Warned::new(setup, problems)) }
+            if has_errors(&problems) {
+                Err(problems)
+            } else {
+                Ok(WithWarnings::new(setup, problems))
+            }
         }
     }
 }
@@ -174,7 +178,7 @@ pub fn default_setup(
     look: SetupLook,
     mesh: &str,
     assets: &mut Assets,
-) -> Result<Warned<Setup>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<Setup>, Vec<Diagnostic>> {
     let (mesh, notes) = assets.mesh(Path::new(""), mesh)?.into_parts();
     let world_from_object = object_matrix(&Transform::default(), &mesh);
     let looks = vec![Some(0); mesh.parts.len()];
@@ -186,7 +190,7 @@ pub fn default_setup(
         values: Values::new(),
     };
     let (looks, objects, assets) = (vec![look], vec![object], assets.store().clone());
-    Ok(Warned::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
+    Ok(WithWarnings::new(Setup { looks, objects, assets, ..Setup::default() }, notes))
 }
 
 /// The matrix from object to world space: fit, scale, turn, move.
@@ -210,7 +214,7 @@ pub fn scene_setup(
     source: &SourceMap,
     mesh: Option<&str>,
     assets: &mut Assets,
-) -> Warned<Setup> {
+) -> WithWarnings<Setup> {
     let files = assets.source().clone();
     let mut looks = LookFiles { files: &*files, folder, found: Vec::new() };
     let placed = place_objects(&scene, folder, source, mesh, assets, &mut looks);
@@ -221,13 +225,13 @@ pub fn scene_setup(
 }
 
 /// Source of the looks of a scene.
-pub trait Wardrobe {
+pub trait LookSource {
     /// True if there is a look of this name, even a broken one.
     fn has(&self, name: &str) -> bool;
 
     /// The index of a look among those of the setup; `None` if the look cannot be used, with the
     /// errors that were not told yet.
-    fn find(&mut self, name: &str) -> Warned<Option<usize>>;
+    fn find(&mut self, name: &str) -> WithWarnings<Option<usize>>;
 }
 
 /// Places the visible objects of a scene, with their meshes, relative to `folder`, and their looks.
@@ -238,8 +242,8 @@ pub fn place_objects(
     source: &SourceMap,
     mesh: Option<&str>,
     assets: &mut Assets,
-    looks: &mut dyn Wardrobe,
-) -> Warned<Vec<SetupObject>> {
+    looks: &mut dyn LookSource,
+) -> WithWarnings<Vec<SetupObject>> {
     let (mut objects, mut problems) = (Vec::new(), Vec::new());
     for (index, (id, object)) in scene.objects.iter().enumerate() {
         if !object.visible {
@@ -285,7 +289,7 @@ pub fn place_objects(
             &mut problems,
         );
     }
-    Warned::new(objects, problems)
+    WithWarnings::new(objects, problems)
 }
 
 /// The name of the look that an object wears on a material.
@@ -321,7 +325,7 @@ fn of_object(
 fn missing_looks(
     id: &ObjectId,
     object: &Object,
-    looks: &dyn Wardrobe,
+    looks: &dyn LookSource,
     json_path: &str,
     source: &SourceMap,
     problems: &mut Vec<Diagnostic>,
@@ -381,12 +385,12 @@ struct LookFiles<'f> {
     found: Vec<(PathBuf, SetupLook)>,
 }
 
-impl Wardrobe for LookFiles<'_> {
+impl LookSource for LookFiles<'_> {
     fn has(&self, name: &str) -> bool {
         self.files.has_file(&self.folder.join(name))
     }
 
-    fn find(&mut self, name: &str) -> Warned<Option<usize>> {
+    fn find(&mut self, name: &str) -> WithWarnings<Option<usize>> {
         let path = self.folder.join(name);
         if let Some(index) = self.found.iter().position(|(known, _)| *known == path) {
             return Some(index).into();
@@ -397,12 +401,12 @@ impl Wardrobe for LookFiles<'_> {
         }
         let loaded = Look::load(self.files, &path);
         let problems = loaded.diagnostics.clone();
-        let Some(look) = loaded.value.clone() else { return Warned::new(None, problems) };
+        let Some(look) = loaded.value.clone() else { return WithWarnings::new(None, problems) };
         let own_folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
         self.found.push((
             path,
             SetupLook { look, source: loaded.source.clone().into(), folder: own_folder },
         ));
-        Warned::new(Some(self.found.len() - 1), problems)
+        WithWarnings::new(Some(self.found.len() - 1), problems)
     }
 }

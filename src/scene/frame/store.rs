@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 
 use super::assets::Image;
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::files::{Disk, FileMetadata, SharedFiles};
 use crate::geometry::Mesh;
 use crate::hcbtf::LayerOptions;
@@ -95,8 +95,8 @@ impl AssetStore {
         &self,
         key: &str,
         stamp: FileStamp,
-        read: impl FnOnce() -> Result<Warned<Mesh>, Vec<Diagnostic>>,
-    ) -> Result<Warned<Arc<Mesh>>, Vec<Diagnostic>> {
+        read: impl FnOnce() -> Result<WithWarnings<Mesh>, Vec<Diagnostic>>,
+    ) -> Result<WithWarnings<Arc<Mesh>>, Vec<Diagnostic>> {
         self.0.meshes.get(&key.to_owned(), stamp, || self.counted(read))
     }
 
@@ -106,7 +106,7 @@ impl AssetStore {
         stamp: FileStamp,
         read: impl FnOnce() -> Result<Image, Diagnostic>,
     ) -> Result<Arc<Image>, Diagnostic> {
-        let read = || self.counted(read).map(Warned::from);
+        let read = || self.counted(read).map(WithWarnings::from);
         self.0.images.get(path, stamp, read).map(|warned| warned.value)
     }
 
@@ -114,8 +114,8 @@ impl AssetStore {
         &self,
         key: &HcbtfKey,
         stamp: FileStamp,
-        read: impl FnOnce() -> Result<Warned<Image>, Vec<Diagnostic>>,
-    ) -> Result<Warned<Arc<Image>>, Vec<Diagnostic>> {
+        read: impl FnOnce() -> Result<WithWarnings<Image>, Vec<Diagnostic>>,
+    ) -> Result<WithWarnings<Arc<Image>>, Vec<Diagnostic>> {
         self.0.hcbtfs.get(key, stamp, || self.counted(read))
     }
 
@@ -127,13 +127,13 @@ impl AssetStore {
 
 /// Values of one kind by their names.
 #[derive(Debug)]
-struct Shelf<K, T>(Mutex<HashMap<K, Slot<T>>>);
+struct Shelf<K, T>(Mutex<HashMap<K, StoreSlot<T>>>);
 
 /// A value, or `None` until it has been read. The reading thread holds the lock.
-type Slot<T> = Arc<Mutex<Option<Entry<T>>>>;
+type StoreSlot<T> = Arc<Mutex<Option<StoreEntry<T>>>>;
 
 #[derive(Debug)]
-struct Entry<T> {
+struct StoreEntry<T> {
     stamp: FileStamp,
     value: Weak<T>,
     warnings: Vec<Diagnostic>,
@@ -151,22 +151,22 @@ impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
         &self,
         key: &K,
         stamp: FileStamp,
-        read: impl FnOnce() -> Result<Warned<T>, E>,
-    ) -> Result<Warned<Arc<T>>, E> {
+        read: impl FnOnce() -> Result<WithWarnings<T>, E>,
+    ) -> Result<WithWarnings<Arc<T>>, E> {
         let slot = self.slot(key);
         let mut entry = slot.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = entry.as_ref().filter(|known| known.stamp == stamp)
             && let Some(value) = known.value.upgrade()
         {
-            return Ok(Warned::new(value, known.warnings.clone()));
+            return Ok(WithWarnings::new(value, known.warnings.clone()));
         }
         let warned = read()?.map(Arc::new);
         let value = Arc::downgrade(&warned.value);
-        *entry = Some(Entry { stamp, value, warnings: warned.warnings.clone() });
+        *entry = Some(StoreEntry { stamp, value, warnings: warned.warnings.clone() });
         Ok(warned)
     }
 
-    fn slot(&self, key: &K) -> Slot<T> {
+    fn slot(&self, key: &K) -> StoreSlot<T> {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         // Every look-up drops the slots that nobody holds, so that the map does not grow.
         slots.retain(|_, slot| is_held(slot));
@@ -180,8 +180,8 @@ impl<K: Clone + Eq + Hash, T> Shelf<K, T> {
 }
 
 /// True if somebody holds the value of a slot, is about to read it, or has just asked for it.
-fn is_held<T>(slot: &Slot<T>) -> bool {
-    let is_alive = |entry: &Option<Entry<T>>| {
+fn is_held<T>(slot: &StoreSlot<T>) -> bool {
+    let is_alive = |entry: &Option<StoreEntry<T>>| {
         entry.as_ref().is_some_and(|entry| entry.value.strong_count() > 0)
     };
     Arc::strong_count(slot) > 1 || slot.try_lock().map_or(true, |entry| is_alive(&entry))
@@ -194,9 +194,13 @@ mod tests {
     use super::*;
     use crate::files::FileKind;
 
-    fn get(shelf: &Shelf<&'static str, u32>, stamp: FileStamp, value: u32) -> Warned<Arc<u32>> {
+    fn get(
+        shelf: &Shelf<&'static str, u32>,
+        stamp: FileStamp,
+        value: u32,
+    ) -> WithWarnings<Arc<u32>> {
         let note = Diagnostic::note("odd", "it is odd");
-        shelf.get::<()>(&"a", stamp, || Ok(Warned::new(value, vec![note]))).unwrap()
+        shelf.get::<()>(&"a", stamp, || Ok(WithWarnings::new(value, vec![note]))).unwrap()
     }
 
     #[test]
@@ -224,7 +228,7 @@ mod tests {
         let reads = AtomicU64::new(0);
         let values: Vec<Arc<u32>> = std::thread::scope(|scope| {
             let read = || {
-                let read = || -> Result<Warned<u32>, ()> {
+                let read = || -> Result<WithWarnings<u32>, ()> {
                     Ok((reads.fetch_add(1, Ordering::Relaxed) as u32).into())
                 };
                 shelf.get(&"a", None, read).unwrap().value

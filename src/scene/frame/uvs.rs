@@ -4,24 +4,26 @@
 use std::collections::HashSet;
 
 use super::setup::{Setup, SetupLook, SetupObject};
-use crate::compile::{Attribute, CompiledShader, Options, TypedSource, check, compile};
-use crate::diag::{Diagnostic, Warned};
+use crate::compile::{
+    CompileOptions, CompiledShader, TypedSource, VertexAttribute, check, compile,
+};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::ids::NodePath;
-use crate::library::{Context, Library, Special};
+use crate::library::{Context, Library, Treatment};
 
 /// Greatest number of nodes that a message names; further nodes are counted.
 const MOST_NAMED: usize = 3;
 
 /// Inputs of a look that a mesh without UVs cannot give.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Lack {
+pub(super) enum MissingInput {
     /// Texture coordinates, which are 0.
     Uvs,
     /// Tangents alone, which lie level; that may be intended.
     Tangents,
 }
 
-impl Lack {
+impl MissingInput {
     /// The inputs that a shader lacks on such a mesh; the graver one of both.
     pub(super) fn of(shader: &CompiledShader) -> Option<Self> {
         let reads = |lack: &Self| shader.needs.contexts.iter().any(|c| lack.is_of(*c));
@@ -31,10 +33,10 @@ impl Lack {
     /// True if a context is made from the lacking attribute.
     fn is_of(self, context: Context) -> bool {
         let attribute = match self {
-            Self::Uvs => Attribute::Uv,
-            Self::Tangents => Attribute::Tangent,
+            Self::Uvs => VertexAttribute::Uv,
+            Self::Tangents => VertexAttribute::Tangent,
         };
-        Attribute::read_by(context).contains(&attribute)
+        VertexAttribute::read_by(context).contains(&attribute)
     }
 }
 
@@ -46,9 +48,11 @@ pub fn missing_uvs(setup: &Setup, library: &Library) -> Vec<Diagnostic> {
     for object in setup.objects.iter().filter(|object| !object.mesh.has_uvs) {
         for &index in &worn(object) {
             let look = &setup.looks[index];
-            let Ok(compiled) = compile(&look.look, library, &Options::default()) else { continue };
+            let Ok(compiled) = compile(&look.look, library, &CompileOptions::default()) else {
+                continue;
+            };
             let shader = compiled.value;
-            if let Some(lack) = Lack::of(&shader) {
+            if let Some(lack) = MissingInput::of(&shader) {
                 found.push(without_uvs(object, look, lack, &readers(look, &shader, lack, library)));
             }
         }
@@ -69,7 +73,7 @@ fn worn(object: &SetupObject) -> Vec<usize> {
 pub(super) fn without_uvs(
     object: &SetupObject,
     look: &SetupLook,
-    lack: Lack,
+    lack: MissingInput,
     readers: &[NodePath],
 ) -> Diagnostic {
     let named: Vec<String> =
@@ -80,7 +84,7 @@ pub(super) fn without_uvs(
     let by = if named.is_empty() { String::new() } else { format!(", by {named}") };
     let subject = subject(object);
     let problem = match lack {
-        Lack::Uvs => {
+        MissingInput::Uvs => {
             let message =
                 format!("{subject} has no UVs, which its look reads{by}: they are 0 all over it");
             Diagnostic::warning("no-uvs", message).hint(
@@ -89,7 +93,7 @@ pub(super) fn without_uvs(
                  shape that has UVs (`shape:sphere`)",
             )
         }
-        Lack::Tangents => {
+        MissingInput::Tangents => {
             let message = format!(
                 "{subject} has no UVs, along which its look's tangents would run{by}: they lie \
                  level"
@@ -117,16 +121,16 @@ fn subject(object: &SetupObject) -> String {
 pub(super) fn readers(
     look: &SetupLook,
     shader: &CompiledShader,
-    lack: Lack,
+    lack: MissingInput,
     library: &Library,
 ) -> Vec<NodePath> {
-    let Ok(Warned { value: typed, .. }) = check(&look.look, library, None) else {
+    let Ok(WithWarnings { value: typed, .. }) = check(&look.look, library, None) else {
         return Vec::new();
     };
     let emitted: HashSet<&NodePath> = shader.spans.nodes().collect();
     let is_reader = |node: &&crate::compile::TypedNode| {
         let mut inputs = node.inputs.iter().flatten();
-        node.def.special != Special::Output
+        node.def.special != Treatment::Output
             && emitted.contains(&node.path)
             && inputs
                 .any(|input| matches!(input.source, TypedSource::Context(of) if lack.is_of(of)))

@@ -19,7 +19,7 @@ use crate::ids::LightId;
 
 /// Parts that a planner may leave out because they are not seen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Cull {
+pub enum CullMode {
     /// Nothing is left out: the plans that all others are compared with.
     Nothing,
     /// Objects. For looks that are being edited, whose lights may change at any time.
@@ -31,7 +31,7 @@ pub enum Cull {
 
 /// Placement of an object.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Placed {
+pub(super) struct ObjectPlacement {
     /// Bounds of the object's mesh, in object space.
     pub(super) bounds: Bounds,
     /// Center of the mesh's box, in world space.
@@ -46,19 +46,19 @@ pub(super) struct KnownBounds(HashMap<usize, (Weak<Mesh>, Bounds)>);
 
 impl KnownBounds {
     /// The placements of the objects.
-    pub(super) fn place(&mut self, objects: &[SetupObject]) -> Vec<Placed> {
+    pub(super) fn place(&mut self, objects: &[SetupObject]) -> Vec<ObjectPlacement> {
         self.0.retain(|_, (mesh, _)| mesh.strong_count() > 0);
         objects.iter().map(|object| self.placed(object)).collect()
     }
 
-    fn placed(&mut self, object: &SetupObject) -> Placed {
+    fn placed(&mut self, object: &SetupObject) -> ObjectPlacement {
         // The weak handle beside the bounds keeps the mesh's address from being used again, so the
         // address identifies the mesh.
         let key = Arc::as_ptr(&object.mesh) as usize;
         let fresh = || (Arc::downgrade(&object.mesh), object.mesh.bounds());
         let bounds = self.0.entry(key).or_insert_with(fresh).1;
         let (scale, ..) = object.world_from_object.to_scale_rotation_translation();
-        Placed {
+        ObjectPlacement {
             bounds,
             center: object.world_from_object.transform_point3(bounds.center()),
             radius: bounds.radius * scale.abs().max_element(),
@@ -69,7 +69,7 @@ impl KnownBounds {
 /// The reason why nothing of an object is seen; `None` where something may be seen.
 pub(super) fn hidden(
     object: &SetupObject,
-    placed: &Placed,
+    placed: &ObjectPlacement,
     view: &View,
 ) -> Option<(Proof, &'static str)> {
     if object.looks.iter().all(Option::is_none) {
@@ -122,7 +122,7 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
 pub(super) fn dark_lights(
     setup: &Setup,
     look: &Look,
-    placed: &Placed,
+    placed: &ObjectPlacement,
     view: &View,
 ) -> Vec<((LightId, LightField), &'static str)> {
     let moved = moved_lights(look);
@@ -155,7 +155,7 @@ fn moved_lights(look: &Look) -> HashSet<&LightId> {
     lights.collect()
 }
 
-fn why_dark(light: &LightValues, placed: &Placed) -> Option<&'static str> {
+fn why_dark(light: &LightValues, placed: &ObjectPlacement) -> Option<&'static str> {
     if light.intensity() == 0.0 {
         return Some("its intensity is 0");
     }

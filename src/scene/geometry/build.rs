@@ -1,13 +1,13 @@
-//! Turns a `Soup` as read from a file into a `Mesh` as a renderer draws it.
+//! Turns a `TriangleSoup` as read from a file into a `Mesh` as a renderer draws it.
 
 use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
 
 use super::closed::is_solid;
-use super::mesh::{Mesh, Part};
+use super::mesh::{Mesh, MeshPart};
 use super::normals::{make_missing, place, weld};
-use super::soup::{Corner, NONE, Soup};
+use super::soup::{Corner, NONE, TriangleSoup};
 use super::tangents::{self, CornerTangents};
 
 /// Counts of what was dropped and made while a mesh was built, for the notes of its reader.
@@ -21,7 +21,7 @@ pub(super) struct BuildNotes {
 
 /// Builds the mesh: drops triangles without area, makes normals, joins corners, makes tangents,
 /// sorts by material. The mesh has no triangles where all of them are degenerate.
-pub(super) fn build(mut soup: Soup, crease_angle: f64) -> (Mesh, BuildNotes) {
+pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNotes) {
     let welded = weld(&soup.points);
     let degenerate = drop_degenerate(&mut soup, &welded);
     let normals = make_missing(&mut soup, &welded, crease_angle);
@@ -54,7 +54,7 @@ fn normalize(v: [f32; 3]) -> [f32; 3] {
 
 /// Drops triangles of two equal points, or so thin that their normal is noise; returns their
 /// number.
-fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
+fn drop_degenerate(soup: &mut TriangleSoup, welded: &[u32]) -> usize {
     let keep: Vec<bool> = soup
         .triangles
         .iter()
@@ -76,7 +76,7 @@ fn drop_degenerate(soup: &mut Soup, welded: &[u32]) -> usize {
 /// Settles the sides of materials that leave them open: of a solid only the outside is drawn,
 /// because at its outlines a GPU may take a sliver for a back face and would light it from the
 /// wrong side.
-fn settle_sides(soup: &mut Soup, welded: &[u32]) {
+fn settle_sides(soup: &mut TriangleSoup, welded: &[u32]) {
     if soup.materials.iter().all(|material| material.two_sided.is_some()) {
         return;
     }
@@ -92,7 +92,7 @@ fn settle_sides(soup: &mut Soup, welded: &[u32]) {
 }
 
 /// The soup's triangles in the order of their materials' first use, otherwise as in the file.
-fn by_material(soup: &Soup) -> Vec<u32> {
+fn by_material(soup: &TriangleSoup) -> Vec<u32> {
     let mut rank = vec![NONE; soup.materials.len()];
     let mut next = 0;
     for &material in &soup.material_of {
@@ -108,7 +108,7 @@ fn by_material(soup: &Soup) -> Vec<u32> {
 
 /// Counts triangle `t`, about to be appended to the mesh's indices, into the last part or into a
 /// new one.
-fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
+fn extend_parts(mesh: &mut Mesh, soup: &TriangleSoup, t: usize) {
     let material = &soup.materials[soup.material_of[t] as usize];
     let end = mesh.indices.len() as u32;
     match mesh.parts.last_mut() {
@@ -119,7 +119,7 @@ fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
         {
             part.indices.end = end + 3;
         }
-        _ => mesh.parts.push(Part {
+        _ => mesh.parts.push(MeshPart {
             material: material.name.clone(),
             indices: end..end + 3,
             two_sided: material.two_sided.unwrap_or(true),
@@ -130,7 +130,7 @@ fn extend_parts(mesh: &mut Mesh, soup: &Soup, t: usize) {
 
 /// Identity of a vertex: corners that agree in all of these indices share one vertex.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
-struct Key {
+struct VertexKey {
     point: u32,
     normal: u32,
     uv: u32,
@@ -140,18 +140,18 @@ struct Key {
 
 /// Joins the corners of triangles to vertices.
 struct Joiner<'a> {
-    soup: &'a Soup,
+    soup: &'a TriangleSoup,
     /// Index of the first normal, or UV, of equal value, by index of normal or UV.
     same_normal: Vec<u32>,
     same_uv: Vec<u32>,
-    known: HashMap<Key, u32>,
-    vertices: Vec<Key>,
+    known: HashMap<VertexKey, u32>,
+    vertices: Vec<VertexKey>,
     /// Vertex indices of each triangle of the soup.
     indices: Vec<[u32; 3]>,
 }
 
 impl<'a> Joiner<'a> {
-    fn new(soup: &'a Soup) -> Self {
+    fn new(soup: &'a TriangleSoup) -> Self {
         Self {
             soup,
             same_normal: weld(&soup.normals),
@@ -179,19 +179,19 @@ impl<'a> Joiner<'a> {
                 }
                 let corner = self.soup.triangles[t][k];
                 let [normal, uv] = self.same_normal_and_uv(&corner);
-                let key = Key { point: corner.point, normal, uv, tangent };
+                let key = VertexKey { point: corner.point, normal, uv, tangent };
                 let vertex = self.vertex(key);
                 self.indices[t][k] = vertex;
                 // Corners of the same point, normal and UV that have no tangent find this vertex
                 // later.
                 if has_bare && !is_bare {
-                    self.known.entry(Key { tangent: NONE, ..key }).or_insert(vertex);
+                    self.known.entry(VertexKey { tangent: NONE, ..key }).or_insert(vertex);
                 }
             }
         }
     }
 
-    fn vertex(&mut self, key: Key) -> u32 {
+    fn vertex(&mut self, key: VertexKey) -> u32 {
         *self.known.entry(key).or_insert_with(|| {
             self.vertices.push(key);
             self.vertices.len() as u32 - 1
@@ -200,8 +200,12 @@ impl<'a> Joiner<'a> {
 }
 
 /// The tangents of the vertices: the file's own, else those made from the UVs, else level ones.
-fn vertex_tangents(soup: &Soup, vertices: &[Key], made: &CornerTangents) -> Vec<[f32; 4]> {
-    let tangent = |key: &Key| {
+fn vertex_tangents(
+    soup: &TriangleSoup,
+    vertices: &[VertexKey],
+    made: &CornerTangents,
+) -> Vec<[f32; 4]> {
+    let tangent = |key: &VertexKey| {
         let normal = Vec3::from(soup.normals[key.normal as usize]);
         if soup.has_tangent(key.point) {
             let [x, y, z, w] = soup.tangents[key.point as usize];
@@ -214,9 +218,9 @@ fn vertex_tangents(soup: &Soup, vertices: &[Key], made: &CornerTangents) -> Vec<
 }
 
 /// The attributes of the vertices, except the tangents.
-fn gather(soup: &Soup, vertices: &[Key]) -> Mesh {
-    let uv = |key: &Key| soup.uvs.get(key.uv as usize).copied().unwrap_or_default();
-    let color = |key: &Key| soup.colors.get(key.point as usize).copied().unwrap_or([1.0; 4]);
+fn gather(soup: &TriangleSoup, vertices: &[VertexKey]) -> Mesh {
+    let uv = |key: &VertexKey| soup.uvs.get(key.uv as usize).copied().unwrap_or_default();
+    let color = |key: &VertexKey| soup.colors.get(key.point as usize).copied().unwrap_or([1.0; 4]);
     Mesh {
         name: soup.name.clone(),
         positions: vertices.iter().map(|key| soup.points[key.point as usize]).collect(),

@@ -30,7 +30,7 @@ pub struct Mesh {
     pub indices: Vec<u32>,
     /// Runs of triangles of one material each, in the order in which the file first uses them;
     /// together all of [`Mesh::indices`].
-    pub parts: Vec<Part>,
+    pub parts: Vec<MeshPart>,
     /// True if the file (or the shape) brings UVs.
     pub has_uvs: bool,
     /// True if the file brings vertex colors.
@@ -41,7 +41,7 @@ pub struct Mesh {
 
 /// The triangles of one material.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Part {
+pub struct MeshPart {
     /// Name of the material in the file.
     pub material: String,
     /// Range of the triangles in [`Mesh::indices`]; begin and end are multiples of 3.
@@ -98,14 +98,14 @@ impl Bounds {
 /// A transform into fitted space: moves `center` to the origin, then scales:
 /// `(p - center) * scale`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fit {
+pub struct FitTransform {
     /// Point that comes to the origin, in object space.
     pub center: DVec3,
     /// Scale, the same along all axes; above 0.
     pub scale: f64,
 }
 
-impl Fit {
+impl FitTransform {
     /// The matrix from object space to fitted space.
     pub fn matrix(&self) -> DMat4 {
         DMat4::from_scale(DVec3::splat(self.scale)) * DMat4::from_translation(-self.center)
@@ -125,10 +125,10 @@ impl Mesh {
 
     /// The transform that brings the mesh's bounding sphere to the origin and to radius 1; a single
     /// point is only moved.
-    pub fn fit(&self) -> Fit {
+    pub fn fit(&self) -> FitTransform {
         let bounds = self.bounds();
         let scale = if bounds.radius > 0.0 { 1.0 / bounds.radius } else { 1.0 };
-        Fit { center: bounds.center(), scale }
+        FitTransform { center: bounds.center(), scale }
     }
 }
 

@@ -1,10 +1,10 @@
 //! Meshes: import, normals, tangents, built-in shapes.
 //!
-//! A file's bytes become a `soup::Soup` (points and corners as the file has them: `import/`, one
-//! reader a format); `build` turns the soup into a [`Mesh`] that a GPU can draw: degenerate
-//! triangles dropped, missing normals made (`normals`), corners joined to vertices, tangents made
-//! or kept (`tangents`), triangles sorted by material. The built-in shapes (`shapes`) go the same
-//! way from formulas.
+//! A file's bytes become a `soup::TriangleSoup` (points and corners as the file has them:
+//! `import/`, one reader a format); `build` turns the soup into a [`Mesh`] that a GPU can draw:
+//! degenerate triangles dropped, missing normals made (`normals`), corners joined to vertices,
+//! tangents made or kept (`tangents`), triangles sorted by material. The built-in shapes (`shapes`)
+//! go the same way from formulas.
 
 mod build;
 mod closed;
@@ -19,6 +19,6 @@ mod triangulate;
 pub use import::{
     MAX_FILE_BYTES, MAX_TRIANGLES, MAX_VERTICES, Siblings, import, load, no_siblings,
 };
-pub use mesh::{Bounds, DEFAULT_MATERIAL, Fit, Mesh, Part};
+pub use mesh::{Bounds, DEFAULT_MATERIAL, FitTransform, Mesh, MeshPart};
 pub use normals::CREASE_ANGLE;
-pub use shapes::{SHAPES, Shape, shape};
+pub use shapes::{OwnShape, SHAPES, shape};

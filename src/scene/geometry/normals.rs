@@ -6,7 +6,7 @@
 //! the other through edges that bend by at most [`CREASE_ANGLE`]. So one threshold serves both
 //! kinds of mesh. A machine's edge is a chain of sharp edges; at every point on it two of them end,
 //! the sectors on either side are apart, and the crease stays. A scan's noise makes single sharp
-//! edges that end nowhere; one gets around them through their neighbours, and the surface stays
+//! edges that end nowhere; one gets around them through their neighbors, and the surface stays
 //! smooth.
 //!
 //! Points are welded where their coordinates are equal, so a file that repeats points (STL always
@@ -17,7 +17,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::soup::{NONE, Soup};
+use super::soup::{NONE, TriangleSoup};
 
 /// Greatest angle by which an edge may bend within a smooth region where normals are made, in
 /// radians. 60 degrees lies above what a sphere of 8 segments (45) or an icosahedron (41.8) has,
@@ -54,7 +54,7 @@ pub(super) fn corner_angle(at: DVec3, b: DVec3, c: DVec3) -> f64 {
 /// Gives a made normal to every corner that names none, or one of length 0, and appends these
 /// normals to `soup.normals`. `welded` is the result of [`weld`]; triangles must not be degenerate.
 /// Returns the number of corners that were given a normal.
-pub(super) fn make_missing(soup: &mut Soup, welded: &[u32], crease_angle: f64) -> usize {
+pub(super) fn make_missing(soup: &mut TriangleSoup, welded: &[u32], crease_angle: f64) -> usize {
     for corner in soup.triangles.iter_mut().flatten() {
         if corner.normal != NONE && soup.normals[corner.normal as usize] == [0.0; 3] {
             corner.normal = NONE;
@@ -104,7 +104,7 @@ fn face_normal(points: &[[f32; 3]], [a, b, c]: [u32; 3]) -> DVec3 {
 
 /// Joins the corners on either side of every edge that bends by at most `crease_angle`.
 fn join_over_edges(
-    soup: &Soup,
+    soup: &TriangleSoup,
     welded: &[u32],
     faces: &[DVec3],
     crease_angle: f64,

@@ -12,14 +12,14 @@ use super::triangulate::triangulate;
 /// Index in a [`Corner`] that stands for no normal or no UV.
 pub(super) const NONE: u32 = u32::MAX;
 
-/// A corner of a triangle: indices into the lists of a [`Soup`].
+/// A corner of a triangle: indices into the lists of a [`TriangleSoup`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Corner {
-    /// Index into [`Soup::points`].
+    /// Index into [`TriangleSoup::points`].
     pub point: u32,
-    /// Index into [`Soup::normals`], or [`NONE`].
+    /// Index into [`TriangleSoup::normals`], or [`NONE`].
     pub normal: u32,
-    /// Index into [`Soup::uvs`], or [`NONE`].
+    /// Index into [`TriangleSoup::uvs`], or [`NONE`].
     pub uv: u32,
 }
 
@@ -42,7 +42,7 @@ impl Material {
 
 /// Points, corners and materials of a file. Readers have checked every index and every number.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Soup {
+pub(super) struct TriangleSoup {
     pub name: String,
     pub points: Vec<[f32; 3]>,
     /// Color of each point: display-referred straight RGBA; empty where the file has none.
@@ -61,7 +61,7 @@ pub(super) struct Soup {
     pub known_materials: HashMap<(String, Option<bool>, Option<u32>), u32>,
 }
 
-impl Soup {
+impl TriangleSoup {
     /// True if the file has a tangent for a point.
     pub(super) fn has_tangent(&self, point: u32) -> bool {
         self.tangents.get(point as usize).is_some_and(|tangent| tangent[3] != 0.0)
@@ -99,7 +99,7 @@ pub(super) struct Polygon {
 
 impl Polygon {
     /// Appends the polygon's triangles to the soup.
-    pub(super) fn cut(&mut self, soup: &mut Soup, material: u32) {
+    pub(super) fn cut(&mut self, soup: &mut TriangleSoup, material: u32) {
         self.points.clear();
         self.points.extend(self.corners.iter().map(|c| place(&soup.points, c.point)));
         self.triangles.clear();

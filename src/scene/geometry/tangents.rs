@@ -16,7 +16,7 @@ use std::collections::HashMap;
 
 use glam::{DVec3, Vec3};
 
-use super::soup::{Corner, NONE, Soup};
+use super::soup::{Corner, NONE, TriangleSoup};
 
 /// Greatest size of a group in which opposite directions are looked for, in triangles.
 const MAX_COMPARED: usize = 512;
@@ -37,7 +37,10 @@ pub(super) struct CornerTangents {
 
 /// Makes the tangents of all triangles that have UVs and lack tangents of their own. `vertex_of`
 /// gives equal numbers to corners that are one vertex; no triangle has two corners at one position.
-pub(super) fn of_corners(soup: &Soup, vertex_of: impl Fn(&Corner) -> [u32; 3]) -> CornerTangents {
+pub(super) fn of_corners(
+    soup: &TriangleSoup,
+    vertex_of: impl Fn(&Corner) -> [u32; 3],
+) -> CornerTangents {
     let lacks = |t: &usize| {
         let corners = &soup.triangles[*t];
         corners.iter().all(|c| c.uv != NONE) && !corners.iter().all(|c| soup.has_tangent(c.point))
@@ -106,7 +109,7 @@ struct Face {
 }
 
 impl Face {
-    fn new(soup: &Soup, triangle: usize) -> Self {
+    fn new(soup: &TriangleSoup, triangle: usize) -> Self {
         let corners = &soup.triangles[triangle];
         let at = corners.map(|c| Vec3::from(soup.points[c.point as usize]));
         let uv = corners.map(|c| soup.uvs[c.uv as usize]);
@@ -176,10 +179,10 @@ struct Member {
 }
 
 /// Receiver of tangents: takes a corner of the triangles that get tangents, and its tangent.
-type Give<'g> = &'g mut dyn FnMut(usize, [f32; 4]);
+type TangentSink<'g> = &'g mut dyn FnMut(usize, [f32; 4]);
 
 struct TangentSpace<'a> {
-    soup: &'a Soup,
+    soup: &'a TriangleSoup,
     /// Indices of the soup's triangles that get tangents.
     triangles: &'a [usize],
     vertices: &'a [[u32; 3]],
@@ -188,7 +191,7 @@ struct TangentSpace<'a> {
 
 impl TangentSpace<'_> {
     /// Finds the groups one after another and gives the tangent of each of their corners.
-    fn visit_groups(&mut self, neighbors: &[u32], give: Give<'_>) {
+    fn visit_groups(&mut self, neighbors: &[u32], give: TangentSink<'_>) {
         let mut has_group = vec![false; neighbors.len()];
         let mut group: Vec<usize> = Vec::new();
         let mut open: Vec<u32> = Vec::new();
@@ -232,7 +235,7 @@ impl TangentSpace<'_> {
     }
 
     /// Gives the tangents of a group's corners.
-    fn give_tangents(&self, group: &[usize], is_preserving: bool, give: Give<'_>) {
+    fn give_tangents(&self, group: &[usize], is_preserving: bool, give: TangentSink<'_>) {
         let normal = self.normal(group[0]);
         let members: Vec<Member> =
             group.iter().map(|&corner| self.member(corner, normal)).collect();

@@ -158,9 +158,9 @@ fn reason(error: &ZipError) -> String {
 
 /// Writer of a zip file: entries come in the order given, with the time that zip files begin at and
 /// the same attributes everywhere, so that equal entries give equal bytes.
-pub(super) struct Writer(ZipWriter<Cursor<Vec<u8>>>);
+pub(super) struct ArchiveWriter(ZipWriter<Cursor<Vec<u8>>>);
 
-impl Writer {
+impl ArchiveWriter {
     pub(super) fn new() -> Self {
         Self(ZipWriter::new(Cursor::new(Vec::new())))
     }

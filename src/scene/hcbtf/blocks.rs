@@ -30,7 +30,7 @@ use rayon::slice::ParallelSliceMut as _;
 
 use super::compact::distinct;
 use super::fill::{MAX_SAMPLES, NotFilled};
-use super::layers::{Layers, TOLD, direction_index, paint};
+use super::layers::{HEADER_TEXELS, LayeredTexture, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 use crate::progress::Progress;
@@ -47,7 +47,7 @@ const TEXELS: usize = 4 * EDGE * EDGE;
 
 /// Coding of texels in a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Coding {
+pub enum TexelCoding {
     /// Four bytes a texel.
     #[default]
     Rgba8,
@@ -55,7 +55,7 @@ pub enum Coding {
     Bc7,
 }
 
-impl Coding {
+impl TexelCoding {
     /// The size of `texels` texels of a texture whose sides are whole blocks, in bytes.
     pub fn bytes(self, texels: u64) -> u64 {
         match self {
@@ -74,7 +74,7 @@ impl Coding {
 }
 
 /// Layout of a texture in blocks.
-pub(super) struct Plan {
+pub(super) struct BlockLayout {
     /// Index of the tile of each sample.
     samples: Vec<u32>,
     tiles: Vec<Arc<Tile>>,
@@ -98,7 +98,7 @@ pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let tile: usize = sizes(grid, has_levels).into_iter().map(blocks_of).sum();
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     let tiles = grid.sample_count().saturating_mul(tile as u64);
-    folded((TOLD as u64).saturating_add(samples).saturating_add(tiles))
+    folded((HEADER_TEXELS as u64).saturating_add(samples).saturating_add(tiles))
 }
 
 /// The width and height of layers in texels, and the number of layers, that hold a number of
@@ -109,7 +109,7 @@ fn folded(blocks: u64) -> [u64; 3] {
     [edge * blocks.min(side), edge * rows.min(side), rows.div_ceil(side)]
 }
 
-impl Plan {
+impl BlockLayout {
     pub(super) fn new<'a>(
         grid: &Grid,
         tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -125,11 +125,17 @@ impl Plan {
 
     /// The width and height of a layer in texels, and the number of layers.
     pub(super) fn size(&self) -> [u64; 3] {
-        folded((TOLD + self.samples.len() + self.tiles.len() * self.blocks_of_tile()) as u64)
+        folded(
+            (HEADER_TEXELS + self.samples.len() + self.tiles.len() * self.blocks_of_tile()) as u64,
+        )
     }
 
     /// Writes the texture, with the header that describes the grid. `progress` counts tiles.
-    pub(super) fn write(&self, told: [u8; 8], progress: &Progress) -> Result<Layers, NotFilled> {
+    pub(super) fn write(
+        &self,
+        told: [u8; 8],
+        progress: &Progress,
+    ) -> Result<LayeredTexture, NotFilled> {
         progress.begin(self.tiles.len() as u64);
         let encoded = |tile: &Arc<Tile>| {
             if progress.is_stopped() {
@@ -145,7 +151,7 @@ impl Plan {
         let [width, height, count] = self.size();
         let layer = (width * height) as usize;
         let mut bytes = Vec::with_capacity(layer * count as usize);
-        let (first, tile) = (TOLD + self.samples.len(), self.blocks_of_tile());
+        let (first, tile) = (HEADER_TEXELS + self.samples.len(), self.blocks_of_tile());
         bytes.extend(told.as_chunks().0.iter().flat_map(|told| of_one_color(*told)));
         let number = |sample: &u32| ((first + *sample as usize * tile) as u32).to_le_bytes();
         bytes.extend(self.samples.iter().flat_map(|sample| of_one_color(number(sample))));
@@ -155,10 +161,10 @@ impl Plan {
             1 => bytes,
             _ => bytes.chunks_exact(layer).rev().collect::<Vec<_>>().concat(),
         };
-        Ok(Layers {
+        Ok(LayeredTexture {
             size: [width as u32, height as u32],
             count: count as u32,
-            coding: Coding::Bc7,
+            coding: TexelCoding::Bc7,
             bytes,
         })
     }
@@ -282,10 +288,10 @@ fn decoded(size: [u32; 2], bytes: &[u8]) -> Vec<u8> {
 
 /// The HCBTF in such a texture, as it is after the loss; `None` if the texture does not hold what
 /// its header describes.
-pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcbtf> {
+pub(super) fn read(grid: &Grid, layers: &LayeredTexture, has_levels: bool) -> Option<Hcbtf> {
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     let count = layers.bytes.len() / BLOCK;
-    if layers.coding != Coding::Bc7 || samples > MAX_SAMPLES || samples >= count as u64 {
+    if layers.coding != TexelCoding::Bc7 || samples > MAX_SAMPLES || samples >= count as u64 {
         return None;
     }
     let of_layer = count / layers.count.max(1) as usize;
@@ -304,7 +310,7 @@ pub(super) fn read(grid: &Grid, layers: &Layers, has_levels: bool) -> Option<Hcb
     // Greatest total size of the tiles: that of a texture that stores each tile by itself.
     let mut room = super::MAX_LAYERS_BYTES;
     for address in grid.addresses() {
-        let at = number(TOLD + direction_index(grid, address))?;
+        let at = number(HEADER_TEXELS + direction_index(grid, address))?;
         if let std::collections::hash_map::Entry::Vacant(entry) = tiles.entry(at) {
             room = room.checked_sub(4 * grid.texels() as u64)?;
             // Memory is allocated only for blocks that exist.
@@ -343,10 +349,10 @@ pub struct Loss {
 pub fn loss<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
-    layers: &Layers,
+    layers: &LayeredTexture,
 ) -> Loss {
     let Some(shown) =
-        (layers.coding == Coding::Bc7).then(|| super::from_layers(layers).ok()).flatten()
+        (layers.coding == TexelCoding::Bc7).then(|| super::from_layers(layers).ok()).flatten()
     else {
         return Loss::default();
     };
@@ -450,7 +456,7 @@ mod tests {
             let made = stored(&grid, of, OPTIONS, &Progress::new()).unwrap();
             assert_eq!(
                 made.bytes.len() as u64,
-                Plan::new(&grid, of, true).size().iter().product::<u64>()
+                BlockLayout::new(&grid, of, true).size().iter().product::<u64>()
             );
             let back = from_layers(&ktx2::read(&ktx2::write(&made), "a.ktx2").unwrap()).unwrap();
             let mut largest = 0;
@@ -486,7 +492,7 @@ mod tests {
         assert!(back.painted.values().all(|shown| *shown == tile), "flat paint is as it was");
         // The word where a sample's tile begins.
         let mut lying = made.clone();
-        lying.bytes[BLOCK * TOLD..][..BLOCK].copy_from_slice(&of_one_color([0xff; 4]));
+        lying.bytes[BLOCK * HEADER_TEXELS..][..BLOCK].copy_from_slice(&of_one_color([0xff; 4]));
         assert!(from_layers(&lying).is_err());
         let mut short = made.clone();
         short.bytes.truncate(32);

@@ -20,9 +20,9 @@ use std::sync::Arc;
 use indexmap::IndexSet;
 use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 
-use super::blocks::Coding;
+use super::blocks::TexelCoding;
 use super::fill::{MAX_SAMPLES, shared};
-use super::layers::{Layers, TOLD, direction, direction_index, paint};
+use super::layers::{HEADER_TEXELS, LayeredTexture, direction, direction_index, paint};
 use super::levels::{level_sizes, levels_of};
 use crate::document::{Address, Grid, Hcbtf, Tile};
 
@@ -35,22 +35,22 @@ const MOST_COLORS: usize = 256;
 const TRIED: usize = 8;
 
 /// Layout of a compact texture.
-pub(super) struct Plan {
+pub(super) struct CompactLayout {
     /// Index of the tile of each sample.
     samples: Vec<u32>,
     /// Index of the piece of each level, by tile.
     levels: Vec<Vec<u32>>,
-    pieces: Vec<Piece>,
+    pieces: Vec<TileLevel>,
     palettes: Vec<IndexSet<[u8; 4]>>,
 }
 
 /// Texels of a level of a tile.
-struct Piece {
+struct TileLevel {
     texels: Arc<Tile>,
     palette: Option<usize>,
 }
 
-impl Piece {
+impl TileLevel {
     fn words(&self) -> usize {
         let texels = self.texels.bytes().len() / 4;
         if self.palette.is_some() { texels.div_ceil(4) } else { texels }
@@ -64,7 +64,7 @@ pub(super) fn size<'a>(
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
     has_levels: bool,
 ) -> [u64; 3] {
-    Plan::new(grid, tile, has_levels).size()
+    CompactLayout::new(grid, tile, has_levels).size()
 }
 
 /// The width and height of a layer, and the number of layers, where no two tiles are alike and none
@@ -75,7 +75,7 @@ pub(super) fn most(grid: &Grid, has_levels: bool) -> [u64; 3] {
     let tile = texels.fold(0, |words, texels| words + 2 + texels);
     let samples = grid.view.count() as u64 * grid.light.count() as u64;
     folded(
-        (TOLD as u64)
+        (HEADER_TEXELS as u64)
             .saturating_add(samples)
             .saturating_add(grid.sample_count().saturating_mul(tile)),
     )
@@ -114,7 +114,7 @@ pub(super) fn distinct<'a>(
     (samples, tiles)
 }
 
-impl Plan {
+impl CompactLayout {
     pub(super) fn new<'a>(
         grid: &Grid,
         tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
@@ -133,7 +133,7 @@ impl Plan {
         let mut palettes = Palettes::default();
         let pieces = pieces
             .into_iter()
-            .map(|texels| Piece { palette: palettes.of(&texels), texels })
+            .map(|texels| TileLevel { palette: palettes.of(&texels), texels })
             .collect();
         Self { samples, levels, pieces, palettes: palettes.all }
     }
@@ -141,8 +141,8 @@ impl Plan {
     /// The number of words of the whole texture.
     fn words(&self) -> usize {
         let colors: usize = self.palettes.iter().map(IndexSet::len).sum();
-        let texels: usize = self.pieces.iter().map(Piece::words).sum();
-        TOLD + self.samples.len() + self.records() + colors + texels
+        let texels: usize = self.pieces.iter().map(TileLevel::words).sum();
+        HEADER_TEXELS + self.samples.len() + self.records() + colors + texels
     }
 
     /// The number of words of the records.
@@ -156,9 +156,9 @@ impl Plan {
     }
 
     /// Writes the texture, with the header that describes the grid.
-    pub(super) fn write(&self, told: [u8; 8]) -> Layers {
+    pub(super) fn write(&self, told: [u8; 8]) -> LayeredTexture {
         let [width, height, count] = self.size();
-        let records_at = TOLD + self.samples.len();
+        let records_at = HEADER_TEXELS + self.samples.len();
         let mut palette_at = Vec::with_capacity(self.palettes.len());
         let mut next = records_at + self.records();
         for palette in &self.palettes {
@@ -203,10 +203,10 @@ impl Plan {
             1 => bytes,
             _ => bytes.chunks_exact(layer).rev().collect::<Vec<_>>().concat(),
         };
-        Layers {
+        LayeredTexture {
             size: [width as u32, height as u32],
             count: count as u32,
-            coding: Coding::Rgba8,
+            coding: TexelCoding::Rgba8,
             bytes: rgba,
         }
     }
@@ -265,7 +265,7 @@ pub(super) fn read(grid: &Grid, words: &[u8]) -> Option<Hcbtf> {
     // Greatest total size of the tiles: that of a texture that stores each tile by itself.
     let mut room = super::MAX_LAYERS_BYTES;
     for address in grid.addresses() {
-        let record = number(TOLD + direction_index(grid, address))?;
+        let record = number(HEADER_TEXELS + direction_index(grid, address))?;
         if let std::collections::hash_map::Entry::Vacant(entry) = tiles.entry(record) {
             room = room.checked_sub(4 * grid.texels() as u64)?;
             let (texels, palette) = (number(record)?, number(record + 1)?);
@@ -344,7 +344,7 @@ mod tests {
             })
             .collect();
         let all: HashMap<Address, &Arc<Tile>> = grid.addresses().zip(&tiles).collect();
-        let plan = Plan::new(&grid, |address| all.get(&address).copied(), false);
+        let plan = CompactLayout::new(&grid, |address| all.get(&address).copied(), false);
         assert!(plan.palettes.len() <= 2, "{}", plan.palettes.len());
         let pieces = plan.pieces.len();
         assert!(plan.pieces.iter().all(|piece| piece.palette.is_some()) && pieces > 200);

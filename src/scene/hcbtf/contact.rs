@@ -7,10 +7,10 @@
 
 use super::MAX_PAINTED_BYTES;
 use super::fill::{FilledSamples, SampleChoice};
-use super::picture::{Picture, decode, reduced};
-use super::report::Report;
+use super::picture::{BytePicture, decode, reduced};
+use super::report::FileReport;
 use super::sheet::{gathered, painted};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Grid, Hcbtf};
 use crate::progress::Progress;
 
@@ -57,14 +57,14 @@ pub fn export(
     filled: &FilledSamples,
     gap: u32,
     which: SampleChoice,
-) -> Result<Picture, Box<Diagnostic>> {
+) -> Result<BytePicture, Box<Diagnostic>> {
     let grid = filled.grid();
     let size = size(&grid, gap).map_err(|why| {
         let problem =
             Diagnostic::error("too-large", format!("the contact sheet cannot be made: {why}"));
         Box::new(problem.hint("take a coarser grid or a narrower gap"))
     })?;
-    let mut picture = Picture::transparent(size, "contact sheet")?;
+    let mut picture = BytePicture::transparent(size, "contact sheet")?;
     for (address, tile, provenance) in filled.iter() {
         if which.has(provenance) {
             picture.paste(place(&grid, address, gap), tile);
@@ -85,8 +85,8 @@ pub fn read(
     gap: u32,
     name: &str,
     progress: &Progress,
-) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
-    let mut report = Report::new(name);
+) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
+    let mut report = FileReport::new(name);
     let accept = |found: [u32; 2], asked: [u32; 2]| {
         let message = || {
             let ([width, height], [w, h]) = (found, asked);
@@ -120,7 +120,7 @@ pub fn read(
     report.finish(hcbtf)
 }
 
-fn import(picture: &Picture, grid: Grid, gap: u32, progress: &Progress) -> Hcbtf {
+fn import(picture: &BytePicture, grid: Grid, gap: u32, progress: &Progress) -> Hcbtf {
     progress.begin(grid.sample_count());
     let tile = |address| {
         progress.add(1);

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use super::archive::Archive;
 use super::manifest::{self, MAX_MANIFEST_BYTES, NAME, THUMBNAIL};
-use super::picture::{MAX_PNG_EXTRAS, Picture, decode};
-use super::report::Report;
+use super::picture::{BytePicture, MAX_PNG_EXTRAS, decode};
+use super::report::FileReport;
 use crate::document::Grid;
 use crate::files::Files;
 
@@ -24,7 +24,7 @@ pub struct Cover {
     /// Number of painted samples.
     pub painted: usize,
     /// Thumbnail, if there is one that can be shown.
-    pub picture: Option<Picture>,
+    pub picture: Option<BytePicture>,
 }
 
 /// The cover of the `.hcbtf` file at `path`; `None` if the file is not an `.hcbtf`, is damaged, or
@@ -33,7 +33,7 @@ pub fn cover(files: &dyn Files, path: &Path) -> Option<Cover> {
     let bytes = files.read(path, MOST_BYTES).ok()?;
     let mut archive = Archive::open(&bytes).ok()?;
     let text = archive.read(NAME, MAX_MANIFEST_BYTES).ok()?;
-    let mut report = Report::new("");
+    let mut report = FileReport::new("");
     let manifest = manifest::parse(&text, &mut report).filter(|_| !report.has_errors())?;
     let most = u64::from(MOST_SIDE) * u64::from(MOST_SIDE) * 4 + MAX_PNG_EXTRAS;
     let png = archive.has(THUMBNAIL).then(|| archive.read(THUMBNAIL, most).ok()).flatten();

@@ -8,7 +8,7 @@ use super::blocks::{Loss, loss};
 use super::fill::{FilledSamples, NotFilled, SampleChoice};
 use super::layers::{LayerOptions, from_layers, stored};
 use super::{contact, folder, ktx2, read_bytes, sheet};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Grid, Hcbtf, Storage};
 use crate::figures::{bytes, count};
 use crate::files::{Disk, FileKind, FileSet, Files, make_folder, write_atomic};
@@ -16,7 +16,7 @@ use crate::progress::Progress;
 
 /// Form of samples in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Form {
+pub enum ExchangeFormat {
     /// The thesis's flattened texture, as a PNG.
     Sheet,
     /// A folder of images, one a sample.
@@ -27,7 +27,7 @@ pub enum Form {
     Ktx2,
 }
 
-impl Form {
+impl ExchangeFormat {
     /// All forms.
     pub const ALL: [Self; 4] = [Self::Folder, Self::Contact, Self::Sheet, Self::Ktx2];
 
@@ -47,7 +47,7 @@ impl Form {
 /// The grid with as many texels a tile as the pictures at `from` have, with `gap` texels between
 /// tiles on a contact sheet. A folder that Chiaro wrote contains its whole grid. Where the size
 /// cannot be determined the grid is returned unchanged, and importing reports the error.
-pub fn fitted(files: &dyn Files, from: &Path, form: Form, grid: Grid, gap: u32) -> Grid {
+pub fn fitted(files: &dyn Files, from: &Path, form: ExchangeFormat, grid: Grid, gap: u32) -> Grid {
     let size_of = |path: &Path| {
         let reader = image::ImageReader::new(Cursor::new(read_bytes(files, path).ok()?));
         let (width, height) = reader.with_guessed_format().ok()?.into_dimensions().ok()?;
@@ -60,17 +60,17 @@ pub fn fitted(files: &dyn Files, from: &Path, form: Form, grid: Grid, gap: u32) 
         return told;
     }
     let size = match form {
-        Form::Folder => folder::first_image(files, from).and_then(|path| size_of(&path)),
-        Form::Contact => size_of(from).map(|[width, height]| {
+        ExchangeFormat::Folder => folder::first_image(files, from).and_then(|path| size_of(&path)),
+        ExchangeFormat::Contact => size_of(from).map(|[width, height]| {
             let side = |side: u32, count| per(side.saturating_add(gap), count).saturating_sub(gap);
             [side(width, view.distinct_count()), side(height, light.distinct_count())]
         }),
-        Form::Sheet => size_of(from).map(|[width, height]| {
+        ExchangeFormat::Sheet => size_of(from).map(|[width, height]| {
             let down = u64::from(view.phi) * (u64::from(light.phi) + 2);
             [per(width, u64::from(view.theta) * u64::from(light.theta)), per(height, down)]
         }),
         // A KTX2 file contains its grid.
-        Form::Ktx2 => None,
+        ExchangeFormat::Ktx2 => None,
     };
     let fitted = size.map(|size| Grid { size, ..grid });
     fitted.filter(|grid| grid.check().is_ok()).unwrap_or(grid)
@@ -78,12 +78,12 @@ pub fn fitted(files: &dyn Files, from: &Path, form: Form, grid: Grid, gap: u32) 
 
 /// True if the files at `from` contain the grid, the rules and the tiling: a folder that Chiaro
 /// wrote.
-pub fn tells_all(files: &dyn Files, from: &Path, form: Form) -> bool {
+pub fn tells_all(files: &dyn Files, from: &Path, form: ExchangeFormat) -> bool {
     told_grid(files, from, form).is_some()
 }
 
-fn told_grid(files: &dyn Files, from: &Path, form: Form) -> Option<Grid> {
-    if form == Form::Folder { folder::told_grid(files, from) } else { None }
+fn told_grid(files: &dyn Files, from: &Path, form: ExchangeFormat) -> Option<Grid> {
+    if form == ExchangeFormat::Folder { folder::told_grid(files, from) } else { None }
 }
 
 /// An HCBTF from files of other programs, with warnings about them. `gap` is between the tiles of a
@@ -95,18 +95,18 @@ fn told_grid(files: &dyn Files, from: &Path, form: Form) -> Option<Grid> {
 pub fn import(
     files: &dyn Files,
     from: &Path,
-    form: Form,
+    form: ExchangeFormat,
     grid: Grid,
     gap: u32,
     progress: &Progress,
-) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
     let name = from.display().to_string();
     let bytes = || read_bytes(files, from).map_err(|problem| vec![*problem]);
     match form {
-        Form::Folder => folder::load(files, from, grid, progress),
-        Form::Sheet => sheet::read(&bytes()?, grid, &name, progress),
-        Form::Contact => contact::read(&bytes()?, grid, gap, &name, progress),
-        Form::Ktx2 => {
+        ExchangeFormat::Folder => folder::load(files, from, grid, progress),
+        ExchangeFormat::Sheet => sheet::read(&bytes()?, grid, &name, progress),
+        ExchangeFormat::Contact => contact::read(&bytes()?, grid, gap, &name, progress),
+        ExchangeFormat::Ktx2 => {
             // All samples of a texture come at once.
             progress.begin(2);
             let texture = ktx2::read(&bytes()?, &name).map_err(|problem| vec![problem])?;
@@ -123,7 +123,7 @@ pub fn import(
 
 /// Options of writing samples, where the form leaves a choice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Manner {
+pub struct ExportOptions {
     /// Samples that are written; sheets and textures hold every sample in any case.
     pub which: SampleChoice,
     /// Gap between the tiles of a contact sheet, in texels.
@@ -140,16 +140,20 @@ pub struct Manner {
 /// Where the result would be too large, cannot be written, or the work is stopped.
 pub fn export(
     filled: &FilledSamples,
-    form: Form,
-    manner: Manner,
+    form: ExchangeFormat,
+    manner: ExportOptions,
     path: &Path,
     progress: &Progress,
 ) -> Result<Option<String>, Vec<Diagnostic>> {
     let picture = match form {
-        Form::Ktx2 => return export_texture(filled, manner.storage, path, progress).map(Some),
-        Form::Folder => return export_folder(filled, manner.which, path, progress).map(Some),
-        Form::Sheet => sheet::export(filled),
-        Form::Contact => contact::export(filled, manner.gap, manner.which),
+        ExchangeFormat::Ktx2 => {
+            return export_texture(filled, manner.storage, path, progress).map(Some);
+        }
+        ExchangeFormat::Folder => {
+            return export_folder(filled, manner.which, path, progress).map(Some);
+        }
+        ExchangeFormat::Sheet => sheet::export(filled),
+        ExchangeFormat::Contact => contact::export(filled, manner.gap, manner.which),
     };
     let png = picture.and_then(|picture| picture.to_png()).map_err(alone)?;
     write_atomic(path, &png).map_err(alone)?;
@@ -158,9 +162,9 @@ pub fn export(
 
 /// The files that an export in this form would replace, or lie beside: the file, or the files of an
 /// earlier export in a folder.
-pub fn in_the_way(form: Form, path: &Path) -> Vec<PathBuf> {
+pub fn in_the_way(form: ExchangeFormat, path: &Path) -> Vec<PathBuf> {
     match form {
-        Form::Folder => folder::exported(&Disk, path),
+        ExchangeFormat::Folder => folder::exported(&Disk, path),
         _ if Disk.metadata(path).is_some() => vec![path.to_path_buf()],
         _ => Vec::new(),
     }
@@ -248,18 +252,28 @@ mod tests {
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         for (form, name) in [
-            (Form::Sheet, "a.png"),
-            (Form::Contact, "b.png"),
-            (Form::Folder, "images"),
-            (Form::Ktx2, "c.ktx2"),
+            (ExchangeFormat::Sheet, "a.png"),
+            (ExchangeFormat::Contact, "b.png"),
+            (ExchangeFormat::Folder, "images"),
+            (ExchangeFormat::Ktx2, "c.ktx2"),
         ] {
             let path = folder.path().join(name);
-            let gap = if form == Form::Contact { 2 } else { 0 };
-            export(&filled, form, Manner { gap, ..Manner::default() }, &path, &Progress::new())
-                .unwrap();
+            let gap = if form == ExchangeFormat::Contact { 2 } else { 0 };
+            export(
+                &filled,
+                form,
+                ExportOptions { gap, ..ExportOptions::default() },
+                &path,
+                &Progress::new(),
+            )
+            .unwrap();
             let unknown = Grid { size: [1, 1], ..grid };
             let found = fitted(&Disk, &path, form, unknown, gap);
-            assert_eq!(found.size, if form == Form::Ktx2 { [1, 1] } else { grid.size }, "{form:?}");
+            assert_eq!(
+                found.size,
+                if form == ExchangeFormat::Ktx2 { [1, 1] } else { grid.size },
+                "{form:?}"
+            );
             let progress = Progress::new();
             let (back, notes) =
                 import(&Disk, &path, form, found, gap, &progress).unwrap().into_parts();
@@ -274,8 +288,11 @@ mod tests {
             assert!(notes.is_empty() && back.painted == hcbtf.painted, "{form:?}");
             assert_eq!(back.painted(Address::default()), hcbtf.painted(Address::default()));
         }
-        assert_eq!(Form::guessed(&Disk, &folder.path().join("c.KTX2")), Form::Ktx2);
-        assert_eq!(Form::guessed(&Disk, folder.path()), Form::Folder);
-        assert_eq!(fitted(&Disk, Path::new("nowhere"), Form::Sheet, grid, 0), grid);
+        assert_eq!(
+            ExchangeFormat::guessed(&Disk, &folder.path().join("c.KTX2")),
+            ExchangeFormat::Ktx2
+        );
+        assert_eq!(ExchangeFormat::guessed(&Disk, folder.path()), ExchangeFormat::Folder);
+        assert_eq!(fitted(&Disk, Path::new("nowhere"), ExchangeFormat::Sheet, grid, 0), grid);
     }
 }

@@ -9,14 +9,14 @@ use std::sync::Arc;
 
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
-use super::archive::{Archive, Writer};
+use super::archive::{Archive, ArchiveWriter};
 use super::manifest::{
-    self, Listed, MAX_MANIFEST_BYTES, Manifest, NAME, SAMPLES, THUMBNAIL, sample_name,
+    self, MAX_MANIFEST_BYTES, Manifest, NAME, SAMPLES, SampleEntry, THUMBNAIL, sample_name,
 };
 use super::picture::{MAX_PNG_EXTRAS, decode, encode, reduced};
-use super::report::Report;
+use super::report::FileReport;
 use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Hcbtf, Rule, Tile};
 use crate::files::{Files, ReadError};
 
@@ -27,7 +27,7 @@ const THUMBNAIL_SIDE: u32 = 256;
 ///
 /// # Errors
 /// As [`read`], and where the file cannot be read.
-pub fn load(files: &dyn Files, path: &Path) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
     let bytes = read_bytes(files, path).map_err(|problem| vec![*problem])?;
     read(&bytes, &path.display().to_string())
 }
@@ -63,13 +63,13 @@ pub fn read_bytes(files: &dyn Files, path: &Path) -> Result<Vec<u8>, Box<Diagnos
 /// # Errors
 /// All errors that keep the file from being used, up to a bound: no part of the file is taken then,
 /// since saving it would lose the rest.
-pub fn read(bytes: &[u8], name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
-    let mut report = Report::new(name);
+pub fn read(bytes: &[u8], name: &str) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
+    let mut report = FileReport::new(name);
     let hcbtf = read_into(bytes, &mut report);
     report.finish(hcbtf)
 }
 
-fn read_into(bytes: &[u8], report: &mut Report) -> Option<Hcbtf> {
+fn read_into(bytes: &[u8], report: &mut FileReport) -> Option<Hcbtf> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         report.add(Diagnostic::error(
             "too-large",
@@ -104,7 +104,7 @@ fn read_into(bytes: &[u8], report: &mut Report) -> Option<Hcbtf> {
     Some(hcbtf)
 }
 
-fn told<T>(result: Result<T, Diagnostic>, report: &mut Report) -> Option<T> {
+fn told<T>(result: Result<T, Diagnostic>, report: &mut FileReport) -> Option<T> {
     result.map_err(|problem| report.add(problem)).ok()
 }
 
@@ -116,7 +116,7 @@ fn too_much(bytes: u64) -> Diagnostic {
 }
 
 /// Warns of PNGs that the manifest does not name: somebody put them there and expects to see them.
-fn told_of_strays(archive: &Archive<'_>, painted: &[Listed], report: &mut Report) {
+fn told_of_strays(archive: &Archive<'_>, painted: &[SampleEntry], report: &mut FileReport) {
     if archive.has_duplicates() {
         let message = "the zip file has two entries of one name; the last is taken";
         report.add(Diagnostic::warning("hcbtf-archive", message).hint("remove one of them"));
@@ -136,13 +136,13 @@ fn told_of_strays(archive: &Archive<'_>, painted: &[Listed], report: &mut Report
 /// Reads all painted samples, as many as can be read.
 fn samples(
     archive: &mut Archive<'_>,
-    painted: Vec<Listed>,
+    painted: Vec<SampleEntry>,
     size: [u32; 2],
-    report: &mut Report,
+    report: &mut FileReport,
 ) -> BTreeMap<Address, Arc<Tile>> {
     let mut tiles: HashMap<String, Option<Arc<Tile>>> = HashMap::new();
     let mut samples: BTreeMap<Address, (Arc<Tile>, String)> = BTreeMap::new();
-    for Listed { address, file } in painted {
+    for SampleEntry { address, file } in painted {
         if let Some((_, other)) = samples.get(&address) {
             let message = format!("`{other}` and `{file}` are both the sample at {address}");
             let hint = "at the normal there is one sample, whatever the step around it: remove one \
@@ -164,7 +164,7 @@ fn sample(
     archive: &mut Archive<'_>,
     file: &str,
     size: [u32; 2],
-    report: &mut Report,
+    report: &mut FileReport,
 ) -> Option<Arc<Tile>> {
     let most = u64::from(size[0]) * u64::from(size[1]) * 8 + MAX_PNG_EXTRAS;
     let png = told(archive.read(file, most), report)?;
@@ -173,7 +173,12 @@ fn sample(
 }
 
 /// The texels of a sample from its PNG; `what` is the name of the sample in reports.
-pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) -> Option<Tile> {
+pub(super) fn tile(
+    png: &[u8],
+    size: [u32; 2],
+    what: &str,
+    report: &mut FileReport,
+) -> Option<Tile> {
     let accept = |[width, height]: [u32; 2]| {
         let message = || {
             format!(
@@ -200,7 +205,7 @@ pub(super) fn tile(png: &[u8], size: [u32; 2], what: &str, report: &mut Report) 
 }
 
 /// Warns of rules that copy a sample that is not painted.
-pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut Report) {
+pub(super) fn idle_rules(hcbtf: &Hcbtf, report: &mut FileReport) {
     for (index, rule) in hcbtf.rules.iter().enumerate() {
         let needed = match rule {
             Rule::Copy { from } | Rule::Specular { from, .. } => vec![*from],
@@ -246,7 +251,7 @@ fn pack(
     thumbnail: Option<&[u8]>,
     pngs: &[(String, Vec<u8>)],
 ) -> Result<Vec<u8>, zip::result::ZipError> {
-    let mut writer = Writer::new();
+    let mut writer = ArchiveWriter::new();
     writer.text(NAME, text)?;
     if let Some(png) = thumbnail {
         writer.packed(THUMBNAIL, png)?;

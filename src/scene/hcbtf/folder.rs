@@ -16,10 +16,10 @@ use super::file::{idle_rules, read_bytes, tile};
 use super::fill::{FilledSamples, MAX_SAMPLES, SampleChoice};
 use super::listing::{self, Listing};
 use super::picture::encode;
-use super::report::Report;
+use super::report::FileReport;
 use super::sheet::gathered;
 use super::{MAX_PAINTED, MAX_PAINTED_BYTES};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Direction, Directions, Grid, Hcbtf, Tile};
 use crate::figures::count;
 use crate::files::{Files, WalkBounds};
@@ -68,7 +68,7 @@ pub fn load(
     folder: &Path,
     grid: Grid,
     progress: &Progress,
-) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
     let name = folder.display().to_string();
     let found = files.walk(folder, BOUNDS, &|_| false);
     if let Some((_, error)) = found.unreadable.first() {
@@ -96,11 +96,11 @@ pub fn load(
 /// The grid in the `hcbtf.json` of a folder, if there is one.
 pub(super) fn told_grid(files: &dyn Files, folder: &Path) -> Option<Grid> {
     let bytes = read_bytes(files, &folder.join(listing::NAME)).ok()?;
-    listed(&bytes, &mut Report::new("")).map(|listing| listing.grid)
+    listed(&bytes, &mut FileReport::new("")).map(|listing| listing.grid)
 }
 
 /// The content of an `hcbtf.json`.
-fn listed(bytes: &[u8], report: &mut Report) -> Option<Listing> {
+fn listed(bytes: &[u8], report: &mut FileReport) -> Option<Listing> {
     if bytes.len() as u64 > listing::MAX_BYTES {
         let message =
             format!("`{}` is larger than {} MiB", listing::NAME, listing::MAX_BYTES >> 20);
@@ -121,8 +121,8 @@ pub fn import(
     grid: Grid,
     folder: &str,
     progress: &Progress,
-) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
-    let mut report = Report::new(folder);
+) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
+    let mut report = FileReport::new(folder);
     let hcbtf = import_into(names, read, grid, &mut report, progress);
     report.finish(hcbtf)
 }
@@ -131,7 +131,7 @@ fn import_into(
     mut names: Vec<String>,
     read: &dyn Fn(&str) -> Result<Vec<u8>, String>,
     grid: Grid,
-    report: &mut Report,
+    report: &mut FileReport,
     progress: &Progress,
 ) -> Option<Hcbtf> {
     if let Err(why) = grid.check() {
@@ -176,7 +176,7 @@ fn import_into(
     Some(hcbtf)
 }
 
-fn told(read: Result<Vec<u8>, String>, name: &str, report: &mut Report) -> Option<Vec<u8>> {
+fn told(read: Result<Vec<u8>, String>, name: &str, report: &mut FileReport) -> Option<Vec<u8>> {
     let told = |why| {
         let problem = Diagnostic::error("cannot-read", format!("`{name}` cannot be read: {why}"));
         report.add(problem.hint("name a folder whose files you may read"));
@@ -185,7 +185,7 @@ fn told(read: Result<Vec<u8>, String>, name: &str, report: &mut Report) -> Optio
 }
 
 /// Refuses more painted samples than a file can hold.
-fn check_count(painted: usize, grid: &Grid, report: &mut Report) -> Option<()> {
+fn check_count(painted: usize, grid: &Grid, report: &mut FileReport) -> Option<()> {
     let needed = painted as u64 * grid.texels() as u64 * 4;
     if painted <= MAX_PAINTED && needed <= MAX_PAINTED_BYTES {
         return Some(());
@@ -256,7 +256,7 @@ fn other_grid(placed: &BTreeMap<Address, &str>, grid: &Grid) -> Option<Diagnosti
 fn placed<'a>(
     names: &'a [String],
     grid: &Grid,
-    report: &mut Report,
+    report: &mut FileReport,
 ) -> Option<BTreeMap<Address, &'a str>> {
     let hint = "name images like `l2.3_v1.4.png`, or number them";
     let named: Vec<(&str, Option<Address>)> =
@@ -378,7 +378,7 @@ mod tests {
         encode([2, 2], &[byte; 16]).unwrap()
     }
 
-    fn read(names: &[&str]) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
+    fn read(names: &[&str]) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
         let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
         import(names, &|name| Ok(png(name.len() as u8)), grid(), "folder", &Progress::new())
     }

@@ -1,11 +1,11 @@
 //! The texture of an HCBTF as a KTX2 file (Khronos, KTX File Format 2.0), which engines load beside
 //! an exported shader.
 //!
-//! The file has one level of an array of RGBA8 or BC7 layers as [`Layers`] describes them; its
-//! first row is at the top.
+//! The file has one level of an array of RGBA8 or BC7 layers as [`LayeredTexture`] describes them;
+//! its first row is at the top.
 
-use super::blocks::Coding;
-use super::layers::{Layers, MAX_LAYERS_BYTES};
+use super::blocks::TexelCoding;
+use super::layers::{LayeredTexture, MAX_LAYERS_BYTES};
 use crate::diag::Diagnostic;
 
 const IDENTIFIER: [u8; 12] =
@@ -22,7 +22,7 @@ const KEYS: [(&str, &str); 2] =
     [("KTXorientation", "rd"), ("KTXwriter", concat!("Chiaro ", env!("CARGO_PKG_VERSION")))];
 
 /// The bytes of a file.
-pub fn write(layers: &Layers) -> Vec<u8> {
+pub fn write(layers: &LayeredTexture) -> Vec<u8> {
     let described = description(layers.coding);
     let keys = keys();
     let keys_at = HEADER + described.len();
@@ -32,8 +32,8 @@ pub fn write(layers: &Layers) -> Vec<u8> {
     let [width, height] = layers.size;
     // Format, bytes of a channel, width, height, depth, layers, faces, levels, supercompression.
     let format = match layers.coding {
-        Coding::Rgba8 => RGBA8,
-        Coding::Bc7 => BC7,
+        TexelCoding::Rgba8 => RGBA8,
+        TexelCoding::Bc7 => BC7,
     };
     let numbers = [format, 1, width, height, 0, layers.count, 1, 1, 0];
     let parts = [HEADER as u32, described.len() as u32, keys_at as u32, keys.len() as u32];
@@ -49,12 +49,12 @@ pub fn write(layers: &Layers) -> Vec<u8> {
 
 /// The basic data format descriptor (Khronos Data Format Specification 1.3): four channels of 8
 /// bits, or blocks of them, linear, alpha straight.
-fn description(coding: Coding) -> Vec<u8> {
+fn description(coding: TexelCoding) -> Vec<u8> {
     // The color model, texels along a block less one, its bytes, and its parts: bits less one,
     // channel, the highest number.
     let (model, edge, bytes, parts): (u8, u8, u32, &[(u8, u8, u32)]) = match coding {
-        Coding::Rgba8 => (1, 0, 4, &[(7, 0, 255), (7, 1, 255), (7, 2, 255), (7, 15, 255)]),
-        Coding::Bc7 => (134, 3, 16, &[(127, 0, u32::MAX)]),
+        TexelCoding::Rgba8 => (1, 0, 4, &[(7, 0, 255), (7, 1, 255), (7, 2, 255), (7, 15, 255)]),
+        TexelCoding::Bc7 => (134, 3, 16, &[(127, 0, u32::MAX)]),
     };
     let block = 24 + 16 * parts.len() as u32;
     let mut out = Vec::new();
@@ -86,7 +86,7 @@ fn keys() -> Vec<u8> {
 /// # Errors
 /// `bad-ktx2`: the file is no KTX2, is cut short, or holds something else than one level of RGBA8
 /// or BC7 layers.
-pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
+pub fn read(bytes: &[u8], name: &str) -> Result<LayeredTexture, Diagnostic> {
     let wrong = |message: &str| {
         Diagnostic::error("bad-ktx2", message.to_owned()).in_file(name).hint(
             "export the HCBTF anew; only one level of RGBA8 or BC7 layers, without \
@@ -106,8 +106,8 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
         [number(0)?, number(2)?, number(3)?, number(4)?, number(5)?];
     let [faces, levels, compression] = [number(6)?, number(7)?, number(8)?];
     let coding = match format {
-        RGBA8 => Some(Coding::Rgba8),
-        BC7 if width % 4 == 0 && height % 4 == 0 => Some(Coding::Bc7),
+        RGBA8 => Some(TexelCoding::Rgba8),
+        BC7 if width % 4 == 0 && height % 4 == 0 => Some(TexelCoding::Bc7),
         _ => None,
     };
     let is_plain =
@@ -122,22 +122,27 @@ pub fn read(bytes: &[u8], name: &str) -> Result<Layers, Diagnostic> {
     if length != coding.bytes(texels) {
         return Err(wrong("its size is not that of its texels"));
     }
-    if Coding::Rgba8.bytes(texels) > MAX_LAYERS_BYTES {
+    if TexelCoding::Rgba8.bytes(texels) > MAX_LAYERS_BYTES {
         return Err(wrong("its texels would take more memory than one may"));
     }
     let texels = at
         .checked_add(length)
         .and_then(|end| bytes.get(usize::try_from(at).ok()?..usize::try_from(end).ok()?));
     let bytes = texels.ok_or_else(cut)?.to_vec();
-    Ok(Layers { size: [width, height], count, coding, bytes })
+    Ok(LayeredTexture { size: [width, height], count, coding, bytes })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn small() -> Layers {
-        Layers { size: [3, 2], count: 2, coding: Coding::Rgba8, bytes: (0..48).collect() }
+    fn small() -> LayeredTexture {
+        LayeredTexture {
+            size: [3, 2],
+            count: 2,
+            coding: TexelCoding::Rgba8,
+            bytes: (0..48).collect(),
+        }
     }
 
     #[test]
@@ -162,8 +167,12 @@ mod tests {
         assert_eq!(reader.color_model(), Some(::ktx2::ColorModel::RGBSDA));
         assert_eq!(reader.is_alpha_premultiplied(), Some(false));
         assert_eq!(reader.basic_dfd().map(|described| described.sample_information.len()), Some(4));
-        let blocks =
-            Layers { size: [8, 4], count: 3, coding: Coding::Bc7, bytes: (0..96).collect() };
+        let blocks = LayeredTexture {
+            size: [8, 4],
+            count: 3,
+            coding: TexelCoding::Bc7,
+            bytes: (0..96).collect(),
+        };
         let bytes = write(&blocks);
         assert_eq!(read(&bytes, "a.ktx2").unwrap(), blocks);
         let reader = ::ktx2::Reader::new(&bytes[..]).unwrap();

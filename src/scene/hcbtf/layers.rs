@@ -15,7 +15,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::blocks::{self, Coding};
+use super::blocks::{self, TexelCoding};
 use super::compact;
 use super::fill::MAX_SAMPLES;
 use super::levels::{level_sizes, levels_of_all};
@@ -37,19 +37,19 @@ pub struct LayerOptions {
 
 /// A texture: straight RGBA, 8 bits a channel, rows from the top, layer after layer.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Layers {
+pub struct LayeredTexture {
     /// Width and height of a layer, in texels.
     pub size: [u32; 2],
     /// Number of layers. One for each view that differs, and one for the header; or as many as the
     /// other storages take.
     pub count: u32,
     /// Coding of the texels.
-    pub coding: Coding,
+    pub coding: TexelCoding,
     /// Texels, or blocks of texels.
     pub bytes: Vec<u8>,
 }
 
-impl Layers {
+impl LayeredTexture {
     /// The decoded texels, four bytes each.
     pub fn rgba(&self) -> Cow<'_, [u8]> {
         self.coding.rgba(self.size, &self.bytes)
@@ -62,7 +62,7 @@ pub const MAX_LAYERS_BYTES: u64 = 2 << 30;
 /// Least width of a layer, because the header of the last layer takes two texels.
 const FEWEST: u64 = 2;
 /// Number of texels of the header, which describes the grid.
-pub(super) const TOLD: usize = 2;
+pub(super) const HEADER_TEXELS: usize = 2;
 /// Flag of the header: views share layers.
 pub(super) const SHARED: u8 = 4;
 /// Flag of the header: the storage is compact, or of blocks.
@@ -124,7 +124,7 @@ pub fn stored_size<'a>(
     match storage {
         Storage::Quick => shared_size(grid, &views(grid, tile), has_levels),
         Storage::Compact => compact::size(grid, tile, has_levels),
-        Storage::Blocks => blocks::Plan::new(grid, tile, has_levels).size(),
+        Storage::Blocks => blocks::BlockLayout::new(grid, tile, has_levels).size(),
     }
 }
 
@@ -140,7 +140,7 @@ pub fn stored<'a>(
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
     options: LayerOptions,
     progress: &Progress,
-) -> Result<Layers, Diagnostic> {
+) -> Result<LayeredTexture, Diagnostic> {
     match options.storage {
         Storage::Quick => {
             let views = views(grid, &tile);
@@ -153,12 +153,12 @@ pub fn stored<'a>(
             Ok(made)
         }
         Storage::Compact => {
-            let plan = compact::Plan::new(grid, tile, options.has_levels);
+            let plan = compact::CompactLayout::new(grid, tile, options.has_levels);
             check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
             Ok(plan.write(header(grid, options)))
         }
         Storage::Blocks => {
-            let plan = blocks::Plan::new(grid, tile, options.has_levels);
+            let plan = blocks::BlockLayout::new(grid, tile, options.has_levels);
             check_bytes(plan.size().into_iter().fold(4, u64::saturating_mul))?;
             Ok(plan.write(header(grid, options), progress)?)
         }
@@ -172,7 +172,7 @@ pub fn layers<'a>(
     grid: &Grid,
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
     options: LayerOptions,
-) -> Layers {
+) -> LayeredTexture {
     let options = LayerOptions { storage: Storage::Quick, ..options };
     layers_of(grid, &(0..grid.view.count()).collect::<Vec<_>>(), tile, options)
 }
@@ -182,7 +182,7 @@ fn layers_of<'a>(
     views: &[usize],
     tile: impl Fn(Address) -> Option<&'a Arc<Tile>>,
     options: LayerOptions,
-) -> Layers {
+) -> LayeredTexture {
     let [width, height, _] = layers_size(grid, options.has_levels).map(|n| n as usize);
     let count = views.len() + 1;
     let mut rgba = vec![0; 4 * width * height * count];
@@ -197,7 +197,7 @@ fn layers_of<'a>(
         ),
         false => HashMap::new(),
     };
-    let mut layer = Layer { grid, width, texels: &mut [] };
+    let mut layer = TextureLayer { grid, width, texels: &mut [] };
     for (index, texels) in views.iter().zip(rgba.chunks_exact_mut(4 * width * height)) {
         layer.texels = texels;
         for address in addresses(*index) {
@@ -212,10 +212,10 @@ fn layers_of<'a>(
     }
     let told = rgba.len() - 4 * width * height;
     rgba[told..told + 8].copy_from_slice(&header(grid, options));
-    Layers {
+    LayeredTexture {
         size: [width as u32, height as u32],
         count: count as u32,
-        coding: Coding::Rgba8,
+        coding: TexelCoding::Rgba8,
         bytes: rgba,
     }
 }
@@ -225,7 +225,7 @@ fn layers_of<'a>(
 ///
 /// # Errors
 /// `hcbtf-layers`: the header describes no grid, or the texture does not have the size of its grid.
-pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
+pub fn from_layers(layers: &LayeredTexture) -> Result<Hcbtf, Diagnostic> {
     let wrong = |message: &str| {
         Diagnostic::error("hcbtf-layers", message).hint("export it anew from an .hcbtf file")
     };
@@ -235,7 +235,8 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     if layers.bytes.len() != whole {
         return Err(wrong("the texture has not the size that it tells"));
     }
-    let told = whole.checked_sub(layer).and_then(|at| told(layers.coding, &layers.bytes[at..]));
+    let told =
+        whole.checked_sub(layer).and_then(|at| read_header(layers.coding, &layers.bytes[at..]));
     let Some([low_x, low_y, high, flags, light_theta, light_phi, view_theta, view_phi]) = told
     else {
         return Err(wrong("the texture tells no grid"));
@@ -251,10 +252,10 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
     if grid.check().is_err() || flags & (SHARED | COMPACT) != 0 && samples > MAX_SAMPLES {
         return Err(wrong("the texture tells a grid that cannot be"));
     }
-    if (flags & BLOCKS != 0) != (layers.coding == Coding::Bc7) {
+    if (flags & BLOCKS != 0) != (layers.coding == TexelCoding::Bc7) {
         return Err(wrong("the texture is not stored as it tells"));
     }
-    if layers.coding == Coding::Bc7 {
+    if layers.coding == TexelCoding::Bc7 {
         let read = blocks::read(&grid, layers, flags & 1 == 1);
         return read.ok_or_else(|| wrong("the texture does not hold what it tells of"));
     }
@@ -268,7 +269,7 @@ pub fn from_layers(layers: &Layers) -> Result<Hcbtf, Diagnostic> {
         true => {
             let told = layers
                 .bytes
-                .get(whole - 4 * width * height + 4 * (TOLD + view)..)?
+                .get(whole - 4 * width * height + 4 * (HEADER_TEXELS + view)..)?
                 .first_chunk()?;
             Some(u32::from_le_bytes(*told) as usize)
         }
@@ -344,21 +345,21 @@ pub(super) fn direction_index(grid: &Grid, address: Address) -> usize {
 
 /// The header at the beginning of a layer, in two texels or in two blocks; `None` if the layer is
 /// too short.
-fn told(coding: Coding, layer: &[u8]) -> Option<[u8; 8]> {
+fn read_header(coding: TexelCoding, layer: &[u8]) -> Option<[u8; 8]> {
     match coding {
-        Coding::Rgba8 => layer.first_chunk().copied(),
-        Coding::Bc7 => blocks::told(layer),
+        TexelCoding::Rgba8 => layer.first_chunk().copied(),
+        TexelCoding::Bc7 => blocks::told(layer),
     }
 }
 
 /// A layer while it is filled.
-pub(super) struct Layer<'a> {
+pub(super) struct TextureLayer<'a> {
     pub(super) grid: &'a Grid,
     pub(super) width: usize,
     pub(super) texels: &'a mut [u8],
 }
 
-impl Layer<'_> {
+impl TextureLayer<'_> {
     /// Writes each texel of a tile to the place of this light in its block, and to the copies of
     /// that place.
     pub(super) fn put(&mut self, tile: &Tile, light: Direction, origin: [u32; 2]) {

@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::fill::{FilledSamples, SampleChoice};
 use super::folder::file_name;
 use super::manifest;
-use super::report::Report;
+use super::report::FileReport;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Rule, Tile};
 
@@ -67,7 +67,7 @@ pub(super) fn text(
 }
 
 /// Reads a listing; all errors go to the report.
-pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Listing> {
+pub(super) fn parse(text: &[u8], report: &mut FileReport) -> Option<Listing> {
     report.reads(NAME);
     let fields = manifest::fields(
         text,
@@ -89,7 +89,7 @@ pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Listing> {
     Some(Listing { grid, is_tiling, rules, filled })
 }
 
-fn read(name: &str, digest: &Value, report: &mut Report) -> Option<(String, u64)> {
+fn read(name: &str, digest: &Value, report: &mut FileReport) -> Option<(String, u64)> {
     let number = digest.as_str().and_then(|digits| u64::from_str_radix(digits, 16).ok());
     if number.is_none() {
         let message = format!(
@@ -169,7 +169,7 @@ mod tests {
         let filled = fill(&painted(), &Progress::new()).unwrap();
         let (_, text) = folder::listing(&filled, SampleChoice::All).unwrap();
         let told = |text: &str| {
-            let mut report = Report::new("folder");
+            let mut report = FileReport::new("folder");
             let listing = parse(text.as_bytes(), &mut report);
             (
                 listing.is_some(),

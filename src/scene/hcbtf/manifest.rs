@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value};
 
-use super::report::Report;
+use super::report::FileReport;
 use super::{MAX_PAINTED, MAX_RULES, VERSION, folder};
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::{Address, Directions, Grid, Hcbtf, Rule};
@@ -24,12 +24,12 @@ pub(super) struct Manifest {
     pub(super) grid: Grid,
     pub(super) is_tiling: bool,
     pub(super) rules: Vec<Rule>,
-    pub(super) painted: Vec<Listed>,
+    pub(super) painted: Vec<SampleEntry>,
 }
 
 /// A painted sample in the manifest.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Listed {
+pub(super) struct SampleEntry {
     pub(super) address: Address,
     /// Entry of the archive that holds the sample.
     pub(super) file: String,
@@ -88,7 +88,7 @@ fn list(items: &[String]) -> String {
 }
 
 /// Reads a manifest; all errors go to the report.
-pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Manifest> {
+pub(super) fn parse(text: &[u8], report: &mut FileReport) -> Option<Manifest> {
     report.reads(NAME);
     let fields =
         fields(text, &["chiaro", "version", "grid", "tiling", "rules", "painted"], report)?;
@@ -107,7 +107,7 @@ pub(super) fn parse(text: &[u8], report: &mut Report) -> Option<Manifest> {
 pub(super) fn fields(
     text: &[u8],
     known: &[&str],
-    report: &mut Report,
+    report: &mut FileReport,
 ) -> Option<Map<String, Value>> {
     let parsed =
         serde_json::from_slice::<Value>(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
@@ -134,7 +134,7 @@ pub(super) fn fields(
 /// The grid, the tiling, and the rules.
 pub(super) fn parse_head(
     fields: &Map<String, Value>,
-    report: &mut Report,
+    report: &mut FileReport,
 ) -> Option<(Grid, bool, Vec<Rule>)> {
     let grid = grid(fields.get("grid"), report)?;
     let is_tiling = match fields.get("tiling") {
@@ -152,13 +152,13 @@ pub(super) fn parse_head(
 }
 
 /// Reports an error at a place of the manifest.
-fn wrong<T>(report: &mut Report, code: &'static str, path: &str, message: &str) -> Option<T> {
+fn wrong<T>(report: &mut FileReport, code: &'static str, path: &str, message: &str) -> Option<T> {
     let problem = Diagnostic::error(code, format!("`{}`: {message}", report.part()));
     report.add(if path.is_empty() { problem } else { problem.json_path(path) });
     None
 }
 
-fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()> {
+fn check_version(fields: &Map<String, Value>, report: &mut FileReport) -> Option<()> {
     if fields.get("chiaro").and_then(Value::as_str) != Some("hcbtf") {
         let message = format!("`{}` does not say `\"chiaro\": \"hcbtf\"`", report.part());
         report.add(
@@ -182,7 +182,12 @@ fn check_version(fields: &Map<String, Value>, report: &mut Report) -> Option<()>
     }
 }
 
-fn unknown_fields(fields: &Map<String, Value>, path: &str, known: &[&str], report: &mut Report) {
+fn unknown_fields(
+    fields: &Map<String, Value>,
+    path: &str,
+    known: &[&str],
+    report: &mut FileReport,
+) {
     for name in fields.keys().filter(|name| !known.contains(&name.as_str())) {
         let part = report.part();
         let message = format!(
@@ -202,7 +207,7 @@ fn items<'a>(
     fields: &'a Map<String, Value>,
     name: &str,
     most: usize,
-    report: &mut Report,
+    report: &mut FileReport,
 ) -> Option<&'a [Value]> {
     match fields.get(name) {
         None => Some(&[]),
@@ -217,7 +222,7 @@ fn items<'a>(
     }
 }
 
-fn grid(value: Option<&Value>, report: &mut Report) -> Option<Grid> {
+fn grid(value: Option<&Value>, report: &mut FileReport) -> Option<Grid> {
     let Some(value) = value else {
         return wrong(report, "missing-field", "grid", "there is no grid");
     };
@@ -240,7 +245,7 @@ fn grid(value: Option<&Value>, report: &mut Report) -> Option<Grid> {
 /// # Errors
 /// All errors of the list, up to a bound.
 pub fn read_rules(text: &str, grid: &Grid, name: &str) -> Result<Vec<Rule>, Vec<Diagnostic>> {
-    let mut report = Report::new(name);
+    let mut report = FileReport::new(name);
     report.reads("rules");
     let rules = match serde_json::from_str::<Value>(text) {
         Ok(Value::Array(values)) if values.len() <= MAX_RULES => {
@@ -273,7 +278,7 @@ pub fn read_rules(text: &str, grid: &Grid, name: &str) -> Result<Vec<Rule>, Vec<
     report.finish(rules).map(|rules| rules.value)
 }
 
-fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option<Rule> {
+fn rule(value: &Value, index: usize, grid: &Grid, report: &mut FileReport) -> Option<Rule> {
     let path = format!("rules[{index}]");
     let word = value.get("rule").and_then(Value::as_str);
     let Some(word) = word.filter(|word| Rule::WORDS.contains(word)) else {
@@ -310,7 +315,12 @@ fn rule(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option
     }
 }
 
-fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Option<Listed> {
+fn listed(
+    value: &Value,
+    index: usize,
+    grid: &Grid,
+    report: &mut FileReport,
+) -> Option<SampleEntry> {
     let path = format!("painted[{index}]");
     let Value::Object(fields) = value else {
         return wrong(report, "wrong-type", &path, "it is no JSON object");
@@ -351,7 +361,7 @@ fn listed(value: &Value, index: usize, grid: &Grid, report: &mut Report) -> Opti
         report.add(Diagnostic::error("hcbtf-path", message).json_path(path).hint(hint));
         return None;
     }
-    Some(Listed { address: Address::new(light, view), file: file.to_owned() })
+    Some(SampleEntry { address: Address::new(light, view), file: file.to_owned() })
 }
 
 /// True if a path is anything but names below the archive's root.

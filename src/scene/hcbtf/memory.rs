@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::blocks::{self, Coding};
+use super::blocks::{self, TexelCoding};
 use super::compact;
 use super::fill::{MAX_FILLED_BYTES, MAX_SAMPLES, NotFilled, filled_at_most};
 use super::layers::{MAX_LAYERS_BYTES, check_layers, layers_size, stored_size};
@@ -101,13 +101,14 @@ pub struct Need {
 impl Need {
     /// The size in bytes, on a device that supports the storage's coding.
     pub fn bytes(&self) -> u64 {
-        let coding = if self.storage == Storage::Blocks { Coding::Bc7 } else { Coding::Rgba8 };
+        let coding =
+            if self.storage == Storage::Blocks { TexelCoding::Bc7 } else { TexelCoding::Rgba8 };
         coding.bytes(self.texels())
     }
 
     /// The size in bytes on a device of these limits.
     pub fn bytes_on(&self, limits: Limits) -> u64 {
-        if limits.has_blocks { self.bytes() } else { Coding::Rgba8.bytes(self.texels()) }
+        if limits.has_blocks { self.bytes() } else { TexelCoding::Rgba8.bytes(self.texels()) }
     }
 
     fn texels(&self) -> u64 {
@@ -117,7 +118,7 @@ impl Need {
     /// True if a device of these limits can hold the texture, and Chiaro makes one so large.
     pub fn fits(&self, limits: Limits) -> bool {
         let [width, height, layers] = self.size;
-        let bytes = Coding::Rgba8.bytes(self.texels());
+        let bytes = TexelCoding::Rgba8.bytes(self.texels());
         width.max(height) <= limits.side && layers <= limits.layers && bytes <= MAX_LAYERS_BYTES
     }
 }

@@ -41,19 +41,19 @@ mod synthesize;
 use crate::diag::Diagnostic;
 use crate::document::{Grid, Hcbtf};
 
-pub use blocks::{Coding, Loss, loss};
+pub use blocks::{Loss, TexelCoding, loss};
 pub use cover::{Cover, cover};
 pub use file::{load, read, read_bytes, write};
 pub use fill::{
-    Estimate, FilledSamples, NotFilled, Provenance, SampleChoice, estimate, filled_at_most,
+    FillEstimate, FilledSamples, NotFilled, Provenance, SampleChoice, estimate, filled_at_most,
 };
 pub use layers::{
-    LayerOptions, Layers, MAX_LAYERS_BYTES, check_layers, from_layers, layers, layers_bytes,
-    layers_size, stored, stored_size,
+    LayerOptions, LayeredTexture, MAX_LAYERS_BYTES, check_layers, from_layers, layers,
+    layers_bytes, layers_size, stored, stored_size,
 };
 pub use manifest::read_rules;
 pub use memory::{Device, Limits, Need, needs, needs_at_most};
-pub use picture::Picture;
+pub use picture::BytePicture;
 pub use repaint::{Region, repaint};
 pub use synthesize::{Synthesis, synthesize, synthesize_filled};
 

@@ -19,14 +19,14 @@ const PNG_START: &[u8; 16] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 
 /// A picture: straight RGBA, 8 bits a channel, rows from the top.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Picture {
+pub struct BytePicture {
     /// Width and height in texels.
     pub size: [u32; 2],
     /// Texels, four bytes each.
     pub rgba: Vec<u8>,
 }
 
-impl std::fmt::Debug for Picture {
+impl std::fmt::Debug for BytePicture {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Picture({} x {})", self.size[0], self.size[1])
     }
@@ -34,12 +34,12 @@ impl std::fmt::Debug for Picture {
 
 /// A decoded picture; `had_16_bits` is true if its file held more than 8 bits a channel.
 #[derive(Debug)]
-pub(super) struct Decoded {
-    pub(super) picture: Picture,
+pub(super) struct DecodedPicture {
+    pub(super) picture: BytePicture,
     pub(super) had_16_bits: bool,
 }
 
-impl Picture {
+impl BytePicture {
     /// A transparent picture.
     ///
     /// # Errors
@@ -107,7 +107,7 @@ impl Picture {
 pub(super) fn decode(
     png: &[u8],
     accept: impl FnOnce([u32; 2]) -> Result<(), String>,
-) -> Result<Decoded, String> {
+) -> Result<DecodedPicture, String> {
     let header = png.strip_prefix(PNG_START).and_then(|rest| rest.first_chunk::<8>());
     let [a, b, c, d, e, f, g, h] = *header.ok_or("it is no PNG")?;
     let size = [u32::from_be_bytes([a, b, c, d]), u32::from_be_bytes([e, f, g, h])];
@@ -122,8 +122,8 @@ pub(super) fn decode(
     let had_16_bits =
         matches!(kind, ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16);
     let rgba = DynamicImage::from_decoder(decoder).map_err(broken)?.into_rgba8();
-    Ok(Decoded {
-        picture: Picture { size: [rgba.width(), rgba.height()], rgba: rgba.into_raw() },
+    Ok(DecodedPicture {
+        picture: BytePicture { size: [rgba.width(), rgba.height()], rgba: rgba.into_raw() },
         had_16_bits,
     })
 }
@@ -159,12 +159,15 @@ mod tests {
     #[test]
     fn every_kind_of_png_becomes_straight_rgba8() {
         let gray = decode(&png(ImageBuffer::from_pixel(2, 1, Luma([7_u8]))), |_| Ok(())).unwrap();
-        assert_eq!(gray.picture, Picture { size: [2, 1], rgba: vec![7, 7, 7, 255, 7, 7, 7, 255] });
+        assert_eq!(
+            gray.picture,
+            BytePicture { size: [2, 1], rgba: vec![7, 7, 7, 255, 7, 7, 7, 255] }
+        );
         let deep =
             decode(&png(ImageBuffer::from_pixel(1, 1, Rgb([0_u16, 65_535, 257 * 9]))), |_| Ok(()))
                 .unwrap();
         assert!(deep.had_16_bits && deep.picture.rgba == [0, 255, 9, 255]);
-        let own = Picture { size: [1, 2], rgba: vec![1, 2, 3, 0, 255, 0, 9, 128] };
+        let own = BytePicture { size: [1, 2], rgba: vec![1, 2, 3, 0, 255, 0, 9, 128] };
         let back = decode(&own.to_png().unwrap(), |_| Ok(())).unwrap();
         assert_eq!(back.picture, own, "colors under alpha 0 stay");
     }

@@ -1,7 +1,7 @@
 //! Update of one sample in the texture that shaders look up: a stroke changes a few texels of a
 //! tile, and the texture of all tiles may be hundreds of mebibytes.
 
-use super::layers::{Layer, LayerOptions, layers_size};
+use super::layers::{LayerOptions, TextureLayer, layers_size};
 use super::levels::levels_of;
 use crate::document::{Address, Direction, Directions, Grid, Tile};
 
@@ -37,7 +37,7 @@ pub fn repaint(
         else {
             continue;
         };
-        let mut place = Layer { grid, width: width as usize, texels };
+        let mut place = TextureLayer { grid, width: width as usize, texels };
         for light in copies(grid.light, address.light) {
             place.put_part(tile, part, light, [0, 0]);
             let mut origin = [grid.size[0] * block[0], 0];
@@ -85,9 +85,9 @@ mod tests {
         };
         for has_levels in [false, true] {
             let options = LayerOptions { has_levels, is_decoded: false, storage: Storage::Quick };
-            let grey = Arc::new(Tile::filled(grid.size, [90, 91, 92, 255]));
+            let gray = Arc::new(Tile::filled(grid.size, [90, 91, 92, 255]));
             let mut tiles: HashMap<Address, Arc<Tile>> =
-                grid.addresses().map(|at| (at, grey.clone())).collect();
+                grid.addresses().map(|at| (at, gray.clone())).collect();
             let mut texture = layers(&grid, |at| tiles.get(&at), options);
             for (light, view) in
                 [([0, 0], [0, 0]), ([2, 0], [1, 2]), ([2, 3], [0, 0]), ([0, 0], [1, 1])]

@@ -1,13 +1,13 @@
 //! Collector of the diagnostics of one file, up to a bound.
 
 use super::NotFilled;
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 
 /// Greatest number of problems of one file that are told; further ones are counted.
 const MAX_TOLD: usize = 20;
 
 /// The diagnostics of one file.
-pub(super) struct Report {
+pub(super) struct FileReport {
     file: String,
     /// Part of the file that is being read.
     part: &'static str,
@@ -16,7 +16,7 @@ pub(super) struct Report {
     has_errors: bool,
 }
 
-impl Report {
+impl FileReport {
     pub(super) fn new(file: &str) -> Self {
         Self { file: file.to_owned(), part: "", told: Vec::new(), untold: 0, has_errors: false }
     }
@@ -55,13 +55,16 @@ impl Report {
     }
 
     /// The result of reading: the value with all warnings, or all diagnostics if there is an error.
-    pub(super) fn finish<T>(mut self, value: Option<T>) -> Result<Warned<T>, Vec<Diagnostic>> {
+    pub(super) fn finish<T>(
+        mut self,
+        value: Option<T>,
+    ) -> Result<WithWarnings<T>, Vec<Diagnostic>> {
         if self.untold > 0 {
             let message = format!("there are {} more problems, which are not listed", self.untold);
             self.told.push(Diagnostic::note("more-problems", message).in_file(self.file.as_str()));
         }
         match value {
-            Some(value) if !self.has_errors => Ok(Warned::new(value, self.told)),
+            Some(value) if !self.has_errors => Ok(WithWarnings::new(value, self.told)),
             _ => Err(self.told),
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::layers::{Layers, SHARED, TOLD, direction, layers_size};
+use super::layers::{HEADER_TEXELS, LayeredTexture, SHARED, direction, layers_size};
 use crate::document::{Address, Grid, Tile};
 
 /// Views that differ, and the index among them for each view.
@@ -20,7 +20,7 @@ pub(super) struct Views {
 pub(super) fn views<'a>(grid: &Grid, tile: impl Fn(Address) -> Option<&'a Arc<Tile>>) -> Views {
     let count = grid.view.count();
     let [width, height, _] = layers_size(grid, false);
-    if width * height < TOLD as u64 + count as u64 {
+    if width * height < HEADER_TEXELS as u64 + count as u64 {
         return Views { differ: (0..count).collect(), layer: (0..count as u32).collect() };
     }
     let mut known: HashMap<Vec<Option<*const Tile>>, u32> = HashMap::new();
@@ -48,10 +48,11 @@ pub(super) fn shared_size(grid: &Grid, views: &Views, has_levels: bool) -> [u64;
 }
 
 /// Writes the layer of each view, and the flag that the layers of views are written.
-pub(super) fn write_shares(layers: &mut Layers, layer_of: &[u32]) {
+pub(super) fn write_shares(layers: &mut LayeredTexture, layer_of: &[u32]) {
     let told = 4 * (layers.size[0] * layers.size[1]) as usize * (layers.count as usize - 1);
     layers.bytes[told + 3] |= SHARED;
-    for (texel, layer) in layers.bytes[told..].chunks_exact_mut(4).skip(TOLD).zip(layer_of) {
+    for (texel, layer) in layers.bytes[told..].chunks_exact_mut(4).skip(HEADER_TEXELS).zip(layer_of)
+    {
         texel.copy_from_slice(&layer.to_le_bytes());
     }
 }

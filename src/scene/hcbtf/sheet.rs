@@ -19,10 +19,10 @@ use rayon::iter::{IndexedParallelIterator as _, IntoParallelIterator as _, Paral
 use rayon::slice::ParallelSliceMut as _;
 
 use super::fill::{FilledSamples, shared};
-use super::picture::{Picture, decode, reduced};
-use super::report::Report;
+use super::picture::{BytePicture, decode, reduced};
+use super::report::FileReport;
 use super::{MAX_PAINTED_BYTES, folder};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Direction, Grid, Hcbtf, Tile};
 use crate::progress::Progress;
 
@@ -40,9 +40,9 @@ pub fn size(grid: &Grid) -> [u32; 2] {
 ///
 /// # Errors
 /// Where it would take more than [`MAX_PAINTED_BYTES`].
-pub fn export(filled: &FilledSamples) -> Result<Picture, Box<Diagnostic>> {
+pub fn export(filled: &FilledSamples) -> Result<BytePicture, Box<Diagnostic>> {
     let grid = filled.grid();
-    let mut sheet = Picture::transparent(size(&grid), "sheet")?;
+    let mut sheet = BytePicture::transparent(size(&grid), "sheet")?;
     let (width, stride) = (4 * grid.size[0] as usize, 4 * sheet.size[0] as usize);
     sheet.rgba.par_chunks_exact_mut(stride).enumerate().for_each(|(y, row)| {
         let place = Row::of(&grid, y);
@@ -155,14 +155,14 @@ pub fn read(
     grid: Grid,
     name: &str,
     progress: &Progress,
-) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
-    let mut report = Report::new(name);
+) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
+    let mut report = FileReport::new(name);
     let hcbtf = decode_sheet(png, &grid, &mut report)
         .and_then(|sheet| import_into(&sheet, grid, &mut report, progress));
     report.finish(hcbtf)
 }
 
-fn decode_sheet(png: &[u8], grid: &Grid, report: &mut Report) -> Option<Picture> {
+fn decode_sheet(png: &[u8], grid: &Grid, report: &mut FileReport) -> Option<BytePicture> {
     match grid.check().and_then(|()| decode(png, |found| fits(found, grid))) {
         Ok(decoded) => {
             if decoded.had_16_bits {
@@ -198,8 +198,12 @@ fn fits([width, height]: [u32; 2], grid: &Grid) -> Result<(), String> {
 ///
 /// # Errors
 /// Where the sheet does not have the size that the grid requires.
-pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<Warned<Hcbtf>, Vec<Diagnostic>> {
-    let mut report = Report::new(name);
+pub fn import(
+    sheet: &BytePicture,
+    grid: Grid,
+    name: &str,
+) -> Result<WithWarnings<Hcbtf>, Vec<Diagnostic>> {
+    let mut report = FileReport::new(name);
     let hcbtf = match grid.check().and_then(|()| fits(sheet.size, &grid)) {
         Ok(())
             if sheet.rgba.len() as u64
@@ -218,9 +222,9 @@ pub fn import(sheet: &Picture, grid: Grid, name: &str) -> Result<Warned<Hcbtf>, 
 }
 
 fn import_into(
-    sheet: &Picture,
+    sheet: &BytePicture,
     grid: Grid,
-    report: &mut Report,
+    report: &mut FileReport,
     progress: &Progress,
 ) -> Option<Hcbtf> {
     progress.begin(grid.sample_count());
@@ -270,13 +274,13 @@ pub(super) fn gathered(grid: Grid, painted: Vec<(Address, Arc<Tile>)>) -> Hcbtf 
 
 /// Count of texels that differ from the texels that they should be copies of.
 #[derive(Clone, Copy, Default)]
-struct Differing {
+struct DifferenceCount {
     count: u64,
     /// Position of the first, by rows: y and x.
     first: Option<[usize; 2]>,
 }
 
-impl Differing {
+impl DifferenceCount {
     fn at(&mut self, x: usize, y: usize) {
         self.count += 1;
         self.first.get_or_insert([y, x]);
@@ -290,11 +294,11 @@ impl Differing {
 
 /// Compares all copies with their originals: padding rows, lights at the normal, views at the
 /// normal.
-fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
+fn check(sheet: &BytePicture, grid: &Grid, report: &mut FileReport) {
     let [width, height] = sheet.size.map(|side| side as usize);
     let found = (0..height).into_par_iter().map(|y| {
         let row = Row::of(grid, y);
-        let mut found = [Differing::default(); 3];
+        let mut found = [DifferenceCount::default(); 3];
         let addresses: Vec<Address> = row.addresses(grid).collect();
         for x in 0..width {
             let own = addresses[x % addresses.len()];
@@ -321,14 +325,14 @@ fn check(sheet: &Picture, grid: &Grid, report: &mut Report) {
         }
         found
     });
-    let none = || [Differing::default(); 3];
+    let none = || [DifferenceCount::default(); 3];
     let found = found.reduce(none, |a, b| std::array::from_fn(|i| a[i].and(b[i])));
     let kinds = [
         ("texels of padding rows differ from the rows that they copy", "the rows within are taken"),
         ("texels at the normal differ between steps of the light around it", "step 0 is taken"),
         ("texels at the normal differ between steps of the view around it", "step 0 is taken"),
     ];
-    for (Differing { count, first }, (what, taken)) in found.into_iter().zip(kinds) {
+    for (DifferenceCount { count, first }, (what, taken)) in found.into_iter().zip(kinds) {
         let Some([y, x]) = first else { continue };
         let row = Row::of(grid, y);
         let address = row

@@ -4,7 +4,9 @@
 use std::fs;
 use std::path::Path;
 
-use crate::support::chiaro_files::journal::{About, Journal, Op, Slot, left_behind, recover};
+use crate::support::chiaro_files::journal::{
+    DocumentInfo, Journal, JournalSlot, Op, left_behind, recover,
+};
 use chiaro_compiler::document::{Edit, History, Look};
 use proptest::prelude::*;
 
@@ -37,8 +39,8 @@ struct Worked {
 /// Does random work with a journal: gestures of several edits, undo, redo, and now and then a
 /// journal begun anew.
 fn work(random: &mut Random, lines: usize, folder: &Path) -> Worked {
-    let slot = Slot::new(folder).unwrap();
-    let about = About { name: "a look".into(), ..About::default() };
+    let slot = JournalSlot::new(folder).unwrap();
+    let about = DocumentInfo { name: "a look".into(), ..DocumentInfo::default() };
     let look = random.look();
     let source = look.to_text();
     let mut history = History::new(look);
@@ -192,9 +194,9 @@ fn every_cut_of_one_journal() {
 #[test]
 fn a_gesture_that_went_on_is_a_step_of_its_own() {
     let folder = tempfile::tempdir().unwrap();
-    let slot = Slot::new(folder.path()).unwrap();
+    let slot = JournalSlot::new(folder.path()).unwrap();
     let mut history = History::new(Look::default());
-    let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+    let mut journal = Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap();
     for name in ["a", "ab", "abc"] {
         let edit = Edit::SetLookName { name: name.into() };
         history.apply_in(7, edit.clone()).unwrap();
@@ -218,9 +220,9 @@ fn a_gesture_that_went_on_is_a_step_of_its_own() {
 #[test]
 fn a_long_drag_does_not_grow_without_end() {
     let folder = tempfile::tempdir().unwrap();
-    let slot = Slot::new(folder.path()).unwrap();
+    let slot = JournalSlot::new(folder.path()).unwrap();
     let mut history = History::new(Look::default());
-    let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+    let mut journal = Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap();
     let mut begun = 0;
     for index in 0..60_000 {
         let edit = Edit::SetLookName { name: format!("{index} {}", "name ".repeat(100)) };
@@ -228,7 +230,7 @@ fn a_long_drag_does_not_grow_without_end() {
         journal.append(&[Op::Edit { gesture: Some(1), edit }]).unwrap();
         if journal.is_grown() {
             begun += 1;
-            journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+            journal = Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap();
         }
     }
     assert!(begun > 0 && fs::metadata(slot.path()).unwrap().len() < 10 << 20);
@@ -248,10 +250,10 @@ fn what_is_no_journal_is_told() {
         fs::write(&path, text).unwrap();
         assert_eq!(recover::<Look>(&path).unwrap_err().code, "damaged-journal", "{text:?}");
     }
-    let slot = Slot::new(folder.path()).unwrap();
+    let slot = JournalSlot::new(folder.path()).unwrap();
     Journal::begin(
         &slot,
-        &About::default(),
+        &DocumentInfo::default(),
         None,
         &History::new(chiaro_compiler::document::Scene::default()),
     )
@@ -283,7 +285,7 @@ fn what_a_journal_costs() {
     for nodes in [200, 5000] {
         println!("{nodes} nodes");
         let folder = tempfile::tempdir().unwrap();
-        let slot = Slot::new(folder.path()).unwrap();
+        let slot = JournalSlot::new(folder.path()).unwrap();
         let mut look = Look::default();
         for index in 0..nodes {
             let mut node = Node {
@@ -303,7 +305,7 @@ fn what_a_journal_costs() {
             value: Value::Number(f64::from(index) * 0.001 + 1.0),
             index: None,
         };
-        let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+        let mut journal = Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap();
         timed(
             "append a value",
             1000,
@@ -323,13 +325,15 @@ fn what_a_journal_costs() {
         timed(
             "begin anew with it",
             20,
-            Box::new(|_| drop(Journal::begin(&slot, &About::default(), None, &history).unwrap())),
+            Box::new(|_| {
+                drop(Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap())
+            }),
         );
         println!("{} bytes then", fs::metadata(slot.path()).unwrap().len());
         let positions: indexmap::IndexMap<_, _> =
             history.document().graph.nodes.keys().map(|id| (id.clone(), [1.25, 2.5])).collect();
         let edit = Edit::MoveNodes { graph: GraphId::Look, positions };
-        let mut journal = Journal::begin(&slot, &About::default(), None, &history).unwrap();
+        let mut journal = Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap();
         timed(
             "append a move of all nodes",
             20,

@@ -2,10 +2,10 @@
 
 use chiaro_compiler::document::{
     Bookmark, Camera, ColorSpace, Curve, Definition, DirectionKey, DirectionKeys, Endpoint,
-    Exposed, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
+    ExposedValue, Frame, Graph, InterfacePort, Interpolation, KeyDirection, KeyScheme, Light,
     LightField, LightKind, LightQuantity, LightSpace, Look, Node, Note, Object, Projection, Ramp,
-    RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, Unknown, Value, Values,
-    Wire,
+    RampStop, Scene, Target, Tier, TimeKey, TimeKeys, TimeRange, Transform, UnknownFields, Value,
+    Values, Wire,
 };
 use chiaro_language::ids::{LightId, NodeId, NodePath, PortName};
 use serde_json::json;
@@ -120,14 +120,14 @@ impl Random {
             6 => (0..self.below(3)).map(|_| self.json(depth - 1)).collect(),
             _ => (0..self.below(3))
                 .map(|i| (format!("{}{i}", self.text()), self.json(depth - 1)))
-                .collect::<Unknown>()
+                .collect::<UnknownFields>()
                 .into(),
         }
     }
 
-    fn unknown(&mut self) -> Unknown {
+    fn unknown(&mut self) -> UnknownFields {
         if !self.chance(2) {
-            return Unknown::new();
+            return UnknownFields::new();
         }
         (0..1 + self.below(2)).map(|i| (format!("x_{i} {}", self.text()), self.json(2))).collect()
     }
@@ -135,7 +135,7 @@ impl Random {
     /// Adds unknown fields to the parts of a field, as documents keep them.
     fn shadows<'a>(
         &mut self,
-        into: &mut Unknown,
+        into: &mut UnknownFields,
         field: &str,
         parts: impl Iterator<Item = String> + 'a,
     ) {
@@ -260,7 +260,7 @@ impl Random {
         (1..=count).map(bookmark).collect()
     }
 
-    fn graph(&mut self, kinds: &[String], unknown: &mut Unknown) -> Graph {
+    fn graph(&mut self, kinds: &[String], unknown: &mut UnknownFields) -> Graph {
         let mut graph = Graph::default();
         for _ in 0..self.count() {
             graph.nodes.insert(self.slug().into(), self.node(kinds));
@@ -365,8 +365,12 @@ impl Random {
         Some(Target::Input { node: path?, port: self.port() })
     }
 
-    pub(crate) fn exposed(&mut self, look: &Look) -> Option<Exposed> {
-        Some(Exposed { name: self.slug().into(), target: self.target(look)?, label: self.text() })
+    pub(crate) fn exposed(&mut self, look: &Look) -> Option<ExposedValue> {
+        Some(ExposedValue {
+            name: self.slug().into(),
+            target: self.target(look)?,
+            label: self.text(),
+        })
     }
 
     pub(crate) fn direction_keys(&mut self, look: &Look) -> DirectionKeys {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use chiaro::editor::{App, Places};
 
-use super::Hand;
+use super::User;
 
 /// Temporary folders of one user: for the program's state and configuration, and for the user's
 /// files.
@@ -31,9 +31,9 @@ impl Home {
 
     /// A window with this user's folders, opened as the program opens a file or, without one, its
     /// start.
-    pub(crate) fn window(&self, file: Option<&Path>) -> Hand {
+    pub(crate) fn window(&self, file: Option<&Path>) -> User {
         let (places, file) = (self.places(), file.map(Path::to_path_buf));
-        Hand::with(move |ctx| {
+        User::with(move |ctx| {
             let mut app = App::new(ctx, None);
             app.keep_in(places.clone(), ctx);
             match &file {

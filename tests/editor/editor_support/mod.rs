@@ -1,4 +1,4 @@
-//! `Hand`: a simulated user of the window, with pointer and keyboard.
+//! `User`: a simulated user of the window, with pointer and keyboard.
 #![allow(dead_code, reason = "each test file uses its part")]
 
 pub(crate) mod home;
@@ -20,12 +20,12 @@ use egui_kittest::{Harness, HarnessBuilder};
 
 /// A simulated user and the window that the user drives, without display; without GPU unless made
 /// by one of the `drawing` functions.
-pub(crate) struct Hand {
+pub(crate) struct User {
     /// The window, and the queue of its input events.
     pub(crate) harness: Harness<'static, Option<App>>,
 }
 
-impl Hand {
+impl User {
     /// A hand at a window with a new look.
     pub(crate) fn new() -> Self {
         Self::with(|ctx| App::new(ctx, None))
@@ -310,7 +310,7 @@ impl Hand {
 }
 
 /// A place of a node's title bar, where a click takes the node and no socket.
-pub(crate) fn node_center(hand: &Hand, id: &str) -> Pos2 {
+pub(crate) fn node_center(hand: &User, id: &str) -> Pos2 {
     hand.app().canvas().node_rect(id).expect("there is one").center_top() + vec2(0.0, 10.0)
 }
 

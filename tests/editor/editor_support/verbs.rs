@@ -4,13 +4,13 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Rect, pos2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use super::Hand;
+use super::User;
 
 /// Lower edge of the part of the window that can be clicked: below are the status bar and widgets
 /// that it cuts off. In points.
 const BOTTOM: f32 = 858.0;
 
-impl Hand {
+impl User {
     /// Rectangle of the first widget of this name.
     #[track_caller]
     pub(crate) fn place(&self, label: &str) -> Rect {

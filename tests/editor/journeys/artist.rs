@@ -7,9 +7,9 @@ use std::process::Command;
 use eframe::egui::{Key, Modifiers, Pos2, pos2};
 
 use super::picture::Picture;
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::support::files;
-use crate::support::validators::{Stage, glslang, tint};
+use crate::support::validators::{ShaderStage, glslang, tint};
 
 /// Width and height of the compared pictures, in pixels.
 const SIZE: [u32; 2] = [160, 120];
@@ -38,7 +38,7 @@ impl Studio {
 
     /// A new window, with a new look.
     pub(super) fn window(&self) -> Artist {
-        Artist::at(Hand::drawing_with(|app, _| app.without_dialogs()))
+        Artist::at(User::drawing_with(|app, _| app.without_dialogs()))
     }
 
     /// A new window in which a look is opened.
@@ -86,7 +86,7 @@ impl Studio {
         let wgsl = of("wgsl");
         assert!(!wgsl.is_empty() && of("vert").len() >= 2 && of("frag").len() >= 2, "{written:?}");
         tint(&wgsl).unwrap();
-        for (ending, stage) in [("vert", Stage::Vertex), ("frag", Stage::Fragment)] {
+        for (ending, stage) in [("vert", ShaderStage::Vertex), ("frag", ShaderStage::Fragment)] {
             for file in of(ending) {
                 glslang(&std::fs::read_to_string(file).unwrap(), stage, &[]).unwrap();
             }
@@ -129,24 +129,24 @@ impl Studio {
 }
 
 /// A simulated user at a window that draws.
-pub(super) struct Artist(Hand);
+pub(super) struct Artist(User);
 
 impl Deref for Artist {
-    type Target = Hand;
+    type Target = User;
 
-    fn deref(&self) -> &Hand {
+    fn deref(&self) -> &User {
         &self.0
     }
 }
 
 impl DerefMut for Artist {
-    fn deref_mut(&mut self) -> &mut Hand {
+    fn deref_mut(&mut self) -> &mut User {
         &mut self.0
     }
 }
 
 impl Artist {
-    pub(super) fn at(hand: Hand) -> Self {
+    pub(super) fn at(hand: User) -> Self {
         Self(hand)
     }
 

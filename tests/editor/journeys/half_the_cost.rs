@@ -2,7 +2,7 @@
 //! within 1/255 is adopted from the panel, and the truth in f64 agrees.
 #![allow(clippy::print_stdout, reason = "times are told, and judged by nobody")]
 
-use chiaro::accuracy::{Row, Subject};
+use chiaro::accuracy::{MeasurementRow, MeasurementSubject};
 use chiaro::document::Tier;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
@@ -10,18 +10,18 @@ use egui_kittest::kittest::Queryable as _;
 use super::artist::{Artist, Studio};
 
 /// Cost and error of the whole look in each tier.
-fn whole(artist: &Artist) -> Vec<Row> {
+fn whole(artist: &Artist) -> Vec<MeasurementRow> {
     let report = artist.app().cost().report().expect("it was measured");
     report
         .rows
         .iter()
-        .filter(|row| row.subject == Subject::Whole && row.tier.is_some())
+        .filter(|row| row.subject == MeasurementSubject::Whole && row.tier.is_some())
         .cloned()
         .collect()
 }
 
 /// Counted sizes of a row: bytes that a frame moves, and instructions.
-fn counted(row: &Row) -> (u64, u64) {
+fn counted(row: &MeasurementRow) -> (u64, u64) {
     let sizes = row.sizes.as_ref().expect("sizes are counted");
     (sizes.traffic, sizes.instructions)
 }

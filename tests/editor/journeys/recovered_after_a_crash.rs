@@ -5,13 +5,13 @@ use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers, vec2};
 
 use super::artist::{Artist, Studio};
-use crate::editor_support::Hand;
+use crate::editor_support::User;
 use crate::editor_support::home::Home;
 
 /// A window with this user's folders, as the program opens it.
 fn window(home: &Home) -> Artist {
     let places = home.places();
-    Artist::at(Hand::drawing_with(move |app, ctx| {
+    Artist::at(User::drawing_with(move |app, ctx| {
         let mut app = app.without_dialogs();
         app.keep_in(places.clone(), ctx);
         app.resume();

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 
 use chiaro::compile::Live;
 use chiaro::document::Look;
-use chiaro::fit::Target;
+use chiaro::fit::FitTarget;
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup, SetupLook, default_setup};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -117,7 +117,8 @@ pub(crate) fn picture(setup: &Setup) -> ReferencePicture {
         .unwrap()
         .value;
     let modules = Modules::new(&plan, Precision::F64).unwrap();
-    reference::execute(&plan, &modules, &reference::Options::default(), &Progress::new()).unwrap()
+    reference::execute(&plan, &modules, &reference::ReferenceOptions::default(), &Progress::new())
+        .unwrap()
 }
 
 /// Number of the figure's pixels that differ visibly, and number of all its pixels.
@@ -136,13 +137,13 @@ fn changed(a: &ReferencePicture, b: &ReferencePicture) -> (usize, usize) {
 }
 
 /// Target of a painter who copies the whole picture: the figure's pixels in eight bits a channel.
-pub(crate) fn painted(look: &Look, mesh: &str) -> Target {
+pub(crate) fn painted(look: &Look, mesh: &str) -> FitTarget {
     let picture = picture(&setup_of(look.clone(), mesh));
     let mut rgba = picture.to_picture().to_rgba8();
     for (texel, coverage) in rgba.chunks_exact_mut(4).zip(&picture.coverage) {
         texel[3] = if coverage.draw.is_some() { 255 } else { 0 };
     }
-    Target::from_rgba8(picture.size, &rgba)
+    FitTarget::from_rgba8(picture.size, &rgba)
 }
 
 /// RMS difference of a channel on the figure, seen from the new view.

@@ -1,13 +1,13 @@
 //! A few strokes of light and dark on the picture of a look, as painted by hand.
 
 use chiaro::document::Look;
-use chiaro::fit::{PixelGoal, Target};
+use chiaro::fit::{FitTarget, PixelGoal};
 
 use super::hidden::{SIDE, picture, setup_of};
 
 /// Goals of a few strokes, and colors that the look shows at the rest.
 pub(crate) struct Strokes {
-    pub(crate) painted: Target,
+    pub(crate) painted: FitTarget,
     /// Unpainted pixels within the object, with their colors.
     pub(crate) rest: Vec<PixelGoal>,
 }
@@ -21,7 +21,7 @@ const RADIUS: f64 = 0.075;
 /// Strokes on a look on a mesh.
 pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
     let picture = picture(&setup_of(look.clone(), mesh));
-    let (mut painted, mut rest) = (Target { size: [SIDE; 2], wishes: Vec::new() }, Vec::new());
+    let (mut painted, mut rest) = (FitTarget { size: [SIDE; 2], wishes: Vec::new() }, Vec::new());
     for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
         if picture.coverage(x, y).draw.is_none() {
             continue;

@@ -7,7 +7,7 @@ use chiaro::document::{Grid, Hcbtf, Storage, Tile};
 use chiaro::files::Disk;
 use chiaro::frame::{Assets, EvalSample, PlanOptions, Planner};
 use chiaro::hcbtf::fill::fill;
-use chiaro::hcbtf::{LayerOptions, Layers, from_layers, load, loss, stored};
+use chiaro::hcbtf::{LayerOptions, LayeredTexture, from_layers, load, loss, stored};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer, device_descriptor};
@@ -47,7 +47,7 @@ fn strokes(size: [u32; 2]) -> Hcbtf {
     }
 }
 
-fn blocks_of(hcbtf: &Hcbtf) -> Layers {
+fn blocks_of(hcbtf: &Hcbtf) -> LayeredTexture {
     let filled = fill(hcbtf, &Progress::new()).unwrap();
     stored(&hcbtf.grid, |address| filled.tile(address), OPTIONS, &Progress::new()).unwrap()
 }

@@ -124,7 +124,7 @@ fn footprint(angles: [f64; 4], own: usize) -> f64 {
 /// Mean and standard deviation of -eta', by parts, and by the trapezoid rule of 64 steps: the
 /// library's definition, because the choice of a filter depends on it.
 fn edge(profile: [f64; 3]) -> [f64; 2] {
-    let [tau, f, c] = badf::sanitised(profile);
+    let [tau, f, c] = badf::sanitized(profile);
     if tau >= PI - 1e-5 || f <= tau || c <= tau {
         return [0.0; 2];
     }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use chiaro::document::{Camera, Projection};
-use chiaro::geometry::{Mesh, Part};
+use chiaro::geometry::{Mesh, MeshPart};
 use glam::{DMat3, DVec3};
 
 /// Inputs of a look at a point. Vectors in world space, of any length.
@@ -175,7 +175,7 @@ impl Surface for Sphere {
 
 fn mesh(positions: Vec<[f32; 3]>, normals: Vec<[f32; 3]>, indices: Vec<u32>) -> Mesh {
     let count = positions.len();
-    let part = Part { indices: 0..indices.len() as u32, ..Part::default() };
+    let part = MeshPart { indices: 0..indices.len() as u32, ..MeshPart::default() };
     Mesh {
         positions,
         normals,

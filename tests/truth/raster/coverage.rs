@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
-use chiaro::reference::{Interpolation, Options, Snap, Target};
+use chiaro::reference::{PassTarget, ReferenceOptions, SnapGrid, VaryingInterpolation};
 
 use super::shaders::{CLEAR, Plain, at_pixel, draw, draw_all, in_order, somewhere};
 use crate::support::random::Random;
 
-const SNAPS: [Snap; 2] = [Snap::None, Snap::Subpixel(8)];
+const SNAPS: [SnapGrid; 2] = [SnapGrid::None, SnapGrid::Subpixel(8)];
 /// Samples of a pixel with four samples, from the pixel's upper left corner.
 const FOUR: [[f64; 2]; 4] = [[0.375, 0.125], [0.875, 0.375], [0.125, 0.625], [0.625, 0.875]];
 
@@ -15,8 +15,8 @@ fn white(clip: Vec<[f64; 4]>) -> Plain<'static> {
     Plain::new(clip, |_, _| Some(vec![1.0; 4]))
 }
 
-fn options(snap: Snap) -> Options {
-    Options { snap, ..Options::default() }
+fn options(snap: SnapGrid) -> ReferenceOptions {
+    ReferenceOptions { snap, ..ReferenceOptions::default() }
 }
 
 fn cross(a: [f64; 2], b: [f64; 2], p: [f64; 2]) -> f64 {
@@ -43,7 +43,7 @@ fn samples_inside_are_covered_and_no_others() {
                 let shader = white(corners.map(|corner| at_pixel(size, corner, 0.5)).to_vec());
                 let raster = draw(size, samples, &CLEAR, &[0, 1, 2], &shader, &options(snap));
                 // Largest move of a corner, and of its edges, by snapping.
-                let blur = if snap == Snap::None { 1e-9 } else { 1.0 / 256.0 };
+                let blur = if snap == SnapGrid::None { 1e-9 } else { 1.0 / 256.0 };
                 for y in 0..size[1] {
                     for x in 0..size[0] {
                         let distances = positions.iter().map(|at| {
@@ -75,7 +75,7 @@ fn counted_areas_are_the_areas_of_triangles() {
         let corners =
             [(); 3].map(|()| size.map(|side| random.between(0.05, 0.95) * f64::from(side)));
         let shader = white(corners.map(|corner| at_pixel(size, corner, 0.5)).to_vec());
-        let raster = draw(size, 4, &CLEAR, &[0, 1, 2], &shader, &Options::default());
+        let raster = draw(size, 4, &CLEAR, &[0, 1, 2], &shader, &ReferenceOptions::default());
         let counted: f64 = raster.texels.values.chunks_exact(4).map(|pixel| pixel[3]).sum();
         let area = 0.5 * cross(corners[0], corners[1], corners[2]).abs();
         let border: f64 = (0..3)
@@ -199,7 +199,7 @@ fn the_silhouette_of_a_finer_sphere_is_rounder() {
                 }
             }
         }
-        let raster = draw(size, 4, &CLEAR, &indices, &white(clip), &Options::default());
+        let raster = draw(size, 4, &CLEAR, &indices, &white(clip), &ReferenceOptions::default());
         let counted: f64 = raster.texels.values.chunks_exact(4).map(|pixel| pixel[3]).sum();
         let polygon = 0.5 * segments as f64 * (2.0 * PI / segments as f64).sin() * radius * radius;
         assert!((counted - polygon).abs() < 20.0, "{counted} of {polygon}");
@@ -225,7 +225,7 @@ fn clutter(size: [u32; 2], count: usize, alpha: f64, seed: u64) -> Plain<'static
         }
     }
     Plain::new(clip, |batch, lane| Some((0..4).map(|c| batch.varying(c)[lane]).collect()))
-        .with(Interpolation::Perspective, numbers)
+        .with(VaryingInterpolation::Perspective, numbers)
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn opaque_triangles_may_come_in_any_order() {
     let backward: Vec<u32> = forward.chunks(3).rev().flatten().copied().collect();
     for samples in [1, 4] {
         let [one, other] = [&forward, &backward].map(|indices| {
-            draw(size, samples, &CLEAR, indices, &shader, &Options::default()).texels
+            draw(size, samples, &CLEAR, indices, &shader, &ReferenceOptions::default()).texels
         });
         assert_eq!(one, other);
     }
@@ -250,9 +250,14 @@ fn threads_tiles_and_memory_change_nothing() {
     let draws = [(&indices[0][..], &shaders[0]), (&indices[1][..], &shaders[1])];
     for samples in [1, 4] {
         let make = |threads, tile, budget| {
-            let options =
-                Options { threads, tile, budget, snap: Snap::Subpixel(8), ..Options::default() };
-            draw_all(size, samples, &Target::Picture([0.1, 0.2, 0.3, 1.0]), &draws, &options)
+            let options = ReferenceOptions {
+                threads,
+                tile,
+                budget,
+                snap: SnapGrid::Subpixel(8),
+                ..ReferenceOptions::default()
+            };
+            draw_all(size, samples, &PassTarget::Picture([0.1, 0.2, 0.3, 1.0]), &draws, &options)
         };
         let first = make(1, 64, usize::MAX);
         assert!(first.coverage.iter().any(|coverage| coverage.draw == Some(1)));
@@ -279,7 +284,7 @@ fn counter_clockwise_is_the_front() {
     // Triangles that are clockwise on the screen are the back of a mesh whose triangles run
     // counter-clockwise.
     for (indices, wanted) in [([0, 1, 2], 0.0), ([0, 2, 1], 1.0)] {
-        let raster = draw(size, 1, &CLEAR, &indices, &shader, &Options::default());
+        let raster = draw(size, 1, &CLEAR, &indices, &shader, &ReferenceOptions::default());
         assert_eq!(raster.texels.pixel(3, 3), [wanted, 0.0, 0.0, 1.0]);
     }
 }

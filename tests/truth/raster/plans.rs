@@ -9,7 +9,9 @@ use chiaro::frame::{Assets, Draw, FramePlan, PassId, PassImage, PlanOptions, Pla
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::reference::{Interpolation, Modules, Options, PassImages, Shader, Shaders, execute};
+use chiaro::reference::{
+    Modules, PassImages, ReferenceOptions, Shader, ShaderFactory, VaryingInterpolation, execute,
+};
 use glam::DVec3;
 
 use super::shaders::Plain;
@@ -27,7 +29,7 @@ impl Noted {
     }
 }
 
-impl Shaders for Noted {
+impl ShaderFactory for Noted {
     fn draw<'a>(
         &'a self,
         plan: &'a FramePlan,
@@ -55,7 +57,7 @@ impl Shaders for Noted {
             self.note("normals");
             Plain::new(clip, |batch, lane| Some(vec![0.0, 0.0, 1.0, 7.0, -batch.varying(2)[lane]]))
         };
-        Ok(Box::new(shader.with(Interpolation::Perspective, seen)))
+        Ok(Box::new(shader.with(VaryingInterpolation::Perspective, seen)))
     }
 
     fn screen<'a>(
@@ -102,7 +104,7 @@ fn passes_run_in_order_and_read_each_other() {
     let progress = Progress::observed(move |progress| {
         observed.lock().expect("nobody panics").push(progress.share());
     });
-    let options = Options { threads: 1, tile: 16, ..Options::default() };
+    let options = ReferenceOptions { threads: 1, tile: 16, ..ReferenceOptions::default() };
     let picture = execute(&plan, &shaders, &options, &progress).expect("nothing fails");
     assert_eq!(*shaders.0.lock().expect("nobody panics"), ["normals", "curvature", "look"]);
     let shares = std::mem::take(&mut *shares.lock().expect("nobody panics"));
@@ -131,13 +133,13 @@ fn a_plan_out_of_order_is_refused() {
     let mut plan = plan("figure6-comics.json", [16, 16]);
     plan.passes.remove(0);
     let modules = Modules::new(&plan, Precision::F64).expect("modules that run");
-    for shaders in [&Noted::default() as &dyn Shaders, &modules] {
-        let problem =
-            execute(&plan, shaders, &Options::default(), &Progress::new()).expect_err("no normals");
+    for shaders in [&Noted::default() as &dyn ShaderFactory, &modules] {
+        let problem = execute(&plan, shaders, &ReferenceOptions::default(), &Progress::new())
+            .expect_err("no normals");
         assert_eq!(problem.code, "reference-plan");
     }
     plan.passes.clear();
-    let problem = execute(&plan, &Noted::default(), &Options::default(), &Progress::new())
+    let problem = execute(&plan, &Noted::default(), &ReferenceOptions::default(), &Progress::new())
         .expect_err("no picture");
     assert_eq!(problem.code, "reference-plan");
 }

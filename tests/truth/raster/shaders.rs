@@ -3,8 +3,8 @@
 use chiaro::diag::Diagnostic;
 use chiaro::progress::Progress;
 use chiaro::reference::{
-    FragmentStage, Interpolation, Options, QuadBatch, Raster, Shaded, Shader, Sides, Target,
-    Triangles, Varying, VertexStage, rasterise,
+    FragmentStage, PassTarget, QuadBatch, Raster, ReferenceOptions, Shader, ShaderOutputs, Sides,
+    Triangles, Varying, VaryingInterpolation, VertexStage, rasterize,
 };
 
 use crate::support::random::Random;
@@ -32,7 +32,11 @@ impl<'a> Plain<'a> {
     }
 
     /// The shader with `numbers` for each vertex, in one varying.
-    pub(crate) fn with(mut self, interpolation: Interpolation, numbers: Vec<Vec<f64>>) -> Self {
+    pub(crate) fn with(
+        mut self,
+        interpolation: VaryingInterpolation,
+        numbers: Vec<Vec<f64>>,
+    ) -> Self {
         self.varyings = vec![Varying { components: numbers[0].len(), interpolation }];
         self.numbers = numbers;
         self
@@ -70,7 +74,7 @@ impl VertexStage for Vertices<'_> {
 struct Fragments<'a>(&'a Plain<'a>);
 
 impl FragmentStage for Fragments<'_> {
-    fn shade(&mut self, batch: &QuadBatch, out: &mut Shaded) -> Result<(), Diagnostic> {
+    fn shade(&mut self, batch: &QuadBatch, out: &mut ShaderOutputs) -> Result<(), Diagnostic> {
         for lane in 0..batch.lanes() {
             match (self.0.fragment)(batch, lane) {
                 Some(numbers) => {
@@ -89,16 +93,16 @@ impl FragmentStage for Fragments<'_> {
 /// Both sides of triangles are drawn.
 pub(crate) const BOTH: Sides = Sides { both: true, is_mirrored: false };
 /// A picture that begins transparent.
-pub(crate) const CLEAR: Target = Target::Picture([0.0; 4]);
+pub(crate) const CLEAR: PassTarget = PassTarget::Picture([0.0; 4]);
 
 /// Draws triangles with one shader.
 pub(crate) fn draw(
     size: [u32; 2],
     samples: u32,
-    target: &Target,
+    target: &PassTarget,
     indices: &[u32],
     shader: &Plain<'_>,
-    options: &Options,
+    options: &ReferenceOptions,
 ) -> Raster {
     draw_all(size, samples, target, &[(indices, shader)], options)
 }
@@ -107,15 +111,15 @@ pub(crate) fn draw(
 pub(crate) fn draw_all(
     size: [u32; 2],
     samples: u32,
-    target: &Target,
+    target: &PassTarget,
     draws: &[(&[u32], &Plain<'_>)],
-    options: &Options,
+    options: &ReferenceOptions,
 ) -> Raster {
     let triangles: Vec<_> = draws
         .iter()
         .map(|(indices, shader)| Triangles { indices, shader: *shader, sides: BOTH })
         .collect();
-    rasterise(size, samples, target, &triangles, options, &Progress::new())
+    rasterize(size, samples, target, &triangles, options, &Progress::new())
         .expect("it fits, and nothing fails")
 }
 

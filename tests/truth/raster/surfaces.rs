@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use chiaro::progress::Progress;
 use chiaro::reference::{
-    Interpolation, LANES, Options, QuadBatch, Snap, Target, Triangles, rasterise, shade_all,
+    LANES, PassTarget, QuadBatch, ReferenceOptions, SnapGrid, Triangles, VaryingInterpolation,
+    rasterize, shade_all,
 };
 use glam::DVec3;
 
@@ -49,19 +50,20 @@ fn traced(triangle: [DVec3; 3]) -> Plain<'static> {
         numbers.push(1.0);
         Some(numbers)
     };
-    Plain::new(triangle.map(project).to_vec(), fragment).with(Interpolation::Perspective, numbers)
+    Plain::new(triangle.map(project).to_vec(), fragment)
+        .with(VaryingInterpolation::Perspective, numbers)
 }
 
 /// Draws a triangle, and compares every pixel with the ray through its middle. Gives the number of
 /// covered pixels.
 fn hold_against_rays(triangle: [DVec3; 3]) -> usize {
-    hold_against_rays_on(Snap::None, triangle)
+    hold_against_rays_on(SnapGrid::None, triangle)
 }
 
-fn hold_against_rays_on(snap: Snap, triangle: [DVec3; 3]) -> usize {
+fn hold_against_rays_on(snap: SnapGrid, triangle: [DVec3; 3]) -> usize {
     let shader = traced(triangle);
-    let options = Options { snap, ..Options::default() };
-    let raster = draw(SIZE, 1, &Target::Numbers(8), &[0, 1, 2], &shader, &options);
+    let options = ReferenceOptions { snap, ..ReferenceOptions::default() };
+    let raster = draw(SIZE, 1, &PassTarget::Numbers(8), &[0, 1, 2], &shader, &options);
     let mut covered = 0;
     for y in 0..SIZE[1] {
         for x in 0..SIZE[0] {
@@ -76,7 +78,7 @@ fn hold_against_rays_on(snap: Snap, triangle: [DVec3; 3]) -> usize {
             let (is_covered, is_inside) = (pixel[7] == 1.0, within > 0.0 && depths > 0.0);
             // Snapping to a grid moves edges, but no value within them.
             assert!(
-                is_covered == is_inside || snap != Snap::None,
+                is_covered == is_inside || snap != SnapGrid::None,
                 "({x}, {y}): {within}, {depths}"
             );
             if !(is_covered && is_inside) {
@@ -123,7 +125,7 @@ fn a_grid_decides_coverage_and_moves_no_plane() {
             DVec3::new(x, y, random.between(-11.0, -9.0))
         };
         let triangle = [corner(&mut random), corner(&mut random), corner(&mut random)];
-        covered += hold_against_rays_on(Snap::Subpixel(8), triangle);
+        covered += hold_against_rays_on(SnapGrid::Subpixel(8), triangle);
     }
     assert!(covered > 1000, "{covered}");
 }
@@ -140,9 +142,10 @@ fn slivers_on_a_grid_give_nothing_beyond_their_corners() {
         let corners = [[x - 9.0, y - 9.0], [x + 9.0, y + 9.0], [x, y + random.between(0.0, 0.004)]];
         let clip = corners.map(|corner| at_pixel(SIZE, corner, 0.5)).to_vec();
         let shader = Plain::new(clip, |batch, lane| Some(vec![batch.varying(0)[lane], 1.0]))
-            .with(Interpolation::Perspective, vec![vec![0.0], vec![0.0], vec![1.0]]);
-        let options = Options { snap: Snap::Subpixel(8), ..Options::default() };
-        let raster = draw(SIZE, 1, &Target::Numbers(2), &[0, 1, 2], &shader, &options);
+            .with(VaryingInterpolation::Perspective, vec![vec![0.0], vec![0.0], vec![1.0]]);
+        let options =
+            ReferenceOptions { snap: SnapGrid::Subpixel(8), ..ReferenceOptions::default() };
+        let raster = draw(SIZE, 1, &PassTarget::Numbers(2), &[0, 1, 2], &shader, &options);
         for pixel in raster.texels.values.chunks_exact(2).filter(|pixel| pixel[1] == 1.0) {
             assert!(pixel[0].abs() < 6.0, "{pixel:?} of {corners:?}");
             covered += 1;
@@ -191,7 +194,7 @@ fn a_floor_under_the_eye_is_cut_without_gaps() {
             }
         }
     }
-    for snap in [Snap::None, Snap::Subpixel(8)] {
+    for snap in [SnapGrid::None, SnapGrid::Subpixel(8)] {
         // Number of times that each pixel is shaded: all fragments are discarded, so that none
         // hides another.
         let counts: Vec<_> = (0..SIZE[0] * SIZE[1]).map(|_| AtomicUsize::new(0)).collect();
@@ -202,7 +205,14 @@ fn a_floor_under_the_eye_is_cut_without_gaps() {
             }
             None
         });
-        draw(SIZE, 1, &CLEAR, &indices, &shader, &Options { snap, ..Options::default() });
+        draw(
+            SIZE,
+            1,
+            &CLEAR,
+            &indices,
+            &shader,
+            &ReferenceOptions { snap, ..ReferenceOptions::default() },
+        );
         for (y, row) in counts.chunks(SIZE[0] as usize).enumerate() {
             for (x, count) in row.iter().enumerate() {
                 let hit = ray(x as f64 + 0.5, y as f64 + 0.5);
@@ -240,8 +250,8 @@ fn helpers_lie_on_the_triangles_plane() {
             Some(vec![0.0; 4])
         };
         let shader = Plain::new(triangle.map(project).to_vec(), fragment)
-            .with(Interpolation::Perspective, numbers);
-        draw(SIZE, 4, &CLEAR, &[0, 1, 2], &shader, &Options::default());
+            .with(VaryingInterpolation::Perspective, numbers);
+        draw(SIZE, 4, &CLEAR, &[0, 1, 2], &shader, &ReferenceOptions::default());
     }
     assert!(seen.into_inner() > 1000, "enough of them were helpers");
 }
@@ -268,8 +278,8 @@ fn derivatives_are_gradients() {
         Some(vec![1.0; 4])
     };
     let clip = corners.map(|corner| at_pixel(SIZE, corner, 0.5)).to_vec();
-    let shader = Plain::new(clip, fragment).with(Interpolation::Perspective, numbers);
-    let raster = draw(SIZE, 4, &CLEAR, &[0, 1, 2], &shader, &Options::default());
+    let shader = Plain::new(clip, fragment).with(VaryingInterpolation::Perspective, numbers);
+    let raster = draw(SIZE, 4, &CLEAR, &[0, 1, 2], &shader, &ReferenceOptions::default());
     assert!(raster.coverage.iter().filter(|coverage| coverage.samples > 0).count() > 500);
 }
 
@@ -279,8 +289,9 @@ fn flat_varyings_are_the_first_corners() {
     for (indices, wanted) in [([0, 1, 2], 7.0), ([1, 2, 0], 8.0), ([2, 1, 0], 9.0)] {
         let fragment = |batch: &QuadBatch, lane: usize| Some(vec![batch.varying(0)[lane]]);
         let numbers = vec![vec![7.0], vec![8.0], vec![9.0]];
-        let shader = Plain::new(clip.clone(), fragment).with(Interpolation::Flat, numbers);
-        let raster = draw(SIZE, 1, &Target::Numbers(1), &indices, &shader, &Options::default());
+        let shader = Plain::new(clip.clone(), fragment).with(VaryingInterpolation::Flat, numbers);
+        let raster =
+            draw(SIZE, 1, &PassTarget::Numbers(1), &indices, &shader, &ReferenceOptions::default());
         assert_eq!(raster.texels.pixel(10, 20), [wanted]);
     }
 }
@@ -304,7 +315,7 @@ fn discarded_fragments_leave_no_depth() {
     let indices = in_order(6);
     for order in [[&front, &back], [&back, &front]] {
         let draws = order.map(|shader| (&indices[..], shader));
-        let raster = draw_all(SIZE, 4, &CLEAR, &draws, &Options::default());
+        let raster = draw_all(SIZE, 4, &CLEAR, &draws, &ReferenceOptions::default());
         for y in 0..SIZE[1] {
             for x in 0..SIZE[0] {
                 let wanted =
@@ -326,7 +337,8 @@ fn straight_colors_are_laid_over_and_samples_averaged() {
         .map(|(clip, color)| Plain::new(clip, move |_, _| Some(color.to_vec())));
     let indices = in_order(6);
     let draws = [(&indices[..], &shaders[0]), (&indices[..], &shaders[1])];
-    let raster = draw_all(SIZE, 4, &Target::Picture(background), &draws, &Options::default());
+    let raster =
+        draw_all(SIZE, 4, &PassTarget::Picture(background), &draws, &ReferenceOptions::default());
     let over = |below: [f64; 4], [r, g, b, a]: [f64; 4]| {
         let premultiplied = [r * a, g * a, b * a, a];
         [0, 1, 2, 3].map(|i| premultiplied[i] + below[i] * (1.0 - a))
@@ -362,7 +374,7 @@ fn every_pixel_of_an_image_is_shaded_once() {
         Some(vec![at[0][lane], at[1][lane]])
     });
     for (threads, tile) in [(1, 64), (3, 10), (2, 2)] {
-        let options = Options { threads, tile, ..Options::default() };
+        let options = ReferenceOptions { threads, tile, ..ReferenceOptions::default() };
         let image = shade_all(size, 2, &shader, &options, &Progress::new()).expect("nothing fails");
         for y in 0..size[1] {
             for x in 0..size[0] {
@@ -382,19 +394,20 @@ fn the_work_can_be_stopped_and_tells_how_far_it_is() {
     });
     let indices = in_order(6);
     let triangles = [Triangles { indices: &indices, shader: &shader, sides: BOTH }];
-    let options = Options { threads: 1, snap: Snap::Subpixel(8), ..Options::default() };
+    let options =
+        ReferenceOptions { threads: 1, snap: SnapGrid::Subpixel(8), ..ReferenceOptions::default() };
     let problem =
-        rasterise(SIZE, 1, &CLEAR, &triangles, &options, &progress).expect_err("it was stopped");
+        rasterize(SIZE, 1, &CLEAR, &triangles, &options, &progress).expect_err("it was stopped");
     assert_eq!(problem.code, "stopped");
     let shader = Plain::new(sheet(0.5), |_, _| Some(vec![1.0; 4]));
     let triangles = [Triangles { indices: &indices, shader: &shader, sides: BOTH }];
     let progress = Progress::new();
-    rasterise(SIZE, 1, &CLEAR, &triangles, &options, &progress).expect("it was not");
+    rasterize(SIZE, 1, &CLEAR, &triangles, &options, &progress).expect("it was not");
     assert_eq!(progress.share(), 1.0);
     let problem =
-        rasterise([1 << 15; 2], 4, &CLEAR, &[], &options, &Progress::new()).expect_err("too large");
+        rasterize([1 << 15; 2], 4, &CLEAR, &[], &options, &Progress::new()).expect_err("too large");
     assert_eq!(problem.code, "reference-too-large");
     let problem =
-        rasterise([8; 2], 2, &CLEAR, &[], &options, &Progress::new()).expect_err("no such samples");
+        rasterize([8; 2], 2, &CLEAR, &[], &options, &Progress::new()).expect_err("no such samples");
     assert_eq!(problem.code, "reference-samples");
 }

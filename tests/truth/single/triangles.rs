@@ -3,11 +3,11 @@
 use chiaro::compile::Live;
 use chiaro::document::{Camera, Scene};
 use chiaro::frame::{PlanOptions, Planner, Setup};
-use chiaro::geometry::{Mesh, Part};
+use chiaro::geometry::{Mesh, MeshPart};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
-use chiaro::reference::{self, Modules, Options, ReferencePicture, Snap};
+use chiaro::reference::{self, Modules, ReferenceOptions, ReferencePicture, SnapGrid};
 use chiaro::render::{Picture, Renderer};
 use serde_json::json;
 
@@ -45,20 +45,23 @@ fn crumbs(random: &mut Random) -> Mesh {
         }
     }
     mesh.indices = (0..mesh.positions.len() as u32).collect();
-    mesh.parts =
-        vec![Part { indices: 0..mesh.indices.len() as u32, two_sided: true, ..Part::default() }];
+    mesh.parts = vec![MeshPart {
+        indices: 0..mesh.indices.len() as u32,
+        two_sided: true,
+        ..MeshPart::default()
+    }];
     (mesh.has_colors, mesh.has_normals) = (true, true);
     mesh
 }
 
-fn both(setup: &Setup, snap: Snap) -> (Picture, ReferencePicture) {
+fn both(setup: &Setup, snap: SnapGrid) -> (Picture, ReferencePicture) {
     let size = PlanOptions { size: SIZE, samples: 1, time: 0.0 };
     let plan = Planner::default()
         .plan(setup, Library::built_in(), &Live::Keyed, &size)
         .expect("it is planned")
         .value;
     let modules = Modules::new(&plan, Precision::F64).expect("it compiles");
-    let options = Options { snap, ..Options::default() };
+    let options = ReferenceOptions { snap, ..ReferenceOptions::default() };
     let reference =
         reference::execute(&plan, &modules, &options, &Progress::new()).expect("it is drawn");
     let picture =
@@ -97,7 +100,7 @@ fn coverage_is_rounded_and_planes_are_not() {
     let mesh = crumbs(&mut Random::new(90));
     let setup =
         scene(look, mesh, Scene { camera: Camera::default(), backdrop: None, ..Scene::default() });
-    let (picture, reference) = both(&setup, Snap::Subpixel(8));
+    let (picture, reference) = both(&setup, SnapGrid::Subpixel(8));
     let (shared, single, most, mean) = differences(&picture, &reference);
     println!("| {shared} | {single} | {most:.1e} | {mean:.1e} |");
     assert!(shared > 2000, "{shared}");

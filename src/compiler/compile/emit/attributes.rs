@@ -6,7 +6,7 @@ use crate::library::Context;
 
 /// A vertex attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Attribute {
+pub enum VertexAttribute {
     /// Object space, `vec3f`, location 0.
     Position,
     /// Unit, object space, `vec3f`, location 1.
@@ -19,7 +19,7 @@ pub enum Attribute {
     Color,
 }
 
-impl Attribute {
+impl VertexAttribute {
     /// All of them, by location.
     pub const ALL: [Self; 5] = [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color];
 
@@ -51,72 +51,78 @@ impl Attribute {
 
 /// A number that is interpolated over triangles.
 #[derive(Debug)]
-pub(super) struct Varying {
+pub(super) struct SurfaceVarying {
     /// What expressions read as a member of `in`.
     pub(super) name: &'static str,
     pub(super) wgsl_type: &'static str,
     /// The value at a vertex.
     pub(super) value: &'static str,
     /// The attribute that it is made from.
-    pub(super) attribute: Attribute,
+    pub(super) attribute: VertexAttribute,
 }
 
 /// Every varying that there is, in the order of locations. The place in clip space, `in.clip`, is
 /// there without being asked for.
-pub(super) const VARYINGS: [Varying; 6] = [
-    Varying {
+pub(super) const VARYINGS: [SurfaceVarying; 6] = [
+    SurfaceVarying {
         name: "position",
         wgsl_type: "vec3f",
         value: "world.xyz",
-        attribute: Attribute::Position,
+        attribute: VertexAttribute::Position,
     },
-    Varying {
+    SurfaceVarying {
         name: "position_object",
         wgsl_type: "vec3f",
         value: "vertex.position",
-        attribute: Attribute::Position,
+        attribute: VertexAttribute::Position,
     },
-    Varying {
+    SurfaceVarying {
         name: "normal",
         wgsl_type: "vec3f",
         value: "object.world_from_normal * vertex.normal",
-        attribute: Attribute::Normal,
+        attribute: VertexAttribute::Normal,
     },
     // An object that is mirrored has its bitangents on the other side of normal and tangent.
-    Varying {
+    SurfaceVarying {
         name: "tangent",
         wgsl_type: "vec4f",
         value: "vec4f((object.world_from_object * vec4f(vertex.tangent.xyz, 0.0)).xyz, \
                 select(vertex.tangent.w, -vertex.tangent.w, \
                 determinant(object.world_from_normal) < 0.0))",
-        attribute: Attribute::Tangent,
+        attribute: VertexAttribute::Tangent,
     },
-    Varying { name: "uv", wgsl_type: "vec2f", value: "vertex.uv", attribute: Attribute::Uv },
-    Varying {
+    SurfaceVarying {
+        name: "uv",
+        wgsl_type: "vec2f",
+        value: "vertex.uv",
+        attribute: VertexAttribute::Uv,
+    },
+    SurfaceVarying {
         name: "color",
         wgsl_type: "vec4f",
         value: "vertex.color",
-        attribute: Attribute::Color,
+        attribute: VertexAttribute::Color,
     },
 ];
 
 impl Needs {
     /// The vertex attributes that a module with these needs reads.
-    pub fn attributes(&self) -> Vec<Attribute> {
-        let of_contexts = self.contexts.iter().flat_map(|context| Attribute::read_by(*context));
-        let mut attributes: Vec<Attribute> =
-            std::iter::once(Attribute::Position).chain(of_contexts).collect();
+    pub fn attributes(&self) -> Vec<VertexAttribute> {
+        let of_contexts =
+            self.contexts.iter().flat_map(|context| VertexAttribute::read_by(*context));
+        let mut attributes: Vec<VertexAttribute> =
+            std::iter::once(VertexAttribute::Position).chain(of_contexts).collect();
         attributes.sort_unstable();
         attributes.dedup();
         attributes
     }
 }
 
-impl Attribute {
+impl VertexAttribute {
     /// The attributes that a context is made from where a mesh is drawn.
     pub fn read_by(context: Context) -> Vec<Self> {
         let reads = ExpressionInputs::of(context);
-        let is_read = |varying: &&Varying| reads.varying(varying.name);
+        let is_read = |varying: &&SurfaceVarying| reads.varying(varying.name);
         VARYINGS.iter().filter(is_read).map(|varying| varying.attribute).collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::attributes::{Attribute, VARYINGS, Varying};
+use super::attributes::{SurfaceVarying, VARYINGS, VertexAttribute};
 use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::ImageShape;
@@ -237,7 +237,7 @@ impl Emitter<'_> {
         out.push_str("}\n\nstruct Varyings {\n    @builtin(position) clip: vec4f,\n");
         let varyings = self.varyings();
         let out = &mut self.out;
-        for (location, Varying { name, wgsl_type, .. }) in varyings.iter().enumerate() {
+        for (location, SurfaceVarying { name, wgsl_type, .. }) in varyings.iter().enumerate() {
             let _ = writeln!(out, "    @location({location}) {name}: {wgsl_type},");
         }
         out.push_str("}\n\n@vertex\nfn vs_main(vertex: Vertex) -> Varyings {\n");
@@ -246,20 +246,20 @@ impl Emitter<'_> {
              Varyings;\n",
         );
         out.push_str("    out.clip = view.clip_from_world * world;\n");
-        for Varying { name, value, .. } in &varyings {
+        for SurfaceVarying { name, value, .. } in &varyings {
             let _ = writeln!(out, "    out.{name} = {value};");
         }
         out.push_str("    return out;\n}\n");
     }
 
     /// The varyings that the fragment reads.
-    fn varyings(&self) -> Vec<&'static Varying> {
+    fn varyings(&self) -> Vec<&'static SurfaceVarying> {
         let attributes = self.needs.attributes();
         let reads: Vec<ExpressionInputs> =
             self.needs.contexts.iter().map(|c| ExpressionInputs::of(*c)).collect();
-        let is_read = |varying: &&Varying| match varying.attribute {
+        let is_read = |varying: &&SurfaceVarying| match varying.attribute {
             // Normals are drawn with their depth.
-            Attribute::Position => {
+            VertexAttribute::Position => {
                 reads.iter().any(|reads| reads.varying(varying.name))
                     || (varying.name == "position" && self.options.stage.is_normals())
             }

@@ -15,9 +15,11 @@ use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use super::Options;
+use super::CompileOptions;
 use super::check::TypedGraph;
-use super::host::{Callee, HostDriver, HostProgram, Step, UniformMember, conversion_program};
+use super::host::{
+    Callee, HostDriver, HostProgram, ProgramStep, UniformMember, conversion_program,
+};
 use super::items::{CollectedItems, Items};
 use super::names::Names;
 use super::specialize::{
@@ -25,10 +27,10 @@ use super::specialize::{
 };
 use crate::diag::Diagnostic;
 use crate::ids::NodePath;
-use crate::library::{Context, Library, PassId, Rate, Special, Type};
+use crate::library::{Context, Library, PassId, Rate, Treatment, Type};
 use crate::wgsl::WgslError;
 
-pub use attributes::Attribute;
+pub use attributes::VertexAttribute;
 pub use frame::SAMPLES_PER_ROW;
 
 /// A binding of the module, in group 0.
@@ -92,9 +94,9 @@ impl SpanMap {
     }
 }
 
-/// What was written, before naga has seen it.
+/// Module as it was written, before naga has seen it.
 #[derive(Debug)]
-pub(super) struct Emitted {
+pub(super) struct EmittedModule {
     pub(super) text: String,
     pub(super) host: HostProgram,
     pub(super) needs: Needs,
@@ -103,7 +105,7 @@ pub(super) struct Emitted {
     pub(super) root_type: Type,
 }
 
-impl Emitted {
+impl EmittedModule {
     /// naga refused what we wrote: a mistake of ours, reported with the node it concerns.
     pub(super) fn refused(&self, error: &WgslError) -> Diagnostic {
         let start = error.span.as_ref().map_or(0, |span| span.start);
@@ -124,8 +126,8 @@ impl Emitted {
 pub(super) fn emit(
     graph: &TypedGraph,
     specialized: &SpecializedGraph,
-    options: &Options,
-) -> Emitted {
+    options: &CompileOptions,
+) -> EmittedModule {
     let mut emitter = Emitter::new(graph, specialized, options);
     emitter.plan();
     emitter.write()
@@ -134,7 +136,7 @@ pub(super) fn emit(
 struct Emitter<'a> {
     graph: &'a TypedGraph,
     special: &'a SpecializedGraph,
-    options: &'a Options,
+    options: &'a CompileOptions,
     /// Calls of fragment rate, each after what it reads.
     calls: Vec<ValueId>,
     needs: Needs,
@@ -152,7 +154,11 @@ struct Emitter<'a> {
 }
 
 impl<'a> Emitter<'a> {
-    fn new(graph: &'a TypedGraph, special: &'a SpecializedGraph, options: &'a Options) -> Self {
+    fn new(
+        graph: &'a TypedGraph,
+        special: &'a SpecializedGraph,
+        options: &'a CompileOptions,
+    ) -> Self {
         Self {
             graph,
             special,
@@ -346,26 +352,30 @@ impl<'a> Emitter<'a> {
         self.host_steps[&id]
     }
 
-    fn step(&self, id: ValueId) -> Step {
+    fn step(&self, id: ValueId) -> ProgramStep {
         let value = &self.special.values[id];
         match &value.operation {
-            Operation::Constant(constant) => Step::Constant(constant.clone()),
+            Operation::Constant(constant) => ProgramStep::Constant(constant.clone()),
             Operation::Param { id, value: constant } => {
-                Step::Param { id: *id, ty: value.ty.clone(), value: constant.clone() }
+                ProgramStep::Param { id: *id, ty: value.ty.clone(), value: constant.clone() }
             }
-            Operation::Context(context, light) => Step::Context(*context, light.clone()),
+            Operation::Context(context, light) => ProgramStep::Context(*context, light.clone()),
             Operation::Member { value, index, .. } => {
-                Step::Member { value: self.host_steps[value], index: *index }
+                ProgramStep::Member { value: self.host_steps[value], index: *index }
             }
             Operation::Convert { value: from, .. } => {
                 let (from_type, to) = (self.special.values[*from].ty.clone(), value.ty.clone());
                 match conversion_program(&from_type, &to) {
                     Some(program) => {
                         let callee = Callee::Conversion { from: from_type, to };
-                        Step::Call { program, callee, arguments: vec![self.host_steps[from]] }
+                        ProgramStep::Call {
+                            program,
+                            callee,
+                            arguments: vec![self.host_steps[from]],
+                        }
                     }
                     // Between two names of one type.
-                    None => Step::Member { value: self.host_steps[from], index: 0 },
+                    None => ProgramStep::Member { value: self.host_steps[from], index: 0 },
                 }
             }
             Operation::Call { function, arguments } => {
@@ -375,13 +385,13 @@ impl<'a> Emitter<'a> {
                 });
                 let arguments = arguments.collect();
                 match function.module.program(&function.name) {
-                    Ok(program) => Step::Call {
+                    Ok(program) => ProgramStep::Call {
                         program,
                         callee: Callee::Function(function.clone()),
                         arguments,
                     },
                     // The specializer keeps what the interpreter refuses at fragment rate.
-                    Err(_) => Step::Constant(crate::interp::Value::Float(0.0)),
+                    Err(_) => ProgramStep::Constant(crate::interp::Value::Float(0.0)),
                 }
             }
         }
@@ -432,7 +442,7 @@ impl<'a> Emitter<'a> {
         // Layers share their lights: a light goes by its own name, not by that of the first layer
         // that it lights.
         let name = match &node.light {
-            Some(light) if node.def.special == Special::Light => light.as_str(),
+            Some(light) if node.def.special == Treatment::Light => light.as_str(),
             _ => &node.name,
         };
         match &value.part {
@@ -441,7 +451,7 @@ impl<'a> Emitter<'a> {
         }
     }
 
-    fn write(mut self) -> Emitted {
+    fn write(mut self) -> EmittedModule {
         let body = self.look_functions();
         self.write_header();
         self.write_structs();
@@ -456,7 +466,7 @@ impl<'a> Emitter<'a> {
             .map(|(span, path)| (span.start + offset..span.end + offset, path))
             .collect();
         self.write_entry_points();
-        Emitted {
+        EmittedModule {
             root_type: self.special.values[self.special.root].ty.clone(),
             text: self.out,
             host: self.host,

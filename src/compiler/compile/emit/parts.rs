@@ -34,11 +34,11 @@ pub(super) struct Body {
 /// One `let` of a function.
 enum Block {
     Call(ValueId),
-    Part(Part),
+    Part(ShaderFunction),
 }
 
 /// A function of its own.
-struct Part {
+struct ShaderFunction {
     name: String,
     /// What its result is called where it is called.
     variable: String,
@@ -166,7 +166,7 @@ impl Emitter<'_> {
 
     /// Writes a part after the parts that it calls; their depth is the logarithm of the look's
     /// length.
-    fn write_part(&mut self, part: &Part, body: &mut Body) {
+    fn write_part(&mut self, part: &ShaderFunction, body: &mut Body) {
         for block in &part.blocks {
             if let Block::Part(inner) = block {
                 self.write_part(inner, body);
@@ -255,7 +255,7 @@ impl Emitter<'_> {
             });
             let wanted = self.part_name(&inner);
             let name = self.names.give(&wanted);
-            gathered.push(Block::Part(Part {
+            gathered.push(Block::Part(ShaderFunction {
                 variable: String::new(),
                 name,
                 blocks: inner,

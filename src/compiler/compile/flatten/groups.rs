@@ -18,12 +18,12 @@ const MAX_DEPTH: u64 = 256;
 /// The most ids in the paths of all nodes together: nodes times how deep they lie.
 const MAX_PATH_IDS: u64 = 8_000_000;
 
-/// The index of a group in [`Groups`].
+/// The index of a group in [`UsedGroups`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct GroupIndex(usize);
 
 /// A definition that the look uses, of its own or of the library.
-pub(super) struct Group<'a> {
+pub(super) struct UsedGroup<'a> {
     pub(super) kind: &'a str,
     pub(super) definition: &'a Definition,
     pub(super) inputs: HashMap<&'a str, &'a InterfacePort>,
@@ -97,12 +97,12 @@ impl Extent {
 }
 
 /// All groups that a look uses.
-pub(super) struct Groups<'a> {
-    list: Vec<Group<'a>>,
+pub(super) struct UsedGroups<'a> {
+    list: Vec<UsedGroup<'a>>,
     by_kind: HashMap<&'a str, GroupIndex>,
 }
 
-impl<'a> Groups<'a> {
+impl<'a> UsedGroups<'a> {
     /// Finds the groups of `look`.
     ///
     /// # Errors
@@ -145,7 +145,7 @@ impl<'a> Groups<'a> {
             };
             entry.insert(GroupIndex(self.list.len()));
             let (inputs, outputs) = (by_name(&definition.inputs), by_name(&definition.outputs));
-            self.list.push(Group {
+            self.list.push(UsedGroup {
                 kind,
                 definition,
                 inputs,
@@ -210,10 +210,10 @@ impl<'a> Groups<'a> {
     }
 }
 
-impl<'a> std::ops::Index<GroupIndex> for Groups<'a> {
-    type Output = Group<'a>;
+impl<'a> std::ops::Index<GroupIndex> for UsedGroups<'a> {
+    type Output = UsedGroup<'a>;
 
-    fn index(&self, GroupIndex(index): GroupIndex) -> &Group<'a> {
+    fn index(&self, GroupIndex(index): GroupIndex) -> &UsedGroup<'a> {
         &self.list[index]
     }
 }

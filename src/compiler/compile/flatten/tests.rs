@@ -42,7 +42,7 @@ fn group(level: usize, nodes: &str, wires: &str) -> String {
 /// The flattened graph, with the number of wires that were followed for it.
 fn flattened(look: &Look) -> (FlatGraph, usize, Vec<Diagnostic>) {
     let mut problems = Vec::new();
-    let groups = Groups::of(look, Library::built_in()).unwrap();
+    let groups = UsedGroups::of(look, Library::built_in()).unwrap();
     let mut flattener = Flattener::new(look, Library::built_in(), groups);
     flattener.run();
     problems.append(&mut flattener.problems);

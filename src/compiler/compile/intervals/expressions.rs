@@ -5,28 +5,30 @@ use naga::{
 };
 
 use super::layout::{part_of, parts_of, scalars_of, tops_of, zeros_of};
-use super::machine::{Frame, GiveUp, Knowledge, Machine, Outcome, Ranges, State, joined_ranges};
+use super::machine::{
+    CallFrame, Knowledge, Machine, NoRanges, Outcome, PathState, Ranges, joined_ranges,
+};
 use super::range::{Bools, Floats, Ints, Range};
 
 impl<'m> Machine<'m> {
     /// The ranges of an expression that is no pointer.
     pub(super) fn value(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         handle: Handle<Expression>,
     ) -> Outcome<Ranges> {
         match self.expression(frame, state, handle)? {
             Knowledge::Value(ranges) => Ok(ranges),
-            _ => Err(GiveUp),
+            _ => Err(NoRanges),
         }
     }
 
     /// The knowledge of an expression, evaluated once for a state.
     pub(super) fn expression(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         handle: Handle<Expression>,
     ) -> Outcome<Knowledge> {
         if let Some(known) = &state.known[handle.index()] {
@@ -38,7 +40,7 @@ impl<'m> Machine<'m> {
         Ok(known)
     }
 
-    fn inner<'f>(&self, frame: Frame<'f>, handle: Handle<Expression>) -> &'f TypeInner
+    fn inner<'f>(&self, frame: CallFrame<'f>, handle: Handle<Expression>) -> &'f TypeInner
     where
         'm: 'f,
     {
@@ -47,8 +49,8 @@ impl<'m> Machine<'m> {
 
     fn evaluate(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         handle: Handle<Expression>,
     ) -> Outcome<Knowledge> {
         let module = &self.valid.module;
@@ -56,7 +58,7 @@ impl<'m> Machine<'m> {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
             Expression::Constant(constant) => self.global(module.constants[*constant].init)?,
             Expression::ZeroValue(ty) => {
-                zeros_of(module, &module.types[*ty].inner).ok_or(GiveUp)?
+                zeros_of(module, &module.types[*ty].inner).ok_or(NoRanges)?
             }
             Expression::Compose { components, .. } => {
                 let mut all = Vec::new();
@@ -67,13 +69,13 @@ impl<'m> Machine<'m> {
             }
             Expression::Splat { size, value } => {
                 let value = self.value(frame, state, *value)?;
-                vec![*value.first().ok_or(GiveUp)?; *size as usize]
+                vec![*value.first().ok_or(NoRanges)?; *size as usize]
             }
             Expression::Swizzle { size, vector, pattern } => {
                 let vector = self.value(frame, state, *vector)?;
                 let taken =
                     pattern.iter().take(*size as usize).map(|&c| vector.get(c as usize).copied());
-                taken.collect::<Option<Vec<_>>>().ok_or(GiveUp)?
+                taken.collect::<Option<Vec<_>>>().ok_or(NoRanges)?
             }
             Expression::LocalVariable(local) => {
                 let count = state.locals[local.index()].len();
@@ -86,9 +88,9 @@ impl<'m> Machine<'m> {
             }
             Expression::Access { base, index } => {
                 let [Range::Int(index)] = *self.value(frame, state, *index)? else {
-                    return Err(GiveUp);
+                    return Err(NoRanges);
                 };
-                let (count, _) = self.parts(frame, *base).ok_or(GiveUp)?;
+                let (count, _) = self.parts(frame, *base).ok_or(NoRanges)?;
                 // An index out of bounds gives any part.
                 let whole = 0..count;
                 let is_inside = index.low >= 0 && (index.high as usize) < count;
@@ -126,19 +128,23 @@ impl<'m> Machine<'m> {
             Expression::ImageSample { depth_ref: None, .. } => {
                 vec![Range::Float(Floats::between(0.0, 1.0)); self.scalars(frame, handle)?]
             }
-            Expression::FunctionArgument(_) | Expression::CallResult(_) => return Err(GiveUp),
+            Expression::FunctionArgument(_) | Expression::CallResult(_) => return Err(NoRanges),
             _ => self.tops(frame, handle)?,
         };
         Ok(Knowledge::Value(ranges.into()))
     }
 
-    fn scalars(&self, frame: Frame<'_>, handle: Handle<Expression>) -> Outcome<usize> {
-        scalars_of(&self.valid.module, self.inner(frame, handle)).ok_or(GiveUp)
+    fn scalars(&self, frame: CallFrame<'_>, handle: Handle<Expression>) -> Outcome<usize> {
+        scalars_of(&self.valid.module, self.inner(frame, handle)).ok_or(NoRanges)
     }
 
     /// Anything of an expression's type.
-    pub(super) fn tops(&self, frame: Frame<'_>, handle: Handle<Expression>) -> Outcome<Vec<Range>> {
-        tops_of(&self.valid.module, self.inner(frame, handle)).ok_or(GiveUp)
+    pub(super) fn tops(
+        &self,
+        frame: CallFrame<'_>,
+        handle: Handle<Expression>,
+    ) -> Outcome<Vec<Range>> {
+        tops_of(&self.valid.module, self.inner(frame, handle)).ok_or(NoRanges)
     }
 
     fn global(&mut self, handle: Handle<Expression>) -> Outcome<Vec<Range>> {
@@ -148,7 +154,7 @@ impl<'m> Machine<'m> {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
             Expression::Constant(constant) => self.global(module.constants[*constant].init)?,
             Expression::ZeroValue(ty) => {
-                zeros_of(module, &module.types[*ty].inner).ok_or(GiveUp)?
+                zeros_of(module, &module.types[*ty].inner).ok_or(NoRanges)?
             }
             Expression::Compose { components, .. } => {
                 let mut all = Vec::new();
@@ -159,14 +165,14 @@ impl<'m> Machine<'m> {
             }
             Expression::Splat { size, value } => {
                 let value = self.global(*value)?;
-                vec![*value.first().ok_or(GiveUp)?; *size as usize]
+                vec![*value.first().ok_or(NoRanges)?; *size as usize]
             }
-            _ => return Err(GiveUp),
+            _ => return Err(NoRanges),
         })
     }
 
     /// The type that an expression has, or that it points at.
-    fn pointee<'f>(&self, frame: Frame<'f>, handle: Handle<Expression>) -> Option<&'f TypeInner>
+    fn pointee<'f>(&self, frame: CallFrame<'f>, handle: Handle<Expression>) -> Option<&'f TypeInner>
     where
         'm: 'f,
     {
@@ -177,7 +183,7 @@ impl<'m> Machine<'m> {
         }
     }
 
-    fn parts(&self, frame: Frame<'_>, handle: Handle<Expression>) -> Option<(usize, usize)> {
+    fn parts(&self, frame: CallFrame<'_>, handle: Handle<Expression>) -> Option<(usize, usize)> {
         match self.inner(frame, handle) {
             TypeInner::ValuePointer { size, .. } => size.map(|size| (size as usize, 1)),
             _ => parts_of(&self.valid.module, self.pointee(frame, handle)?),
@@ -187,8 +193,8 @@ impl<'m> Machine<'m> {
     /// The parts `which` of a value, joined, or a pointer to them.
     fn access(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         base: Handle<Expression>,
         which: std::ops::Range<usize>,
     ) -> Outcome<Knowledge> {
@@ -197,23 +203,23 @@ impl<'m> Machine<'m> {
             TypeInner::ValuePointer { .. } => Some((index, 1)),
             _ => part_of(&self.valid.module, self.pointee(frame, base)?, index),
         };
-        let places = which.map(part).collect::<Option<Vec<_>>>().ok_or(GiveUp)?;
-        let size = places.first().ok_or(GiveUp)?.1;
+        let places = which.map(part).collect::<Option<Vec<_>>>().ok_or(NoRanges)?;
+        let size = places.first().ok_or(NoRanges)?.1;
         match known {
             Knowledge::Value(ranges) => {
                 let mut all: Option<Vec<Range>> = None;
                 for (start, size) in places {
-                    let one = ranges.get(start..start + size).ok_or(GiveUp)?;
+                    let one = ranges.get(start..start + size).ok_or(NoRanges)?;
                     all = Some(match all {
                         Some(known) => joined_ranges(&known, one)?,
                         None => one.to_vec(),
                     });
                 }
-                Ok(Knowledge::Value(all.ok_or(GiveUp)?.into()))
+                Ok(Knowledge::Value(all.ok_or(NoRanges)?.into()))
             }
             Knowledge::Pointer { local, at, .. } => {
                 if at.len() * places.len() > 256 {
-                    return Err(GiveUp);
+                    return Err(NoRanges);
                 }
                 let into =
                     at.iter().flat_map(|from| places.iter().map(move |(start, _)| from + start));
@@ -225,8 +231,8 @@ impl<'m> Machine<'m> {
 
     fn load(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         handle: Handle<Expression>,
         pointer: Handle<Expression>,
     ) -> Outcome<Knowledge> {
@@ -235,24 +241,24 @@ impl<'m> Machine<'m> {
                 let scalars = &state.locals[local.index()];
                 let mut all: Option<Vec<Range>> = None;
                 for &start in at.iter() {
-                    let one = scalars.get(start..start + count).ok_or(GiveUp)?;
+                    let one = scalars.get(start..start + count).ok_or(NoRanges)?;
                     all = Some(match all {
                         Some(known) => joined_ranges(&known, one)?,
                         None => one.to_vec(),
                     });
                 }
                 state.loaded[handle.index()] = state.versions[local.index()];
-                Ok(Knowledge::Value(all.ok_or(GiveUp)?.into()))
+                Ok(Knowledge::Value(all.ok_or(NoRanges)?.into()))
             }
             Knowledge::Elsewhere => Ok(Knowledge::Value(self.tops(frame, handle)?.into())),
-            Knowledge::Value(_) => Err(GiveUp),
+            Knowledge::Value(_) => Err(NoRanges),
         }
     }
 
     fn select(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         condition: Handle<Expression>,
         accept: Handle<Expression>,
         reject: Handle<Expression>,
@@ -267,15 +273,15 @@ impl<'m> Machine<'m> {
             };
         }
         if known.len() != on.len() || on.len() != off.len() {
-            return Err(GiveUp);
+            return Err(NoRanges);
         }
         let pick = |((known, on), off): ((&Range, &Range), &Range)| match known {
             Range::Bool(known) => match known.point() {
                 Some(true) => Ok(*on),
                 Some(false) => Ok(*off),
-                None => on.join(*off).ok_or(GiveUp),
+                None => on.join(*off).ok_or(NoRanges),
             },
-            _ => Err(GiveUp),
+            _ => Err(NoRanges),
         };
         known.iter().zip(on.iter()).zip(off.iter()).map(pick).collect()
     }
@@ -283,8 +289,8 @@ impl<'m> Machine<'m> {
     /// Either, each with what the condition tells about it.
     fn open_select(
         &mut self,
-        frame: Frame<'_>,
-        state: &State,
+        frame: CallFrame<'_>,
+        state: &PathState,
         condition: Handle<Expression>,
         accept: Handle<Expression>,
         reject: Handle<Expression>,
@@ -301,13 +307,13 @@ impl<'m> Machine<'m> {
                 None => one.to_vec(),
             });
         }
-        all.ok_or(GiveUp)
+        all.ok_or(NoRanges)
     }
 
     fn binary(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         op: Op,
         left: Handle<Expression>,
         right: Handle<Expression>,
@@ -338,18 +344,18 @@ pub(super) fn zip(
     f: impl Fn(Range, Range) -> Outcome<Range>,
 ) -> Outcome<Vec<Range>> {
     match (a, b) {
-        ([], _) | (_, []) => Err(GiveUp),
+        ([], _) | (_, []) => Err(NoRanges),
         ([one], _) => b.iter().map(|&b| f(*one, b)).collect(),
         (_, [one]) => a.iter().map(|&a| f(a, *one)).collect(),
         _ if a.len() == b.len() => a.iter().zip(b).map(|(&a, &b)| f(a, b)).collect(),
-        _ => Err(GiveUp),
+        _ => Err(NoRanges),
     }
 }
 
 /// The range of two operands that depend on each other: a square is no less than 0, and a number
 /// differs little from its own whole part.
 fn related(
-    frame: Frame<'_>,
+    frame: CallFrame<'_>,
     op: Op,
     left: Handle<Expression>,
     right: Handle<Expression>,
@@ -416,12 +422,12 @@ fn matrix_product(
                 let (Some(Range::Float(x)), Some(Range::Float(y))) =
                     (a.get(i * rows + row), b.get(column * inner + i))
                 else {
-                    return Err(GiveUp);
+                    return Err(NoRanges);
                 };
                 let term = x.mul(*y);
                 sum = Some(sum.map_or(term, |sum| sum.add(term)));
             }
-            product.push(Range::Float(sum.ok_or(GiveUp)?));
+            product.push(Range::Float(sum.ok_or(NoRanges)?));
         }
     }
     Ok(Some(product))
@@ -446,7 +452,7 @@ fn literal_range(literal: Literal) -> Outcome<Range> {
         Literal::I32(x) => Range::Int(Ints::between(x.into(), x.into())),
         Literal::AbstractInt(x) => Range::Int(Ints::between(x, x)),
         Literal::Bool(x) => Range::Bool(Bools::of(x)),
-        _ => return Err(GiveUp),
+        _ => return Err(NoRanges),
     })
 }
 
@@ -460,7 +466,7 @@ fn unary(op: UnaryOperator, x: Range) -> Outcome<Range> {
         (UnaryOperator::BitwiseNot, Range::Int(_)) => {
             Range::Int(Ints::between(i32::MIN.into(), u32::MAX.into()))
         }
-        _ => return Err(GiveUp),
+        _ => return Err(NoRanges),
     })
 }
 
@@ -483,10 +489,10 @@ fn binary(op: Op, a: Range, b: Range, is_signed: bool) -> Outcome<Range> {
                     (Some(a), Some(b)) => Bools::of((a == b) == (op == Op::Equal)),
                     _ => Bools::ALL,
                 },
-                _ => return Err(GiveUp),
+                _ => return Err(NoRanges),
             }))
         }
-        _ => Err(GiveUp),
+        _ => Err(NoRanges),
     }
 }
 
@@ -535,7 +541,7 @@ fn compare(op: Op, a: Floats, b: Floats) -> Outcome<Bools> {
         Op::GreaterEqual => or_nan(at_most(b, a)),
         Op::Equal => or_nan(equal),
         Op::NotEqual => or_nan(equal).not(),
-        _ => return Err(GiveUp),
+        _ => return Err(NoRanges),
     })
 }
 
@@ -621,7 +627,7 @@ fn masked(x: Ints, mask: i64, all: Ints) -> Ints {
 
 /// The range of a derivative: a value differs between pixels by no more than its range is wide.
 fn derivative(x: Range) -> Outcome<Range> {
-    let Range::Float(x) = x else { return Err(GiveUp) };
+    let Range::Float(x) = x else { return Err(NoRanges) };
     if x.point().is_some() {
         return Ok(Range::Float(Floats::ZERO));
     }
@@ -682,7 +688,7 @@ fn cast(x: Range, to: ScalarKind, is_conversion: bool) -> Outcome<Range> {
         (Range::Bool(x), _) => {
             Range::Int(Ints::between((!x.may_be_false).into(), x.may_be_true.into()))
         }
-        _ => return Err(GiveUp),
+        _ => return Err(NoRanges),
     })
 }
 
@@ -720,6 +726,6 @@ fn bitcast(x: Range, to: ScalarKind) -> Outcome<Range> {
                 Range::Int(Ints { magnitude: x.magnitude, ..all })
             }
         }
-        _ => return Err(GiveUp),
+        _ => return Err(NoRanges),
     })
 }

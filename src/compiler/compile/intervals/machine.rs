@@ -12,7 +12,7 @@ use naga::{Block, Expression, Function, Handle, Statement, SwitchCase, SwitchVal
 
 use super::layout::{scalars_of, tops_of};
 use super::range::Range;
-use crate::wgsl::Valid;
+use crate::wgsl::ValidModule;
 
 /// The ranges of a value's scalars, in the order of [`interp`](crate::interp)'s slots.
 pub(in crate::compile) type Ranges = Rc<[Range]>;
@@ -28,9 +28,9 @@ const MOST_DEPTH: usize = 64;
 
 /// The function does something that ranges cannot follow, or takes too long.
 #[derive(Debug)]
-pub(super) struct GiveUp;
+pub(super) struct NoRanges;
 
-pub(super) type Outcome<T> = Result<T, GiveUp>;
+pub(super) type Outcome<T> = Result<T, NoRanges>;
 
 /// The knowledge of an expression: its ranges, or the place that a pointer names.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,7 +49,7 @@ pub(super) enum Knowledge {
 
 /// The state on one path through a function.
 #[derive(Clone, Debug)]
-pub(super) struct State {
+pub(super) struct PathState {
     pub(super) known: Vec<Option<Knowledge>>,
     pub(super) locals: Vec<Ranges>,
     /// Counts the stores into each local, so that what was loaded before one is not taken for what
@@ -61,14 +61,14 @@ pub(super) struct State {
 /// Where states go that leave a block early.
 #[derive(Default)]
 struct Exits {
-    breaks: Vec<State>,
-    continues: Vec<State>,
+    breaks: Vec<PathState>,
+    continues: Vec<PathState>,
     returned: Option<Vec<Range>>,
 }
 
 /// Runs the functions of one module.
 pub(super) struct Machine<'m> {
-    pub(super) valid: &'m Valid,
+    pub(super) valid: &'m ValidModule,
     pub(super) is_known: &'m dyn Fn(&str) -> bool,
     steps: usize,
     depth: usize,
@@ -76,7 +76,7 @@ pub(super) struct Machine<'m> {
 
 /// A function with its side tables.
 #[derive(Clone, Copy)]
-pub(super) struct Frame<'m> {
+pub(super) struct CallFrame<'m> {
     pub(super) function: &'m Function,
     pub(super) info: &'m naga::valid::FunctionInfo,
     pub(super) arguments: &'m [Ranges],
@@ -84,13 +84,13 @@ pub(super) struct Frame<'m> {
 
 impl<'m> Machine<'m> {
     /// A machine over a module; `is_known` tells whether a function is the shader library's own.
-    pub(super) fn new(valid: &'m Valid, is_known: &'m dyn Fn(&str) -> bool) -> Self {
+    pub(super) fn new(valid: &'m ValidModule, is_known: &'m dyn Fn(&str) -> bool) -> Self {
         Self { valid, is_known, steps: 0, depth: 0 }
     }
 
     pub(super) fn step(&mut self) -> Outcome<()> {
         self.steps += 1;
-        if self.steps > MOST_STEPS { Err(GiveUp) } else { Ok(()) }
+        if self.steps > MOST_STEPS { Err(NoRanges) } else { Ok(()) }
     }
 
     /// The ranges of a function's result.
@@ -107,17 +107,18 @@ impl<'m> Machine<'m> {
         {
             return Ok(result);
         }
-        let result = function.result.as_ref().ok_or(GiveUp)?;
+        let result = function.result.as_ref().ok_or(NoRanges)?;
         for (argument, given) in function.arguments.iter().zip(arguments) {
-            if scalars_of(module, &module.types[argument.ty].inner).ok_or(GiveUp)? != given.len() {
-                return Err(GiveUp);
+            if scalars_of(module, &module.types[argument.ty].inner).ok_or(NoRanges)? != given.len()
+            {
+                return Err(NoRanges);
             }
         }
         self.depth += 1;
         if self.depth > MOST_DEPTH {
-            return Err(GiveUp);
+            return Err(NoRanges);
         }
-        let frame = Frame { function, info: &self.valid.info[handle], arguments };
+        let frame = CallFrame { function, info: &self.valid.info[handle], arguments };
         let state = self.entry(frame)?;
         let mut exits = Exits::default();
         self.block(frame, &function.body, vec![state], &mut exits)?;
@@ -125,13 +126,13 @@ impl<'m> Machine<'m> {
         match exits.returned {
             Some(ranges) => Ok(ranges.into()),
             // No way through it ends, on these arguments.
-            None => tops_of(module, &module.types[result.ty].inner).map(Into::into).ok_or(GiveUp),
+            None => tops_of(module, &module.types[result.ty].inner).map(Into::into).ok_or(NoRanges),
         }
     }
 
-    fn entry(&mut self, frame: Frame<'_>) -> Outcome<State> {
+    fn entry(&mut self, frame: CallFrame<'_>) -> Outcome<PathState> {
         let function = frame.function;
-        let mut state = State {
+        let mut state = PathState {
             known: vec![None; function.expressions.len()],
             locals: Vec::with_capacity(function.local_variables.len()),
             versions: vec![0; function.local_variables.len()],
@@ -139,7 +140,7 @@ impl<'m> Machine<'m> {
         };
         for (handle, expression) in function.expressions.iter() {
             if let Expression::FunctionArgument(index) = expression {
-                let given = frame.arguments.get(*index as usize).ok_or(GiveUp)?;
+                let given = frame.arguments.get(*index as usize).ok_or(NoRanges)?;
                 state.known[handle.index()] = Some(Knowledge::Value(given.clone()));
             }
         }
@@ -150,7 +151,7 @@ impl<'m> Machine<'m> {
                     &self.valid.module,
                     &self.valid.module.types[local.ty].inner,
                 )
-                .ok_or(GiveUp)?
+                .ok_or(NoRanges)?
                 .into(),
             };
             state.locals.push(init);
@@ -160,14 +161,14 @@ impl<'m> Machine<'m> {
 
     fn block(
         &mut self,
-        frame: Frame<'_>,
+        frame: CallFrame<'_>,
         block: &Block,
-        mut states: Vec<State>,
+        mut states: Vec<PathState>,
         exits: &mut Exits,
-    ) -> Outcome<Vec<State>> {
+    ) -> Outcome<Vec<PathState>> {
         self.depth += 1;
         if self.depth > 4 * MOST_DEPTH {
-            return Err(GiveUp);
+            return Err(NoRanges);
         }
         for statement in block {
             if states.is_empty() {
@@ -184,11 +185,11 @@ impl<'m> Machine<'m> {
 
     fn statement(
         &mut self,
-        frame: Frame<'_>,
+        frame: CallFrame<'_>,
         statement: &Statement,
-        mut states: Vec<State>,
+        mut states: Vec<PathState>,
         exits: &mut Exits,
-    ) -> Outcome<Vec<State>> {
+    ) -> Outcome<Vec<PathState>> {
         self.step()?;
         match statement {
             Statement::Emit(range) => {
@@ -227,7 +228,7 @@ impl<'m> Machine<'m> {
             }
             Statement::Return { value } => {
                 for state in &mut states {
-                    let Some(value) = value else { return Err(GiveUp) };
+                    let Some(value) = value else { return Err(NoRanges) };
                     let value = self.value(frame, state, *value)?;
                     exits.returned = Some(match exits.returned.take() {
                         Some(known) => joined_ranges(&known, &value)?,
@@ -256,18 +257,18 @@ impl<'m> Machine<'m> {
                 }
                 Ok(states)
             }
-            _ => Err(GiveUp),
+            _ => Err(NoRanges),
         }
     }
 
     /// Sends a state down the ways that a condition leaves open.
     fn branch(
         &mut self,
-        frame: Frame<'_>,
-        mut state: State,
+        frame: CallFrame<'_>,
+        mut state: PathState,
         condition: Handle<Expression>,
-        on: &mut Vec<State>,
-        off: &mut Vec<State>,
+        on: &mut Vec<PathState>,
+        off: &mut Vec<PathState>,
     ) -> Outcome<()> {
         match *self.value(frame, &mut state, condition)? {
             [Range::Bool(known)] => {
@@ -284,25 +285,25 @@ impl<'m> Machine<'m> {
                 }
                 Ok(())
             }
-            _ => Err(GiveUp),
+            _ => Err(NoRanges),
         }
     }
 
     fn switch(
         &mut self,
-        frame: Frame<'_>,
+        frame: CallFrame<'_>,
         selector: Handle<Expression>,
         cases: &[SwitchCase],
-        mut states: Vec<State>,
+        mut states: Vec<PathState>,
         exits: &mut Exits,
-    ) -> Outcome<Vec<State>> {
+    ) -> Outcome<Vec<PathState>> {
         let mut ends = Vec::new();
         // A break leaves the switch; a continue goes on to the loop outside.
         let outer = std::mem::take(&mut exits.breaks);
-        let mut starts: Vec<Vec<State>> = vec![Vec::new(); cases.len()];
+        let mut starts: Vec<Vec<PathState>> = vec![Vec::new(); cases.len()];
         for state in &mut states {
             let value = self.value(frame, state, selector)?;
-            let [Range::Int(selected)] = *value else { return Err(GiveUp) };
+            let [Range::Int(selected)] = *value else { return Err(NoRanges) };
             let number = |case: &SwitchCase| match case.value {
                 SwitchValue::I32(x) => Some(i64::from(x)),
                 SwitchValue::U32(x) => Some(i64::from(x)),
@@ -334,13 +335,13 @@ impl<'m> Machine<'m> {
 
     fn turns(
         &mut self,
-        frame: Frame<'_>,
+        frame: CallFrame<'_>,
         parts: (&Block, &Block, Option<Handle<Expression>>),
-        mut states: Vec<State>,
+        mut states: Vec<PathState>,
         exits: &mut Exits,
-    ) -> Outcome<Vec<State>> {
+    ) -> Outcome<Vec<PathState>> {
         let mut inner = Exits { returned: exits.returned.take(), ..Exits::default() };
-        let mut ends: Vec<State> = Vec::new();
+        let mut ends: Vec<PathState> = Vec::new();
         for _ in 0..MOST_TURNS {
             if states.is_empty() {
                 break;
@@ -356,7 +357,7 @@ impl<'m> Machine<'m> {
             for local in written(parts.0, parts.1, frame.function) {
                 let ty = frame.function.local_variables[local].ty;
                 let tops = tops_of(&self.valid.module, &self.valid.module.types[ty].inner)
-                    .ok_or(GiveUp)?;
+                    .ok_or(NoRanges)?;
                 any.locals[local.index()] = tops.into();
                 any.versions[local.index()] += 1;
             }
@@ -370,11 +371,11 @@ impl<'m> Machine<'m> {
     /// A turn of a loop: the states that begin the next one.
     fn turn(
         &mut self,
-        frame: Frame<'_>,
+        frame: CallFrame<'_>,
         (body, continuing, break_if): (&Block, &Block, Option<Handle<Expression>>),
-        states: Vec<State>,
+        states: Vec<PathState>,
         exits: &mut Exits,
-    ) -> Outcome<Vec<State>> {
+    ) -> Outcome<Vec<PathState>> {
         let mut ends = self.block(frame, body, states, exits)?;
         ends.append(&mut exits.continues);
         if ends.len() > MOST_WAYS {
@@ -395,8 +396,8 @@ impl<'m> Machine<'m> {
 
     fn store(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         pointer: Handle<Expression>,
         value: Handle<Expression>,
     ) -> Outcome<()> {
@@ -405,7 +406,7 @@ impl<'m> Machine<'m> {
             Knowledge::Pointer { local, at, count } if count == value.len() => {
                 let mut scalars = state.locals[local.index()].to_vec();
                 for &start in at.iter() {
-                    let slots = scalars.get_mut(start..start + count).ok_or(GiveUp)?;
+                    let slots = scalars.get_mut(start..start + count).ok_or(NoRanges)?;
                     if at.len() == 1 {
                         slots.copy_from_slice(&value);
                     } else {
@@ -421,7 +422,7 @@ impl<'m> Machine<'m> {
             }
             // A place that is not followed is read as anything.
             Knowledge::Elsewhere => Ok(()),
-            _ => Err(GiveUp),
+            _ => Err(NoRanges),
         }
     }
 }
@@ -469,15 +470,15 @@ fn root_of(
 /// The union of two lists of ranges.
 pub(super) fn joined_ranges(a: &[Range], b: &[Range]) -> Outcome<Vec<Range>> {
     if a.len() != b.len() {
-        return Err(GiveUp);
+        return Err(NoRanges);
     }
-    a.iter().zip(b).map(|(a, b)| a.join(*b).ok_or(GiveUp)).collect()
+    a.iter().zip(b).map(|(a, b)| a.join(*b).ok_or(NoRanges)).collect()
 }
 
 /// The union of states, of which there must be one.
-fn joined(states: Vec<State>) -> State {
+fn joined(states: Vec<PathState>) -> PathState {
     let mut states = states.into_iter();
-    let mut all = states.next().unwrap_or(State {
+    let mut all = states.next().unwrap_or(PathState {
         known: Vec::new(),
         locals: Vec::new(),
         versions: Vec::new(),

@@ -4,7 +4,7 @@
 use naga::{Expression, Handle, MathFunction as Math};
 
 use super::expressions::zip;
-use super::machine::{Frame, GiveUp, Machine, Outcome, State};
+use super::machine::{CallFrame, Machine, NoRanges, Outcome, PathState};
 use super::range::{Floats, Ints, Range};
 
 /// The error bound of a card's exp, log, sin and their like, with room to spare.
@@ -14,8 +14,8 @@ const ABSOLUTE: f64 = 1e-3;
 impl Machine<'_> {
     pub(super) fn math(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         handle: Handle<Expression>,
         fun: Math,
         first: Handle<Expression>,
@@ -89,7 +89,7 @@ fn integers(
             (Range::Int(a), Range::Int(b)) => {
                 Ok(Range::Int(Ints::between(of(a.low, b.low), of(a.high, b.high))))
             }
-            _ => Err(GiveUp),
+            _ => Err(NoRanges),
         }
     };
     Ok(Some(match (fun, rest) {

@@ -31,7 +31,7 @@ use std::sync::LazyLock;
 
 use crate::interp;
 use crate::library::{NodeModule, Type};
-use crate::wgsl::{self, Valid};
+use crate::wgsl::{self, ValidModule};
 use machine::Machine;
 
 pub(super) use machine::Ranges;
@@ -73,12 +73,16 @@ impl Calls {
 
 /// [`call`] for a module that imports the library and declares nothing that could be taken for a
 /// part of it.
-pub(super) fn call_plain(valid: &Valid, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
+pub(super) fn call_plain(
+    valid: &ValidModule,
+    function: &str,
+    arguments: &[Ranges],
+) -> Option<Ranges> {
     run(valid, function, arguments, &|_| true)
 }
 
 fn run(
-    valid: &Valid,
+    valid: &ValidModule,
     function: &str,
     arguments: &[Ranges],
     own: &dyn Fn(&str) -> bool,

@@ -2,7 +2,7 @@
 
 use naga::{BinaryOperator as Op, Expression, Handle, UnaryOperator};
 
-use super::machine::{Frame, GiveUp, Knowledge, Machine, Outcome, State};
+use super::machine::{CallFrame, Knowledge, Machine, NoRanges, Outcome, PathState};
 use super::range::{Floats, Range};
 
 /// The depth to which a condition or a place is followed.
@@ -12,8 +12,8 @@ impl Machine<'_> {
     /// Narrows a state to where a condition is `is_on`; `false` where it never is.
     pub(super) fn assume(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         condition: Handle<Expression>,
         is_on: bool,
     ) -> Outcome<bool> {
@@ -22,8 +22,8 @@ impl Machine<'_> {
 
     fn assume_within(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         condition: Handle<Expression>,
         is_on: bool,
         depth: usize,
@@ -49,8 +49,8 @@ impl Machine<'_> {
 
     fn assume_order(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         op: Op,
         left: Handle<Expression>,
         right: Handle<Expression>,
@@ -90,8 +90,8 @@ impl Machine<'_> {
     /// nothing is left.
     fn narrow(
         &mut self,
-        frame: Frame<'_>,
-        state: &mut State,
+        frame: CallFrame<'_>,
+        state: &mut PathState,
         handle: Handle<Expression>,
         index: usize,
         to: Floats,
@@ -119,7 +119,7 @@ impl Machine<'_> {
                 let Some(Knowledge::Value(_)) = &state.known[base.index()] else { return Ok(true) };
                 let inner = frame.info[base].ty.inner_with(&self.valid.module.types);
                 let (start, _) = super::layout::part_of(&self.valid.module, inner, part as usize)
-                    .ok_or(GiveUp)?;
+                    .ok_or(NoRanges)?;
                 self.narrow(frame, state, base, start + index, to, depth + 1)
             }
             Expression::Load { pointer } => {

@@ -3,7 +3,7 @@
 use super::Ranges;
 use super::range::{Floats, Range};
 use crate::compile::MAX_INTENSITY;
-use crate::library::{Bounds, Context, Type};
+use crate::library::{Context, ContextBounds, Type};
 
 /// Unit vectors and rotations, with their roundings.
 const UNIT: f64 = 1.0 + 2e-6;
@@ -15,10 +15,10 @@ const UNIT: f64 = 1.0 + 2e-6;
 pub(in crate::compile) fn context_ranges(context: Context) -> Ranges {
     let count = super::scalars_in(&Type::from_wgsl(context.wgsl_type())).unwrap_or(1);
     let one = match context.row().bounds {
-        Bounds::Anything => Floats::ALL,
-        Bounds::Unit => Floats { minus_zero: true, ..Floats::between(-UNIT, UNIT) },
-        Bounds::Count => Floats::between(0.0, f64::from(1_u32 << 24)),
-        Bounds::Intensity => {
+        ContextBounds::Anything => Floats::ALL,
+        ContextBounds::Unit => Floats { minus_zero: true, ..Floats::between(-UNIT, UNIT) },
+        ContextBounds::Count => Floats::between(0.0, f64::from(1_u32 << 24)),
+        ContextBounds::Intensity => {
             Floats { minus_zero: true, ..Floats::between(0.0, MAX_INTENSITY * 1.001) }
         }
     };

@@ -2,7 +2,7 @@
 
 use super::range::{Bools, Floats, Ints};
 use super::*;
-use crate::interp::{Derivatives, Options, Precision, Program, Scalar, ScalarKind, Shape};
+use crate::interp::{Derivatives, FunctionOptions, Precision, Program, Scalar, ScalarKind, Shape};
 use crate::library::Library;
 
 /// Splitmix64: the tests draw the same boxes on every machine.
@@ -202,11 +202,13 @@ fn hold_library(seed: u64, boxes: usize) -> usize {
     for (path, _) in wgsl::SHADER_LIBRARY {
         let name = path.rsplit('/').next().unwrap_or(path).trim_end_matches(".wgsl");
         let text = format!("import chiaro::{name};\n");
-        let linked = wgsl::link(&[wgsl::Source { name: "test", text: &text }]).expect("it links");
+        let linked =
+            wgsl::link(&[wgsl::NamedSource { name: "test", text: &text }]).expect("it links");
         let valid = wgsl::parse(&linked.text).expect("it is valid");
         for (_, function) in valid.module.functions.iter() {
             let Some(of) = &function.name else { continue };
-            let options = Options { derivatives: Derivatives::Zero, ..Options::default() };
+            let options =
+                FunctionOptions { derivatives: Derivatives::Zero, ..FunctionOptions::default() };
             let Ok(program) = Program::compile(&valid.module, of, options) else { continue };
             let is_known = library::NAMES.contains(&of.as_str());
             known += usize::from(is_known);
@@ -247,7 +249,7 @@ fn many_more_boxes() {
     }
 }
 
-fn module(text: &str) -> Valid {
+fn module(text: &str) -> ValidModule {
     wgsl::parse(text).expect("it is valid")
 }
 
@@ -255,7 +257,7 @@ fn float(low: f64, high: f64) -> Ranges {
     [Range::Float(Floats::between(low, high))].into()
 }
 
-fn bounds_of(valid: &Valid, arguments: &[Ranges]) -> Option<[f64; 2]> {
+fn bounds_of(valid: &ValidModule, arguments: &[Ranges]) -> Option<[f64; 2]> {
     run(valid, "f", arguments, &|_| false).and_then(|ranges| ranges[0].bounds())
 }
 

@@ -1,16 +1,16 @@
 //! Codecs of rows that are read and written in a way of their own.
 
-use super::{Codec, Described, Part};
-use crate::document::json::Writer;
+use super::{Codec, DescribedObject, FieldType};
+use crate::document::json::JsonWriter;
 use crate::document::read::reader::{Fields, Reader};
-use crate::document::{ColorSpace, Unknown};
+use crate::document::{ColorSpace, UnknownFields};
 
-/// Codec of the value's type ([`Part`]).
-pub(in crate::document) struct Plain;
+/// Codec of the value's type ([`FieldType`]).
+pub(in crate::document) struct PlainCodec;
 
-impl<T: Part> Codec<T> for Plain {
+impl<T: FieldType> Codec<T> for PlainCodec {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T> {
-        let mut extras = Unknown::new();
+        let mut extras = UnknownFields::new();
         let value = r.field(fields, name, |r, at, kind| T::read(r, at, kind, &mut extras));
         // A value that could not be read is not written either, and nor are the unknown fields
         // beside it.
@@ -20,37 +20,37 @@ impl<T: Part> Codec<T> for Plain {
         value
     }
 
-    fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, value: &T, unknown: Option<&UnknownFields>) {
         value.write(w, unknown);
     }
 
-    fn is_left_out(value: &T, default: &T, unknown: Option<&Unknown>) -> bool {
+    fn is_left_out(value: &T, default: &T, unknown: Option<&UnknownFields>) -> bool {
         value.is_left_out(default, unknown)
     }
 }
 
 /// Codec of an object whose fields lie among those of the object around it.
-pub(in crate::document) struct Flat;
+pub(in crate::document) struct FlatCodec;
 
-impl<T: Described> Codec<T> for Flat {
+impl<T: DescribedObject> Codec<T> for FlatCodec {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, _name: &'static str) -> Option<T> {
         T::from_fields(r, fields)
     }
 
-    fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, value: &T, unknown: Option<&UnknownFields>) {
         value.write_members(w, unknown);
     }
 
-    fn is_left_out(value: &T, default: &T, _unknown: Option<&Unknown>) -> bool {
+    fn is_left_out(value: &T, default: &T, _unknown: Option<&UnknownFields>) -> bool {
         value.has_same_rows(default)
     }
 
     fn member(
-        w: &mut Writer,
+        w: &mut JsonWriter,
         _name: &str,
         value: &T,
         _default: Option<&T>,
-        unknown: Option<&Unknown>,
+        unknown: Option<&UnknownFields>,
     ) {
         value.write_members(w, unknown);
     }
@@ -61,32 +61,36 @@ pub(in crate::document) struct DocumentSpace;
 
 impl Codec<ColorSpace> for DocumentSpace {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<ColorSpace> {
-        r.color_space = Plain::read(r, fields, name).unwrap_or_default();
+        r.color_space = PlainCodec::read(r, fields, name).unwrap_or_default();
         Some(r.color_space)
     }
 
-    fn write(w: &mut Writer, value: &ColorSpace, unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, value: &ColorSpace, unknown: Option<&UnknownFields>) {
         value.write(w, unknown);
     }
 
-    fn is_left_out(value: &ColorSpace, default: &ColorSpace, _unknown: Option<&Unknown>) -> bool {
+    fn is_left_out(
+        value: &ColorSpace,
+        default: &ColorSpace,
+        _unknown: Option<&UnknownFields>,
+    ) -> bool {
         value == default
     }
 }
 
 /// Codec of a color of the look, with alpha or without, as its kind says.
-pub(in crate::document) struct Color;
+pub(in crate::document) struct ColorCodec;
 
-impl Codec<Vec<f64>> for Color {
+impl Codec<Vec<f64>> for ColorCodec {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<Vec<f64>> {
         r.field(fields, name, |r, at, kind| r.color_at(at, kind.has_alpha()))
     }
 
-    fn write(w: &mut Writer, value: &Vec<f64>, _unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, value: &Vec<f64>, _unknown: Option<&UnknownFields>) {
         w.numbers(value);
     }
 
-    fn is_left_out(value: &Vec<f64>, default: &Vec<f64>, _unknown: Option<&Unknown>) -> bool {
+    fn is_left_out(value: &Vec<f64>, default: &Vec<f64>, _unknown: Option<&UnknownFields>) -> bool {
         super::parts::same(value, default)
     }
 }
@@ -98,16 +102,16 @@ pub(in crate::document) struct CanvasColor;
 impl Codec<Vec<f64>> for CanvasColor {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<Vec<f64>> {
         let space = std::mem::take(&mut r.color_space);
-        let color = Color::read(r, fields, name);
+        let color = ColorCodec::read(r, fields, name);
         r.color_space = space;
         color
     }
 
-    fn write(w: &mut Writer, value: &Vec<f64>, unknown: Option<&Unknown>) {
-        Color::write(w, value, unknown);
+    fn write(w: &mut JsonWriter, value: &Vec<f64>, unknown: Option<&UnknownFields>) {
+        ColorCodec::write(w, value, unknown);
     }
 
-    fn is_left_out(value: &Vec<f64>, default: &Vec<f64>, unknown: Option<&Unknown>) -> bool {
-        Color::is_left_out(value, default, unknown)
+    fn is_left_out(value: &Vec<f64>, default: &Vec<f64>, unknown: Option<&UnknownFields>) -> bool {
+        ColorCodec::is_left_out(value, default, unknown)
     }
 }

@@ -4,20 +4,25 @@ use std::hash::Hash;
 
 use indexmap::IndexMap;
 
-use super::{Part, part};
-use crate::document::Unknown;
-use crate::document::json::{At, Writer};
+use super::{FieldType, part};
+use crate::document::UnknownFields;
+use crate::document::json::{JsonWriter, ValueIndex};
 use crate::document::read::reader::Reader;
-use crate::document::shape::Kind;
+use crate::document::shape::FieldKind;
 use crate::ids::is_slug;
 
 /// Optional field: `None` where it is left out.
-impl<T: Part> Part for Option<T> {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
+impl<T: FieldType> FieldType for Option<T> {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
         T::read(r, at, kind, extras).map(Some)
     }
 
-    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
         match self {
             Some(value) => value.write(w, unknown),
             None => w.null(),
@@ -34,13 +39,18 @@ impl<T: Part> Part for Option<T> {
 }
 
 /// List of the items that could be read. Unknown fields of an item are kept under its identity.
-impl<T: Part> Part for Vec<T> {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
-        let Kind::List(item_kind, _) = kind else { return None };
+impl<T: FieldType> FieldType for Vec<T> {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
+        let FieldKind::List(item_kind, _) = kind else { return None };
         let mut items = Self::new();
         let mut kept = Vec::new();
         let read = r.list_at(at, kind, |r, at| {
-            let mut of_item = Unknown::new();
+            let mut of_item = UnknownFields::new();
             T::read(r, at, item_kind, &mut of_item).map(|item| (item, of_item))
         })?;
         for (index, (item, of_item)) in read {
@@ -54,7 +64,7 @@ impl<T: Part> Part for Vec<T> {
         Some(items)
     }
 
-    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
         w.list(T::LISTED, self.iter().enumerate(), |w, (index, item)| {
             let of_item = unknown.and_then(|_| part(unknown, &item.identity(index)));
             item.write(w, of_item);
@@ -67,18 +77,23 @@ impl<T: Part> Part for Vec<T> {
 }
 
 /// Members of an object whose names are ids.
-impl<K, T: Part> Part for IndexMap<K, T>
+impl<K, T: FieldType> FieldType for IndexMap<K, T>
 where
     K: From<String> + AsRef<str> + Hash + Eq,
 {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
-        let Kind::Map(item_kind, _) = kind else { return None };
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
+        let FieldKind::Map(item_kind, _) = kind else { return None };
         r.members(at, kind, |r, member, key| {
             if !is_slug(key) {
                 r.report_name(member, Reader::no_slug(key));
                 return None;
             }
-            let mut of_item = Unknown::new();
+            let mut of_item = UnknownFields::new();
             let value = T::read(r, member, item_kind, &mut of_item)?;
             if !of_item.is_empty() {
                 extras.insert(key.to_owned(), of_item.into());
@@ -87,7 +102,7 @@ where
         })
     }
 
-    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
         w.object(T::LISTED, |w| {
             for (key, value) in self {
                 let key = key.as_ref();

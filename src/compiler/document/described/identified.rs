@@ -4,12 +4,12 @@ use std::collections::HashSet;
 
 use indexmap::IndexMap;
 
-use super::{Codec, Described, Part as _, Plain};
+use super::{Codec, DescribedObject, FieldType as _, PlainCodec};
 use crate::diag::Diagnostic;
-use crate::document::json::{At, Layout, Writer};
+use crate::document::json::{JsonLayout, JsonWriter, ValueIndex};
 use crate::document::read::reader::{Fields, Reader};
-use crate::document::shape::Kind;
-use crate::document::{Node, Object, Unknown};
+use crate::document::shape::FieldKind;
+use crate::document::{Node, Object, UnknownFields};
 use crate::ids::{NodeId, ObjectId, is_slug, make_slug};
 
 /// Codec of the nodes by id; a node without an id gets that of its kind.
@@ -24,14 +24,14 @@ impl Codec<IndexMap<NodeId, Node>> for Nodes {
         r.field(fields, name, nodes)
     }
 
-    fn write(w: &mut Writer, nodes: &IndexMap<NodeId, Node>, _unknown: Option<&Unknown>) {
-        w.list(Layout::Lines, nodes, |w, (id, node)| write_with_id(w, id.as_str(), node));
+    fn write(w: &mut JsonWriter, nodes: &IndexMap<NodeId, Node>, _unknown: Option<&UnknownFields>) {
+        w.list(JsonLayout::Lines, nodes, |w, (id, node)| write_with_id(w, id.as_str(), node));
     }
 
     fn is_left_out(
         value: &IndexMap<NodeId, Node>,
         default: &IndexMap<NodeId, Node>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) -> bool {
         value.is_same(default)
     }
@@ -49,20 +49,24 @@ impl Codec<IndexMap<ObjectId, Object>> for Objects {
         r.field(fields, name, objects)
     }
 
-    fn write(w: &mut Writer, objects: &IndexMap<ObjectId, Object>, _unknown: Option<&Unknown>) {
-        w.list(Layout::Lines, objects, |w, (id, object)| write_with_id(w, id.as_str(), object));
+    fn write(
+        w: &mut JsonWriter,
+        objects: &IndexMap<ObjectId, Object>,
+        _unknown: Option<&UnknownFields>,
+    ) {
+        w.list(JsonLayout::Lines, objects, |w, (id, object)| write_with_id(w, id.as_str(), object));
     }
 
     fn is_left_out(
         value: &IndexMap<ObjectId, Object>,
         default: &IndexMap<ObjectId, Object>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) -> bool {
         value.is_same(default)
     }
 }
 
-fn write_with_id<T: Described>(w: &mut Writer, id: &str, item: &T) {
+fn write_with_id<T: DescribedObject>(w: &mut JsonWriter, id: &str, item: &T) {
     let unknown = item.own_unknown();
     w.shaped(T::LAYOUT.0, T::shape(), unknown, |w| {
         w.member("id", |w| w.string(id));
@@ -71,7 +75,11 @@ fn write_with_id<T: Described>(w: &mut Writer, id: &str, item: &T) {
 }
 
 /// Reads nodes by id; a node without an id gets that of its kind.
-fn nodes(r: &mut Reader<'_>, at: At, kind: &'static Kind) -> Option<IndexMap<NodeId, Node>> {
+fn nodes(
+    r: &mut Reader<'_>,
+    at: ValueIndex,
+    kind: &'static FieldKind,
+) -> Option<IndexMap<NodeId, Node>> {
     let found = r.list_at(at, kind, |r, at| node(r, at).map(|(id, node)| (at, id, node)))?;
     let given: HashSet<NodeId> = found.iter().filter_map(|(_, (_, id, _))| id.clone()).collect();
     let mut nodes = IndexMap::with_capacity(found.len());
@@ -105,9 +113,9 @@ fn nodes(r: &mut Reader<'_>, at: At, kind: &'static Kind) -> Option<IndexMap<Nod
     Some(nodes)
 }
 
-fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
+fn node(r: &mut Reader<'_>, at: ValueIndex) -> Option<(Option<NodeId>, Node)> {
     let mut fields = r.object(at, Node::shape())?;
-    let id: Option<NodeId> = Plain::read(r, &mut fields, "id");
+    let id: Option<NodeId> = PlainCodec::read(r, &mut fields, "id");
     let node = Node::from_fields(r, &mut fields)?;
     // A node with a broken id is dropped; a node without a kind can be named by its id until it
     // gets a kind.
@@ -118,7 +126,11 @@ fn node(r: &mut Reader<'_>, at: At) -> Option<(Option<NodeId>, Node)> {
 }
 
 /// Reads objects by id; an object without an id gets one from its mesh.
-fn objects(r: &mut Reader<'_>, at: At, kind: &'static Kind) -> Option<IndexMap<ObjectId, Object>> {
+fn objects(
+    r: &mut Reader<'_>,
+    at: ValueIndex,
+    kind: &'static FieldKind,
+) -> Option<IndexMap<ObjectId, Object>> {
     let found = r.list_at(at, kind, |r, at| object(r, at).map(|(id, object)| (at, id, object)))?;
     let mut taken: HashSet<ObjectId> =
         found.iter().filter_map(|(_, (_, id, _))| id.clone()).collect();
@@ -152,8 +164,8 @@ fn mesh_name(mesh: &str) -> &str {
     file.split_once('.').map_or(file, |(stem, _)| stem)
 }
 
-fn object(r: &mut Reader<'_>, at: At) -> Option<(Option<ObjectId>, Object)> {
+fn object(r: &mut Reader<'_>, at: ValueIndex) -> Option<(Option<ObjectId>, Object)> {
     let mut fields = r.object(at, Object::shape())?;
-    let id = Plain::read(r, &mut fields, "id");
+    let id = PlainCodec::read(r, &mut fields, "id");
     Some((id, Object::from_fields(r, &mut fields)?))
 }

@@ -2,12 +2,12 @@
 
 use indexmap::IndexMap;
 
-use super::{Codec, Part as _, Plain, part};
+use super::{Codec, FieldType as _, PlainCodec, part};
 use crate::diag::Diagnostic;
-use crate::document::json::{At, Kind, Layout, Writer};
+use crate::document::json::{JsonKind, JsonLayout, JsonWriter, ValueIndex};
 use crate::document::read::reader::{Fields, Reader};
 use crate::document::shape;
-use crate::document::{Driver, KeyDirection, OutputPort, Target, Unknown, Value};
+use crate::document::{Driver, KeyDirection, OutputPort, Target, UnknownFields, Value};
 use crate::ids::{ObjectId, is_slug};
 
 /// Codec of the direction or the drivers that decide between the keys of a set, and so how the
@@ -21,32 +21,36 @@ impl Codec<KeyDirection> for DecidedBy {
         by
     }
 
-    fn write(w: &mut Writer, by: &KeyDirection, _unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, by: &KeyDirection, _unknown: Option<&UnknownFields>) {
         match by {
             KeyDirection::View => w.string("view"),
             KeyDirection::Light(id) => {
-                w.object(Layout::Inline, |w| w.member("light", |w| w.string(id.as_str())));
+                w.object(JsonLayout::Inline, |w| w.member("light", |w| w.string(id.as_str())));
             }
             KeyDirection::Drivers(drivers) => {
-                w.object(Layout::Inline, |w| {
-                    w.member("drivers", |w| w.list(Layout::Inline, drivers, write_driver));
+                w.object(JsonLayout::Inline, |w| {
+                    w.member("drivers", |w| w.list(JsonLayout::Inline, drivers, write_driver));
                 });
             }
         }
     }
 
     fn member(
-        w: &mut Writer,
+        w: &mut JsonWriter,
         name: &str,
         by: &KeyDirection,
         _default: Option<&KeyDirection>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) {
         w.key_axes = by.axes();
         w.member(name, |w| Self::write(w, by, None));
     }
 
-    fn is_left_out(value: &KeyDirection, default: &KeyDirection, _: Option<&Unknown>) -> bool {
+    fn is_left_out(
+        value: &KeyDirection,
+        default: &KeyDirection,
+        _: Option<&UnknownFields>,
+    ) -> bool {
         value == default
     }
 }
@@ -62,23 +66,23 @@ impl Codec<[f64; 3]> for KeyPlace {
         }
     }
 
-    fn write(w: &mut Writer, place: &[f64; 3], _unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, place: &[f64; 3], _unknown: Option<&UnknownFields>) {
         match w.key_axes {
             Some(axes) => w.numbers(&place[..axes.min(Driver::MOST)]),
             None => w.numbers(place),
         }
     }
 
-    fn is_left_out(value: &[f64; 3], default: &[f64; 3], unknown: Option<&Unknown>) -> bool {
-        Plain::is_left_out(value, default, unknown)
+    fn is_left_out(value: &[f64; 3], default: &[f64; 3], unknown: Option<&UnknownFields>) -> bool {
+        PlainCodec::is_left_out(value, default, unknown)
     }
 
     fn member(
-        w: &mut Writer,
+        w: &mut JsonWriter,
         name: &str,
         place: &[f64; 3],
         _default: Option<&[f64; 3]>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) {
         let name = if w.key_axes.is_some() { "at" } else { name };
         w.member(name, |w| Self::write(w, place, None));
@@ -91,7 +95,7 @@ fn direction_of_key(r: &mut Reader<'_>, fields: &Fields, name: &'static str) -> 
         r.report(fields.at(), problem.hint("write where the key lies: \"direction\": [0, 0, 1]"));
         return None;
     }
-    r.field(fields, name, |r, at, kind| <[f64; 3]>::read(r, at, kind, &mut Unknown::new()))
+    r.field(fields, name, |r, at, kind| <[f64; 3]>::read(r, at, kind, &mut UnknownFields::new()))
 }
 
 fn place_of_key(r: &mut Reader<'_>, fields: &Fields, axes: usize) -> Option<[f64; 3]> {
@@ -114,7 +118,7 @@ fn place_of_key(r: &mut Reader<'_>, fields: &Fields, axes: usize) -> Option<[f64
     })
 }
 
-fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
+fn key_direction(r: &mut Reader<'_>, at: ValueIndex) -> Option<KeyDirection> {
     let light = r.tree.member(at, "light").filter(|_| r.tree.children(at).count() == 1);
     if let Some(light) = light {
         return r.slug_at(light).map(|id| KeyDirection::Light(id.into()));
@@ -125,7 +129,7 @@ fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
     }
     match r.tree.string(at).as_deref() {
         Some("view") => return Some(KeyDirection::View),
-        _ if r.tree.kind(at) == Kind::Bad => return None,
+        _ if r.tree.kind(at) == JsonKind::Bad => return None,
         _ => {}
     }
     let problem = Diagnostic::error("wrong-type", "this names no direction");
@@ -138,10 +142,10 @@ fn key_direction(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
     None
 }
 
-fn drivers(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
+fn drivers(r: &mut Reader<'_>, at: ValueIndex) -> Option<KeyDirection> {
     let tree = r.tree;
-    let items: Vec<At> =
-        if tree.kind(at) == Kind::List { tree.children(at).collect() } else { Vec::new() };
+    let items: Vec<ValueIndex> =
+        if tree.kind(at) == JsonKind::List { tree.children(at).collect() } else { Vec::new() };
     if items.is_empty() || items.len() > Driver::MOST {
         let problem = Diagnostic::error("wrong-count", "one to three drivers decide between keys");
         r.report(
@@ -156,11 +160,11 @@ fn drivers(r: &mut Reader<'_>, at: At) -> Option<KeyDirection> {
     read.into_iter().collect::<Option<Vec<_>>>().map(KeyDirection::Drivers)
 }
 
-fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
+fn driver(r: &mut Reader<'_>, at: ValueIndex) -> Option<Driver> {
     match r.tree.string(at).as_deref() {
         Some("distance") => return Some(Driver::Distance),
         Some("facing") => return Some(Driver::Facing),
-        _ if r.tree.kind(at) == Kind::Bad => return None,
+        _ if r.tree.kind(at) == JsonKind::Bad => return None,
         _ => {}
     }
     let is_alone = r.tree.children(at).count() == 1;
@@ -184,7 +188,7 @@ fn driver(r: &mut Reader<'_>, at: At) -> Option<Driver> {
 }
 
 /// Reads an output of a node, with the groups around it.
-fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
+fn output(r: &mut Reader<'_>, at: ValueIndex) -> Option<OutputPort> {
     let text = r.tree.string(at).unwrap_or_default();
     let is_port = |port: &str| port.is_empty() || is_slug(port);
     let is_one = |output: &OutputPort| {
@@ -193,7 +197,7 @@ fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
             && !text.ends_with('.')
     };
     let output = OutputPort::parse(&text).filter(is_one);
-    if output.is_none() && r.tree.kind(at) != Kind::Bad {
+    if output.is_none() && r.tree.kind(at) != JsonKind::Bad {
         let shown: String = text.chars().take(80).collect();
         let problem =
             Diagnostic::error("bad-output", format!("`{shown}` names no output of a node"));
@@ -202,9 +206,9 @@ fn output(r: &mut Reader<'_>, at: At) -> Option<OutputPort> {
     output
 }
 
-fn write_driver(w: &mut Writer, driver: &Driver) {
-    let named = |w: &mut Writer, kind: &'static str, id: &str| {
-        w.object(Layout::Inline, |w| w.member(kind, |w| w.string(id)));
+fn write_driver(w: &mut JsonWriter, driver: &Driver) {
+    let named = |w: &mut JsonWriter, kind: &'static str, id: &str| {
+        w.object(JsonLayout::Inline, |w| w.member(kind, |w| w.string(id)));
     };
     match driver {
         Driver::Distance => w.string("distance"),
@@ -224,11 +228,11 @@ impl Codec<IndexMap<Target, Value>> for TargetValues {
         fields: &mut Fields,
         name: &'static str,
     ) -> Option<IndexMap<Target, Value>> {
-        let mut extras = Unknown::new();
+        let mut extras = UnknownFields::new();
         let values = r.field(fields, name, |r, at, kind| {
             r.members::<Target, Value>(at, kind, |r, member, key| {
                 let target = r.target_from(member, key);
-                let mut of_value = Unknown::new();
+                let mut of_value = UnknownFields::new();
                 let value = r.value_at(member, &mut of_value);
                 if !of_value.is_empty() {
                     extras.insert(key.to_owned(), of_value.into());
@@ -240,8 +244,12 @@ impl Codec<IndexMap<Target, Value>> for TargetValues {
         values
     }
 
-    fn write(w: &mut Writer, values: &IndexMap<Target, Value>, unknown: Option<&Unknown>) {
-        w.object(Layout::Inline, |w| {
+    fn write(
+        w: &mut JsonWriter,
+        values: &IndexMap<Target, Value>,
+        unknown: Option<&UnknownFields>,
+    ) {
+        w.object(JsonLayout::Inline, |w| {
             for (target, value) in values {
                 let target = target.to_string();
                 w.member(&target, |w| value.write(w, part(unknown, &target)));
@@ -252,7 +260,7 @@ impl Codec<IndexMap<Target, Value>> for TargetValues {
     fn is_left_out(
         value: &IndexMap<Target, Value>,
         default: &IndexMap<Target, Value>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) -> bool {
         value == default
     }

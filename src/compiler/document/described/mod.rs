@@ -1,10 +1,10 @@
 //! Descriptions of the objects of a document, one for each.
 //!
 //! [`described!`] takes the rows of an object and makes of them the type with its default, the
-//! [`Shape`] from which the JSON Schemas and docs/format.md are made, the reader with its
+//! [`ObjectShape`] from which the JSON Schemas and docs/format.md are made, the reader with its
 //! diagnostics, the writer of the canonical form, and the image that journals keep. A new field is
-//! a row. The type of a row's value decides how the value is read and written ([`Part`]), unless
-//! the row names a [`Codec`] of its own (`by`).
+//! a row. The type of a row's value decides how the value is read and written ([`FieldType`]),
+//! unless the row names a [`Codec`] of its own (`by`).
 //!
 //! ```text
 //! described! {
@@ -39,33 +39,38 @@ mod keys;
 mod parts;
 mod scene;
 
-use super::Unknown;
-use super::json::{At, Layout, Writer};
+use super::UnknownFields;
+use super::json::{JsonLayout, JsonWriter, ValueIndex};
 use super::read::reader::{Fields, Reader};
-use super::shape::{Kind, Shape};
+use super::shape::{FieldKind, ObjectShape};
 
-pub(super) use codecs::{CanvasColor, Color, DocumentSpace, Flat, Plain};
+pub(super) use codecs::{CanvasColor, ColorCodec, DocumentSpace, FlatCodec, PlainCodec};
 pub(super) use identified::{Nodes, Objects};
 pub(super) use keys::{DecidedBy, KeyPlace, TargetValues};
 pub(super) use scene::{Backdrop, Looks, Scale};
 
 /// Type of a field of a document.
-pub(super) trait Part: Sized {
+pub(super) trait FieldType: Sized {
     /// Layout of a list or an object of several such values.
-    const LISTED: Layout = Layout::Inline;
+    const LISTED: JsonLayout = JsonLayout::Inline;
 
     /// Reads a value and reports its problems. Unknown fields go to `extras`, unless the value
     /// keeps them.
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self>;
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self>;
 
     /// Writes the value with its `unknown` fields, which the part around it kept for it.
-    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>);
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>);
 
     /// True if two values are written alike, to the last bit of numbers.
     fn is_same(&self, other: &Self) -> bool;
 
     /// True if a field with this default need not be written.
-    fn is_left_out(&self, default: &Self, _unknown: Option<&Unknown>) -> bool {
+    fn is_left_out(&self, default: &Self, _unknown: Option<&UnknownFields>) -> bool {
         self.is_same(default)
     }
 
@@ -81,19 +86,19 @@ pub(super) trait Codec<T> {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<T>;
 
     /// Writes the value alone.
-    fn write(w: &mut Writer, value: &T, unknown: Option<&Unknown>);
+    fn write(w: &mut JsonWriter, value: &T, unknown: Option<&UnknownFields>);
 
     /// True if a field with this default need not be written.
-    fn is_left_out(value: &T, default: &T, unknown: Option<&Unknown>) -> bool;
+    fn is_left_out(value: &T, default: &T, unknown: Option<&UnknownFields>) -> bool;
 
     /// Writes the member, unless it has its default; `unknown` are the fields that the object
     /// keeps.
     fn member(
-        w: &mut Writer,
+        w: &mut JsonWriter,
         name: &str,
         value: &T,
         default: Option<&T>,
-        unknown: Option<&Unknown>,
+        unknown: Option<&UnknownFields>,
     ) {
         let extras = part(unknown, name);
         if !default.is_some_and(|default| Self::is_left_out(value, default, extras)) {
@@ -103,41 +108,41 @@ pub(super) trait Codec<T> {
 }
 
 /// Object with rows; [`described!`] implements this trait.
-pub(super) trait Described: Sized {
+pub(super) trait DescribedObject: Sized {
     /// Layout of the object itself, and layout of several such objects.
-    const LAYOUT: (Layout, Layout);
+    const LAYOUT: (JsonLayout, JsonLayout);
 
     /// Shape of the object, for the schema and docs/format.md.
-    fn shape() -> &'static Shape;
+    fn shape() -> &'static ObjectShape;
 
     /// Reads the rows from the members of an object.
     fn from_fields(r: &mut Reader<'_>, fields: &mut Fields) -> Option<Self>;
 
     /// Writes the rows as members of the object that is open.
-    fn write_members(&self, w: &mut Writer, unknown: Option<&Unknown>);
+    fn write_members(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>);
 
-    /// True if two objects are written alike; see [`Part::is_same`].
+    /// True if two objects are written alike; see [`FieldType::is_same`].
     fn has_same_rows(&self, other: &Self) -> bool;
 
     /// Unknown fields that the object keeps itself.
-    fn own_unknown(&self) -> Option<&Unknown> {
+    fn own_unknown(&self) -> Option<&UnknownFields> {
         None
     }
 
-    /// Key of the object in a list; see [`Part::identity`].
+    /// Key of the object in a list; see [`FieldType::identity`].
     fn name_in_list(&self, index: usize) -> String {
         index.to_string()
     }
 }
 
-impl<T: Described> Part for T {
-    const LISTED: Layout = T::LAYOUT.1;
+impl<T: DescribedObject> FieldType for T {
+    const LISTED: JsonLayout = T::LAYOUT.1;
 
     fn read(
         r: &mut Reader<'_>,
-        at: At,
-        _kind: &'static Kind,
-        extras: &mut Unknown,
+        at: ValueIndex,
+        _kind: &'static FieldKind,
+        extras: &mut UnknownFields,
     ) -> Option<Self> {
         let mut fields = r.object(at, T::shape())?;
         let value = T::from_fields(r, &mut fields);
@@ -147,7 +152,7 @@ impl<T: Described> Part for T {
         value
     }
 
-    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
         let unknown = self.own_unknown().or(unknown);
         w.shaped(T::LAYOUT.0, T::shape(), unknown, |w| self.write_members(w, unknown));
     }
@@ -156,8 +161,8 @@ impl<T: Described> Part for T {
         self.has_same_rows(other)
     }
 
-    fn is_left_out(&self, default: &Self, unknown: Option<&Unknown>) -> bool {
-        self.has_same_rows(default) && unknown.is_none_or(Unknown::is_empty)
+    fn is_left_out(&self, default: &Self, unknown: Option<&UnknownFields>) -> bool {
+        self.has_same_rows(default) && unknown.is_none_or(UnknownFields::is_empty)
     }
 
     fn identity(&self, index: usize) -> String {
@@ -165,14 +170,17 @@ impl<T: Described> Part for T {
     }
 }
 
-/// Unknown fields that are kept for a part under its name; see [`Unknown`].
-pub(super) fn part<'u>(unknown: Option<&'u Unknown>, name: &str) -> Option<&'u Unknown> {
+/// Unknown fields that are kept for a part under its name; see [`UnknownFields`].
+pub(super) fn part<'u>(
+    unknown: Option<&'u UnknownFields>,
+    name: &str,
+) -> Option<&'u UnknownFields> {
     unknown?.get(name)?.as_object()
 }
 
 /// Default as JSON, for the schema and docs/format.md.
 pub(super) fn default_json<T, C: Codec<T>>(default: &T) -> String {
-    let mut writer = Writer::new();
+    let mut writer = JsonWriter::new();
     C::write(&mut writer, default, None);
     writer.finish().trim_end().to_owned()
 }
@@ -332,7 +340,7 @@ macro_rules! described {
             @rows $head
             [$($members)* {
                 [$($help)+] [] $field [$field] [$ty]
-                [Default::default()] [Default::default()] [None] [Flat]
+                [Default::default()] [Default::default()] [None] [FlatCodec]
             }]
             [$($shape)* { flat $ty }]
             [] $($rest)*
@@ -361,19 +369,20 @@ macro_rules! described {
             $($(#[doc = $member_help])+ $($serde)* pub $field: $ty,)*
             $(
                 /// Fields of later versions or of other programs.
-                #[serde(default, skip_serializing_if = "crate::document::Unknown::is_empty")]
-                pub $unknown: crate::document::Unknown,
+                #[serde(default, skip_serializing_if = "crate::document::UnknownFields::is_empty")]
+                pub $unknown: crate::document::UnknownFields,
             )?
         }
 
         described! { @default [$($default)?] $name [$($field [$($value)?])*] [$($unknown)?] }
 
-        impl crate::document::described::Described for $name {
-            const LAYOUT: (crate::document::json::Layout, crate::document::json::Layout) =
+        impl crate::document::described::DescribedObject for $name {
+            const LAYOUT: (crate::document::json::JsonLayout, crate::document::json::JsonLayout) =
                 described!(@layout $layout);
 
-            fn shape() -> &'static crate::document::shape::Shape {
-                static SHAPE: crate::document::shape::Shape = crate::document::shape::Shape {
+            fn shape() -> &'static crate::document::shape::ObjectShape {
+                use crate::document::shape::ObjectShape;
+                static SHAPE: ObjectShape = ObjectShape {
                     name: $shape,
                     help: concat!($($help),+).trim_ascii(),
                     rows: &[$(described!(@row $row)),*],
@@ -402,8 +411,8 @@ macro_rules! described {
 
             fn write_members(
                 &self,
-                w: &mut crate::document::json::Writer,
-                unknown: Option<&crate::document::Unknown>,
+                w: &mut crate::document::json::JsonWriter,
+                unknown: Option<&crate::document::UnknownFields>,
             ) {
                 $(<described!(@codec $($codec)?) as crate::document::described::Codec<$ty>>::member(
                     w,
@@ -420,7 +429,7 @@ macro_rules! described {
                 true
             }
 
-            $(fn own_unknown(&self) -> Option<&crate::document::Unknown> {
+            $(fn own_unknown(&self) -> Option<&crate::document::UnknownFields> {
                 Some(&self.$unknown)
             })?
 
@@ -436,33 +445,35 @@ macro_rules! described {
             fn default() -> Self {
                 Self {
                     $($field: $value,)*
-                    $($unknown: crate::document::Unknown::new(),)?
+                    $($unknown: crate::document::UnknownFields::new(),)?
                 }
             }
         }
     };
 
     (@layout Lines) => {
-        (crate::document::json::Layout::Lines, crate::document::json::Layout::Lines)
+        (crate::document::json::JsonLayout::Lines, crate::document::json::JsonLayout::Lines)
     };
     (@layout Line) => {
-        (crate::document::json::Layout::Inline, crate::document::json::Layout::Lines)
+        (crate::document::json::JsonLayout::Inline, crate::document::json::JsonLayout::Lines)
     };
     (@layout Inline) => {
-        (crate::document::json::Layout::Inline, crate::document::json::Layout::Inline)
+        (crate::document::json::JsonLayout::Inline, crate::document::json::JsonLayout::Inline)
     };
 
-    (@codec) => { crate::document::described::Plain };
+    (@codec) => { crate::document::described::PlainCodec };
     (@codec $codec:ident) => { crate::document::described::$codec };
 
     (@name $field:ident) => { stringify!($field) };
     (@name $field:ident $file:literal) => { $file };
 
     (@row { flat $ty:ty }) => {
-        crate::document::shape::Row::Flat(<$ty as crate::document::described::Described>::shape)
+        crate::document::shape::ShapeRow::Flat(
+            <$ty as crate::document::described::DescribedObject>::shape,
+        )
     };
     (@row { [$($help:literal)+] [$($file:tt)+] [$kind:expr] [$($default:tt)*] }) => {
-        crate::document::shape::Row::Field(crate::document::shape::Field {
+        crate::document::shape::ShapeRow::Field(crate::document::shape::ShapeField {
             name: described!(@name $($file)+),
             kind: $kind,
             default: described!(@told $($default)*),
@@ -470,11 +481,13 @@ macro_rules! described {
         })
     };
 
-    (@told required) => { crate::document::shape::Default::Required };
-    (@told words $words:literal) => { crate::document::shape::Default::Words($words) };
-    (@told json $json:literal) => { crate::document::shape::Default::Json(|| $json.to_owned()) };
+    (@told required) => { crate::document::shape::FieldDefault::Required };
+    (@told words $words:literal) => { crate::document::shape::FieldDefault::Words($words) };
+    (@told json $json:literal) => {
+        crate::document::shape::FieldDefault::Json(|| $json.to_owned())
+    };
     (@told default $ty:ty, $default:expr, $($codec:ident)?) => {
-        crate::document::shape::Default::Json(|| {
+        crate::document::shape::FieldDefault::Json(|| {
             crate::document::described::default_json::<
                 $ty,
                 described!(@codec $($codec)?),

@@ -1,13 +1,13 @@
 //! Switches, numbers, words, texts and ids as parts of documents.
 
-use super::Part;
-use crate::document::json::{At, Kind as JsonKind, Writer};
+use super::FieldType;
+use crate::document::json::{JsonKind, JsonWriter, ValueIndex};
 use crate::document::read::reader::Reader;
-use crate::document::shape::{self, Kind};
-use crate::document::word::Word as _;
+use crate::document::shape::{self, FieldKind};
+use crate::document::word::WordChoice as _;
 use crate::document::{
     ColorSpace, Endpoint, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Target,
-    Tier, Unknown, Value,
+    Tier, UnknownFields, Value,
 };
 use crate::ids::{NodeId, ObjectId, PortName};
 
@@ -16,8 +16,13 @@ pub(in crate::document) fn same(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
 }
 
-impl Part for bool {
-    fn read(r: &mut Reader<'_>, at: At, _kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+impl FieldType for bool {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        _kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
         match r.tree.kind(at) {
             JsonKind::Bool(value) => Some(value),
             _ => {
@@ -27,7 +32,7 @@ impl Part for bool {
         }
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.bool(*self);
     }
 
@@ -36,15 +41,20 @@ impl Part for bool {
     }
 }
 
-impl Part for f64 {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+impl FieldType for f64 {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
         match kind {
-            Kind::Number(bounds) => r.number_at(at, *bounds),
+            FieldKind::Number(bounds) => r.number_at(at, *bounds),
             _ => None,
         }
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.number(*self);
     }
 
@@ -54,12 +64,17 @@ impl Part for f64 {
 }
 
 /// Whole number within the bounds of its kind.
-impl Part for u8 {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, extras: &mut Unknown) -> Option<Self> {
-        <f64 as Part>::read(r, at, kind, extras).map(|number| number as Self)
+impl FieldType for u8 {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
+        <f64 as FieldType>::read(r, at, kind, extras).map(|number| number as Self)
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.number(f64::from(*self));
     }
 
@@ -69,20 +84,25 @@ impl Part for u8 {
 }
 
 /// Fixed count of numbers: a vector, a direction, a color without alpha or a rotation.
-impl<const N: usize> Part for [f64; N] {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+impl<const N: usize> FieldType for [f64; N] {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
         match kind {
-            Kind::Numbers(_, _, bounds) => r.array_at(at, *bounds),
-            Kind::Direction => {
+            FieldKind::Numbers(_, _, bounds) => r.array_at(at, *bounds),
+            FieldKind::Direction => {
                 r.array_at(at, shape::FAR).filter(|direction| r.is_direction(at, direction))
             }
-            Kind::Color { alpha } => r.color_at(at, *alpha)?.try_into().ok(),
-            Kind::Rotation => r.rotation_at(at)?.as_slice().try_into().ok(),
+            FieldKind::Color { alpha } => r.color_at(at, *alpha)?.try_into().ok(),
+            FieldKind::Rotation => r.rotation_at(at)?.as_slice().try_into().ok(),
             _ => None,
         }
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.numbers(self);
     }
 
@@ -91,15 +111,20 @@ impl<const N: usize> Part for [f64; N] {
     }
 }
 
-impl Part for String {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+impl FieldType for String {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
         match kind {
-            Kind::Text(most) => r.text_at(at, *most).map(std::borrow::Cow::into_owned),
+            FieldKind::Text(most) => r.text_at(at, *most).map(std::borrow::Cow::into_owned),
             _ => None,
         }
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.string(self);
     }
 
@@ -110,17 +135,17 @@ impl Part for String {
 
 macro_rules! words {
     ($($word:ty),*) => { $(
-        impl Part for $word {
+        impl FieldType for $word {
             fn read(
                 r: &mut Reader<'_>,
-                at: At,
-                _kind: &'static Kind,
-                _: &mut Unknown,
+                at: ValueIndex,
+                _kind: &'static FieldKind,
+                _: &mut UnknownFields,
             ) -> Option<Self> {
                 r.word_at(at, Self::WORDS).and_then(|word| Self::from_word(&word))
             }
 
-            fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+            fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
                 w.string(self.word());
             }
 
@@ -135,17 +160,17 @@ words!(ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, 
 
 macro_rules! ids {
     ($($id:ty),*) => { $(
-        impl Part for $id {
+        impl FieldType for $id {
             fn read(
                 r: &mut Reader<'_>,
-                at: At,
-                _kind: &'static Kind,
-                _: &mut Unknown,
+                at: ValueIndex,
+                _kind: &'static FieldKind,
+                _: &mut UnknownFields,
             ) -> Option<Self> {
                 r.slug_at(at).map(Self::from)
             }
 
-            fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+            fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
                 w.string(self.as_str());
             }
 
@@ -159,12 +184,17 @@ macro_rules! ids {
 ids!(NodeId, ObjectId, PortName);
 
 /// End of a wire.
-impl Part for Endpoint {
-    fn read(r: &mut Reader<'_>, at: At, kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
-        r.endpoint_at(at, matches!(kind, Kind::Input))
+impl FieldType for Endpoint {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
+        r.endpoint_at(at, matches!(kind, FieldKind::Input))
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.string(&self.to_string());
     }
 
@@ -174,13 +204,18 @@ impl Part for Endpoint {
 }
 
 /// Target of a key or an exposed parameter.
-impl Part for Target {
-    fn read(r: &mut Reader<'_>, at: At, _kind: &'static Kind, _: &mut Unknown) -> Option<Self> {
+impl FieldType for Target {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        _kind: &'static FieldKind,
+        _: &mut UnknownFields,
+    ) -> Option<Self> {
         let text = r.text_at(at, 10_000)?;
         r.target_from(at, &text)
     }
 
-    fn write(&self, w: &mut Writer, _unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
         w.string(&self.to_string());
     }
 
@@ -190,17 +225,17 @@ impl Part for Target {
 }
 
 /// Value of any input.
-impl Part for Value {
+impl FieldType for Value {
     fn read(
         r: &mut Reader<'_>,
-        at: At,
-        _kind: &'static Kind,
-        extras: &mut Unknown,
+        at: ValueIndex,
+        _kind: &'static FieldKind,
+        extras: &mut UnknownFields,
     ) -> Option<Self> {
         r.value_at(at, extras)
     }
 
-    fn write(&self, w: &mut Writer, unknown: Option<&Unknown>) {
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
         match self {
             Self::Bool(value) => w.bool(*value),
             Self::Number(number) => w.number(*number),

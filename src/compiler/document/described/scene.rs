@@ -2,12 +2,12 @@
 
 use indexmap::IndexMap;
 
-use super::{Codec, Part as _, Plain};
+use super::{Codec, FieldType as _, PlainCodec};
 use crate::diag::Diagnostic;
-use crate::document::json::{At, Kind, Layout, Writer};
+use crate::document::json::{JsonKind, JsonLayout, JsonWriter, ValueIndex};
 use crate::document::read::reader::{Fields, Reader};
 use crate::document::shape::{self, MAX_PATH};
-use crate::document::{Unknown, parse_hex};
+use crate::document::{UnknownFields, parse_hex};
 
 /// Codec of the backdrop behind the objects: a color, or none.
 pub(in crate::document) struct Backdrop;
@@ -21,14 +21,14 @@ impl Codec<Option<[f64; 4]>> for Backdrop {
         r.field(fields, name, |r, at, _| backdrop(r, at))
     }
 
-    fn write(w: &mut Writer, value: &Option<[f64; 4]>, unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, value: &Option<[f64; 4]>, unknown: Option<&UnknownFields>) {
         value.write(w, unknown);
     }
 
     fn is_left_out(
         value: &Option<[f64; 4]>,
         default: &Option<[f64; 4]>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) -> bool {
         value.is_same(default)
     }
@@ -46,10 +46,14 @@ impl Codec<IndexMap<String, String>> for Looks {
         r.field(fields, name, looks)
     }
 
-    fn write(w: &mut Writer, looks: &IndexMap<String, String>, _unknown: Option<&Unknown>) {
+    fn write(
+        w: &mut JsonWriter,
+        looks: &IndexMap<String, String>,
+        _unknown: Option<&UnknownFields>,
+    ) {
         match looks.get("*").filter(|_| looks.len() == 1) {
             Some(path) => w.string(path),
-            None => w.object(Layout::Inline, |w| {
+            None => w.object(JsonLayout::Inline, |w| {
                 for (material, path) in looks {
                     w.member(material, |w| w.string(path));
                 }
@@ -60,7 +64,7 @@ impl Codec<IndexMap<String, String>> for Looks {
     fn is_left_out(
         value: &IndexMap<String, String>,
         default: &IndexMap<String, String>,
-        _unknown: Option<&Unknown>,
+        _unknown: Option<&UnknownFields>,
     ) -> bool {
         value == default
     }
@@ -72,7 +76,7 @@ pub(in crate::document) struct Scale;
 impl Codec<[f64; 3]> for Scale {
     fn read(r: &mut Reader<'_>, fields: &mut Fields, name: &'static str) -> Option<[f64; 3]> {
         r.field(fields, name, |r, at, kind| {
-            let scale = <[f64; 3]>::read(r, at, kind, &mut Unknown::new())?;
+            let scale = <[f64; 3]>::read(r, at, kind, &mut UnknownFields::new())?;
             if scale.iter().any(|s| s.abs() < 1e-9) {
                 let problem =
                     Diagnostic::error("out-of-range", "a scale of 0 leaves nothing of the mesh");
@@ -87,22 +91,22 @@ impl Codec<[f64; 3]> for Scale {
         })
     }
 
-    fn write(w: &mut Writer, value: &[f64; 3], unknown: Option<&Unknown>) {
+    fn write(w: &mut JsonWriter, value: &[f64; 3], unknown: Option<&UnknownFields>) {
         value.write(w, unknown);
     }
 
-    fn is_left_out(value: &[f64; 3], default: &[f64; 3], unknown: Option<&Unknown>) -> bool {
-        Plain::is_left_out(value, default, unknown)
+    fn is_left_out(value: &[f64; 3], default: &[f64; 3], unknown: Option<&UnknownFields>) -> bool {
+        PlainCodec::is_left_out(value, default, unknown)
     }
 }
 
 fn looks(
     r: &mut Reader<'_>,
-    at: At,
-    kind: &'static shape::Kind,
+    at: ValueIndex,
+    kind: &'static shape::FieldKind,
 ) -> Option<IndexMap<String, String>> {
     match r.tree.kind(at) {
-        Kind::Text => r
+        JsonKind::Text => r
             .text_at(at, MAX_PATH)
             .map(|path| IndexMap::from([("*".to_owned(), path.into_owned())])),
         _ => r.members(at, kind, |r, member, key| {
@@ -111,11 +115,11 @@ fn looks(
     }
 }
 
-fn backdrop(r: &mut Reader<'_>, at: At) -> Option<Option<[f64; 4]>> {
+fn backdrop(r: &mut Reader<'_>, at: ValueIndex) -> Option<Option<[f64; 4]>> {
     match r.tree.kind(at) {
-        Kind::Null => Some(None),
-        Kind::Text if r.tree.string(at).as_deref() == Some("none") => Some(None),
-        Kind::Text => {
+        JsonKind::Null => Some(None),
+        JsonKind::Text if r.tree.string(at).as_deref() == Some("none") => Some(None),
+        JsonKind::Text => {
             let hex = r.tree.string(at).and_then(|text| parse_hex(&text));
             if hex.is_none() {
                 let problem = Diagnostic::error("bad-color", "this is no color");

@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 
 use super::parts::{insert, remove_named};
-use super::{Applied, Edit, group, impossible, missing, nothing};
+use super::{Edit, EditResult, group, impossible, missing, nothing};
 use crate::diag::Diagnostic;
 use crate::document::{
     Bookmark, DirectionKeys, Frame, Graph, GraphId, Look, Node, Note, Target, Value, Wire,
@@ -35,12 +35,12 @@ pub(super) fn add_node(
     id: NodeId,
     node: Node,
     index: Option<usize>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     insert(&mut graph_mut(look, &graph)?.nodes, "node", id.clone(), node, index)?;
     Ok(Edit::RemoveNode { graph, id })
 }
 
-pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> Applied<Edit> {
+pub(super) fn remove_node(look: &mut Look, graph: GraphId, id: NodeId) -> EditResult<Edit> {
     let of = graph_mut(look, &graph)?;
     if !of.nodes.contains_key(&id) {
         return Err(missing("node", id));
@@ -122,7 +122,12 @@ fn steps<'l>(look: &'l Look, path: &'l NodePath) -> impl Iterator<Item = (GraphI
     })
 }
 
-pub(super) fn set_kind(look: &mut Look, graph: GraphId, id: NodeId, kind: String) -> Applied<Edit> {
+pub(super) fn set_kind(
+    look: &mut Look,
+    graph: GraphId,
+    id: NodeId,
+    kind: String,
+) -> EditResult<Edit> {
     let old = std::mem::replace(&mut node_mut(look, &graph, &id)?.kind, kind.clone());
     let leads_nowhere = |look: &Look, node: &NodePath| {
         let is_own = look.definitions.contains_key(kind.as_str());
@@ -149,7 +154,7 @@ pub(super) fn move_nodes(
     look: &mut Look,
     graph: GraphId,
     positions: IndexMap<NodeId, [f64; 2]>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     let of = graph_mut(look, &graph)?;
     if let Some(id) = positions.keys().find(|&id| !of.nodes.contains_key(id)) {
         return Err(missing("node", id));
@@ -170,7 +175,7 @@ pub(super) fn set_value(
     port: PortName,
     value: Value,
     index: Option<usize>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     let values = &mut node_mut(look, &graph, &id)?.values;
     if let Some(old) = values.get_mut(&port) {
         if *old == value {
@@ -188,7 +193,7 @@ pub(super) fn clear_value(
     graph: GraphId,
     id: NodeId,
     port: PortName,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     let values = &mut node_mut(look, &graph, &id)?.values;
     if !values.contains_key(&port) {
         return Ok(nothing());
@@ -202,7 +207,7 @@ pub(super) fn add_wire(
     graph: GraphId,
     wire: Wire,
     index: Option<usize>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     let wires = &mut graph_mut(look, &graph)?.wires;
     let feeds = |other: &Wire| other.to == wire.to;
     let old: Vec<Wire> = wires.iter().filter(|other| feeds(other)).cloned().collect();
@@ -227,7 +232,7 @@ pub(super) fn add_wire(
     group(look, edits, true)
 }
 
-pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: &Wire) -> Applied<Edit> {
+pub(super) fn remove_wire(look: &mut Look, graph: GraphId, wire: &Wire) -> EditResult<Edit> {
     let wires = &mut graph_mut(look, &graph)?.wires;
     let index = wires.iter().position(|other| other == wire);
     let index = index.ok_or_else(|| {
@@ -243,7 +248,7 @@ pub(super) fn add_frame(
     id: FrameId,
     frame: Frame,
     index: Option<usize>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     insert(&mut graph_mut(look, &graph)?.frames, "frame", id.clone(), frame, index)?;
     Ok(Edit::RemoveFrame { graph, id })
 }
@@ -253,13 +258,13 @@ pub(super) fn set_frame(
     graph: GraphId,
     id: FrameId,
     frame: Frame,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     let old = graph_mut(look, &graph)?.frames.get_mut(&id).ok_or_else(|| missing("frame", &id))?;
     let frame = std::mem::replace(old, frame);
     Ok(Edit::SetFrame { graph, id, frame })
 }
 
-pub(super) fn remove_frame(look: &mut Look, graph: GraphId, id: FrameId) -> Applied<Edit> {
+pub(super) fn remove_frame(look: &mut Look, graph: GraphId, id: FrameId) -> EditResult<Edit> {
     let (index, frame) = remove_named(&mut graph_mut(look, &graph)?.frames, "frame", &id)?;
     Ok(Edit::AddFrame { graph, id, frame, index: Some(index) })
 }
@@ -270,18 +275,23 @@ pub(super) fn add_note(
     id: NoteId,
     note: Note,
     index: Option<usize>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     insert(&mut graph_mut(look, &graph)?.notes, "note", id.clone(), note, index)?;
     Ok(Edit::RemoveNote { graph, id })
 }
 
-pub(super) fn set_note(look: &mut Look, graph: GraphId, id: NoteId, note: Note) -> Applied<Edit> {
+pub(super) fn set_note(
+    look: &mut Look,
+    graph: GraphId,
+    id: NoteId,
+    note: Note,
+) -> EditResult<Edit> {
     let old = graph_mut(look, &graph)?.notes.get_mut(&id).ok_or_else(|| missing("note", &id))?;
     let note = std::mem::replace(old, note);
     Ok(Edit::SetNote { graph, id, note })
 }
 
-pub(super) fn remove_note(look: &mut Look, graph: GraphId, id: NoteId) -> Applied<Edit> {
+pub(super) fn remove_note(look: &mut Look, graph: GraphId, id: NoteId) -> EditResult<Edit> {
     let (index, note) = remove_named(&mut graph_mut(look, &graph)?.notes, "note", &id)?;
     Ok(Edit::AddNote { graph, id, note, index: Some(index) })
 }
@@ -290,7 +300,7 @@ pub(super) fn set_bookmarks(
     look: &mut Look,
     graph: GraphId,
     bookmarks: Vec<Bookmark>,
-) -> Applied<Edit> {
+) -> EditResult<Edit> {
     let bookmarks = std::mem::replace(&mut graph_mut(look, &graph)?.bookmarks, bookmarks);
     Ok(Edit::SetBookmarks { graph, bookmarks })
 }

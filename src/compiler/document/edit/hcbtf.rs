@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::parts::{at, insert_at};
 use super::patch::Patch;
-use super::{Applied, Editable, all_or_none, impossible};
+use super::{EditResult, Editable, all_or_none, impossible};
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
 
@@ -100,7 +100,7 @@ impl Hcbtf {
     /// A diagnostic where the edit is impossible: it names a part that does not exist, or sets a
     /// value that no HCBTF holds, such as a tile of another size than the grid's. The HCBTF is then
     /// as it was.
-    pub fn apply(&mut self, edit: HcbtfEdit) -> Applied<HcbtfEdit> {
+    pub fn apply(&mut self, edit: HcbtfEdit) -> EditResult<HcbtfEdit> {
         self.edit(edit, false)
     }
 }
@@ -108,7 +108,7 @@ impl Hcbtf {
 impl Editable for Hcbtf {
     type Edit = HcbtfEdit;
 
-    fn edit(&mut self, edit: HcbtfEdit, is_known_good: bool) -> Applied<HcbtfEdit> {
+    fn edit(&mut self, edit: HcbtfEdit, is_known_good: bool) -> EditResult<HcbtfEdit> {
         use std::mem::replace;
         if !is_known_good {
             check(self, &edit)?;
@@ -204,7 +204,7 @@ fn set_tile(hcbtf: &mut Hcbtf, address: Address, tile: Option<Arc<Tile>>) -> Hcb
     }
 }
 
-fn patch_tile(hcbtf: &mut Hcbtf, address: Address, patch: &Patch) -> Applied<HcbtfEdit> {
+fn patch_tile(hcbtf: &mut Hcbtf, address: Address, patch: &Patch) -> EditResult<HcbtfEdit> {
     let tile = hcbtf.painted.get_mut(&address.canonical()).ok_or_else(|| unpainted(address))?;
     let other =
         || impossible(format!("the sample at {address} is not what the stroke was painted on"));

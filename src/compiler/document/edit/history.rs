@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Applied;
+use super::EditResult;
 use crate::diag::Diagnostic;
 
 /// Document that changes by edits.
@@ -15,7 +15,7 @@ pub trait Editable {
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; the document is then as it was.
-    fn edit(&mut self, edit: Self::Edit, is_known_good: bool) -> Applied<Self::Edit>;
+    fn edit(&mut self, edit: Self::Edit, is_known_good: bool) -> EditResult<Self::Edit>;
 
     /// Label of an edit for undo.
     fn label(edit: &Self::Edit) -> String;

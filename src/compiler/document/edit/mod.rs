@@ -20,8 +20,8 @@ use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Bookmark, ColorSpace, Definition, DirectionKeys, Exposed, Frame, GraphId, InterfacePort, Light,
-    Look, Node, Note, Tier, TimeKeys, Value, Wire,
+    Bookmark, ColorSpace, Definition, DirectionKeys, ExposedValue, Frame, GraphId, InterfacePort,
+    Light, Look, Node, Note, Tier, TimeKeys, Value, Wire,
 };
 use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
@@ -32,7 +32,7 @@ pub use patch::Patch;
 pub use scene::SceneEdit;
 
 /// Result of an edit: the edit that undoes it.
-pub type Applied<E> = Result<E, Box<Diagnostic>>;
+pub type EditResult<E> = Result<E, Box<Diagnostic>>;
 
 /// Edit of a look. Edits of nodes, wires and frames name the graph; by default it is the look's
 /// own.
@@ -120,9 +120,9 @@ pub enum Edit {
     RemoveDefinition { id: DefinitionId },
 
     /// Exposes an input.
-    AddExposed { exposed: Exposed, index: Option<usize> },
+    AddExposed { exposed: ExposedValue, index: Option<usize> },
     /// Changes an exposed parameter.
-    SetExposed { index: usize, exposed: Exposed },
+    SetExposed { index: usize, exposed: ExposedValue },
     /// Removes an exposed parameter.
     RemoveExposed { index: usize },
 
@@ -201,7 +201,7 @@ impl Look {
     /// # Errors
     /// A diagnostic where the edit is impossible: it names a part that does not exist, or sets a
     /// value that no document holds. The look is then as it was.
-    pub fn apply(&mut self, edit: Edit) -> Applied<Edit> {
+    pub fn apply(&mut self, edit: Edit) -> EditResult<Edit> {
         apply(self, edit, false)
     }
 }
@@ -209,7 +209,7 @@ impl Look {
 impl Editable for Look {
     type Edit = Edit;
 
-    fn edit(&mut self, edit: Edit, is_known_good: bool) -> Applied<Edit> {
+    fn edit(&mut self, edit: Edit, is_known_good: bool) -> EditResult<Edit> {
         apply(self, edit, is_known_good)
     }
 
@@ -253,7 +253,7 @@ impl Editable for Look {
 
 /// Applies one edit. An edit that is known to be good, because it undoes or repeats another, is not
 /// checked: a document that was broken before an edit is as broken after its undoing.
-fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
+fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> EditResult<Edit> {
     if !is_known_good {
         trial::check(look, &edit)?;
     }
@@ -316,7 +316,7 @@ fn apply(look: &mut Look, edit: Edit, is_known_good: bool) -> Applied<Edit> {
 }
 
 /// Applies all edits, or none of them.
-fn group(look: &mut Look, edits: Vec<Edit>, is_known_good: bool) -> Applied<Edit> {
+fn group(look: &mut Look, edits: Vec<Edit>, is_known_good: bool) -> EditResult<Edit> {
     all_or_none(look, edits, is_known_good).map(|edits| Edit::Group { edits })
 }
 
@@ -326,7 +326,7 @@ fn all_or_none<D: Editable>(
     document: &mut D,
     edits: Vec<D::Edit>,
     is_known_good: bool,
-) -> Applied<Vec<D::Edit>> {
+) -> EditResult<Vec<D::Edit>> {
     let mut inverses = Vec::with_capacity(edits.len());
     let mut failure = None;
     for edit in edits {

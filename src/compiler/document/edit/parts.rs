@@ -6,12 +6,12 @@ use std::hash::Hash;
 use indexmap::IndexMap;
 
 use super::graph::drop_targets;
-use super::{Applied, Edit, group, impossible, missing};
+use super::{Edit, EditResult, group, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::{Look, Target};
 use crate::ids::{DefinitionId, LightId};
 
-pub(super) fn apply(look: &mut Look, edit: Edit) -> Applied<Edit> {
+pub(super) fn apply(look: &mut Look, edit: Edit) -> EditResult<Edit> {
     match edit {
         Edit::AddLight { id, light, index } => {
             insert(&mut look.lights, "light", id.clone(), light, index)?;
@@ -52,7 +52,7 @@ pub(super) fn apply(look: &mut Look, edit: Edit) -> Applied<Edit> {
     }
 }
 
-fn apply_keys(look: &mut Look, edit: Edit) -> Applied<Edit> {
+fn apply_keys(look: &mut Look, edit: Edit) -> EditResult<Edit> {
     match edit {
         Edit::AddDirectionKeys { keys, index } => {
             let index = insert_at(&mut look.direction_keys, keys, index)?;
@@ -85,7 +85,7 @@ fn apply_keys(look: &mut Look, edit: Edit) -> Applied<Edit> {
     }
 }
 
-fn remove_light(look: &mut Look, id: LightId) -> Applied<Edit> {
+fn remove_light(look: &mut Look, id: LightId) -> EditResult<Edit> {
     if !look.lights.contains_key(&id) {
         return Err(missing("light", id));
     }
@@ -110,7 +110,7 @@ fn remove_light(look: &mut Look, id: LightId) -> Applied<Edit> {
     group(look, edits, true)
 }
 
-fn remove_definition(look: &mut Look, id: DefinitionId) -> Applied<Edit> {
+fn remove_definition(look: &mut Look, id: DefinitionId) -> EditResult<Edit> {
     let (index, definition) = remove_named(&mut look.definitions, "group", &id)?;
     Ok(Edit::AddDefinition { id, definition, index: Some(index) })
 }

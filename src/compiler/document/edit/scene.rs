@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::parts::{insert, remove_named};
-use super::{Applied, Editable, all_or_none, missing, trial};
+use super::{EditResult, Editable, all_or_none, missing, trial};
 use crate::document::{Camera, Light, Object, Scene, TimeRange};
 use crate::ids::{LightId, ObjectId};
 
@@ -49,7 +49,7 @@ impl Scene {
     ///
     /// # Errors
     /// A diagnostic where the edit is impossible; the scene is then as it was.
-    pub fn apply(&mut self, edit: SceneEdit) -> Applied<SceneEdit> {
+    pub fn apply(&mut self, edit: SceneEdit) -> EditResult<SceneEdit> {
         self.edit(edit, false)
     }
 }
@@ -57,7 +57,7 @@ impl Scene {
 impl Editable for Scene {
     type Edit = SceneEdit;
 
-    fn edit(&mut self, edit: SceneEdit, is_known_good: bool) -> Applied<SceneEdit> {
+    fn edit(&mut self, edit: SceneEdit, is_known_good: bool) -> EditResult<SceneEdit> {
         use std::mem::replace;
         if !is_known_good {
             trial::check_scene(&edit)?;

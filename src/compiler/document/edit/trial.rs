@@ -8,8 +8,8 @@ use super::{Edit, SceneEdit, impossible, missing};
 use crate::diag::Diagnostic;
 use crate::document::check::{check_output, check_target};
 use crate::document::{
-    DirectionKeys, Endpoint, Exposed, Frame, Graph, GraphId, Look, Node, Object, Scene, Target,
-    TimeKeys, Wire,
+    DirectionKeys, Endpoint, ExposedValue, Frame, Graph, GraphId, Look, Node, Object, Scene,
+    Target, TimeKeys, Wire,
 };
 use crate::ids::{DefinitionId, GROUP_INPUTS, GROUP_OUTPUTS, NodePath, is_slug};
 
@@ -225,8 +225,9 @@ fn keeps_targets(look: &Look, id: &DefinitionId, graph: &Graph) -> Check {
     Ok(())
 }
 
-fn check_exposed(look: &Look, exposed: &Exposed, own: usize) -> Check {
-    let is_taken = |(index, other): (usize, &Exposed)| index != own && other.name == exposed.name;
+fn check_exposed(look: &Look, exposed: &ExposedValue, own: usize) -> Check {
+    let is_taken =
+        |(index, other): (usize, &ExposedValue)| index != own && other.name == exposed.name;
     if look.exposed.iter().enumerate().any(is_taken) {
         return Err(impossible(format!("there is a parameter `{}` already", exposed.name)));
     }

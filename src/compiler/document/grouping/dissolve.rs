@@ -13,7 +13,7 @@ use crate::ids::{
 
 /// Result of dissolving a group.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Dissolved {
+pub struct DissolvedGroup {
     /// Edit that dissolves the group.
     pub edit: Edit,
     /// Nodes that take the place of the group's node.
@@ -32,7 +32,7 @@ pub fn dissolve(
     graph: &GraphId,
     id: &NodeId,
     definition: &Definition,
-) -> Result<Dissolved, Box<Diagnostic>> {
+) -> Result<DissolvedGroup, Box<Diagnostic>> {
     let impossible = |message: String| Box::new(Diagnostic::error("impossible-edit", message));
     let of = look.graph_of(graph).ok_or_else(|| impossible("there is no such graph".to_owned()))?;
     let node = of.nodes.get(id).ok_or_else(|| impossible(format!("there is no node `{id}`")))?;
@@ -40,7 +40,7 @@ pub fn dissolve(
         let problem = impossible(format!("the group `{id}` is muted, so it is not what is in it"));
         return Err(Box::new(problem.hint("unmute it first")));
     }
-    let opened = Opened { of, graph, id, node, definition, ids: new_ids(of, definition) };
+    let opened = GroupContents { of, graph, id, node, definition, ids: new_ids(of, definition) };
     let mut edits = opened.nodes();
     edits.extend(follow(
         look,
@@ -52,7 +52,7 @@ pub fn dissolve(
     edits.push(Edit::RemoveNode { graph: graph.clone(), id: id.clone() });
     edits.extend(unused(look, graph, id, node));
     let nodes = opened.ids.values().cloned().collect();
-    Ok(Dissolved { edit: Edit::Group { edits }, nodes })
+    Ok(DissolvedGroup { edit: Edit::Group { edits }, nodes })
 }
 
 type Ids<'l> = indexmap::IndexMap<&'l NodeId, NodeId>;
@@ -75,7 +75,7 @@ fn new_ids<'l>(of: &Graph, definition: &'l Definition) -> Ids<'l> {
 }
 
 /// Group's node together with its definition.
-struct Opened<'l> {
+struct GroupContents<'l> {
     of: &'l Graph,
     graph: &'l GraphId,
     id: &'l NodeId,
@@ -84,7 +84,7 @@ struct Opened<'l> {
     ids: Ids<'l>,
 }
 
-impl Opened<'_> {
+impl GroupContents<'_> {
     /// Value of an interface input while nothing feeds it.
     fn value(&self, port: &PortName) -> Option<&Value> {
         let default =

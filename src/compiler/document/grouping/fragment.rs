@@ -11,7 +11,7 @@ use crate::ids::{DefinitionId, FrameId, NodeId, NoteId, make_slug};
 
 /// Result of pasting a text into a graph.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pasted {
+pub struct PastedFragment {
     /// Edit that adds the fragment.
     pub edit: Edit,
     /// Ids of the new nodes.
@@ -78,7 +78,7 @@ pub fn paste_text(
     graph: &GraphId,
     text: &str,
     at: Option<[f64; 2]>,
-) -> Result<Pasted, Box<Diagnostic>> {
+) -> Result<PastedFragment, Box<Diagnostic>> {
     const NOTHING: &str = "the clipboard holds no nodes";
     let nothing = || {
         Box::new(
@@ -102,12 +102,12 @@ pub fn paste_text(
         edits.push(Edit::AddLight { id: id.clone(), light: light.clone(), index: None });
     }
     let shift = shift(&part.graph, at);
-    let adder = Adder { of, graph, part: &part.graph, shift };
+    let adder = FragmentAdder { of, graph, part: &part.graph, shift };
     let ids = adder.nodes(&kinds, &mut edits);
     adder.wires(&ids, &mut edits);
     adder.frames(&ids, &mut edits);
     let notes = adder.notes(&mut edits);
-    Ok(Pasted { edit: Edit::Group { edits }, nodes: ids.into_values().collect(), notes })
+    Ok(PastedFragment { edit: Edit::Group { edits }, nodes: ids.into_values().collect(), notes })
 }
 
 /// Kind of the node that is the result of a look.
@@ -182,14 +182,14 @@ fn shift(part: &Graph, at: Option<[f64; 2]>) -> [f64; 2] {
     [of(0), of(1)]
 }
 
-struct Adder<'a> {
+struct FragmentAdder<'a> {
     of: &'a Graph,
     graph: &'a GraphId,
     part: &'a Graph,
     shift: [f64; 2],
 }
 
-impl<'a> Adder<'a> {
+impl<'a> FragmentAdder<'a> {
     fn shifted(&self, place: [f64; 2]) -> [f64; 2] {
         // Greatest coordinate that a document may hold.
         const FAR: f64 = 1e9;

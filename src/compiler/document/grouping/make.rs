@@ -13,7 +13,7 @@ use crate::ids::{
 
 /// Result of making a group.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Grouped {
+pub struct NewGroup {
     /// Edit that makes the group.
     pub edit: Edit,
     /// Id of the new node, in place of the grouped nodes.
@@ -35,7 +35,7 @@ pub fn group(
     label: &str,
     taken: impl Fn(&str) -> bool,
     first_output: impl Fn(&Node) -> Option<PortName>,
-) -> Option<Grouped> {
+) -> Option<NewGroup> {
     let of = look.graph_of(graph)?;
     let moved: HashSet<&NodeId> = nodes.iter().filter(|&id| of.nodes.contains_key(id)).collect();
     if moved.is_empty() {
@@ -110,7 +110,7 @@ pub fn group(
         wire,
         index: None,
     }));
-    Some(Grouped { edit: Edit::Group { edits }, node: node_id, definition: definition_id })
+    Some(NewGroup { edit: Edit::Group { edits }, node: node_id, definition: definition_id })
 }
 
 fn is_group_end(id: &str) -> bool {

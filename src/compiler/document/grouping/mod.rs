@@ -9,6 +9,6 @@ mod fragment;
 mod make;
 mod targets;
 
-pub use dissolve::{Dissolved, dissolve};
-pub use fragment::{Pasted, copy_text, paste_text};
-pub use make::{Grouped, group};
+pub use dissolve::{DissolvedGroup, dissolve};
+pub use fragment::{PastedFragment, copy_text, paste_text};
+pub use make::{NewGroup, group};

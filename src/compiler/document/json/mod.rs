@@ -18,13 +18,13 @@ use std::sync::Arc;
 #[cfg(test)]
 use parser::MAX_DEPTH;
 pub(super) use parser::{MAX_BYTES, parse};
-pub(super) use writer::{Layout, Writer};
+pub(super) use writer::{JsonLayout, JsonWriter};
 
 /// Index of a value in its [`Tree`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct At(u32);
+pub(super) struct ValueIndex(u32);
 
-impl At {
+impl ValueIndex {
     /// Index of the value in its tree.
     pub(super) fn index(self) -> u32 {
         self.0
@@ -33,7 +33,7 @@ impl At {
 
 /// Type of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum JsonKind {
     Null,
     Bool(bool),
     Number,
@@ -44,7 +44,7 @@ pub(super) enum Kind {
     Bad,
 }
 
-impl Kind {
+impl JsonKind {
     /// Name of the type in messages.
     pub(super) fn noun(self) -> &'static str {
         match self {
@@ -63,7 +63,7 @@ impl Kind {
 /// Value of a parsed text; spans are in bytes of the text.
 #[derive(Clone, Copy, Debug)]
 struct Item {
-    kind: Kind,
+    kind: JsonKind,
     /// True if the file ended, or another bracket closed, before this list or object did.
     cut: bool,
     start: u32,
@@ -85,63 +85,63 @@ pub(super) struct Tree {
 
 impl Tree {
     /// Value of the whole document; `None` where the text has no value at all.
-    pub(super) fn root(&self) -> Option<At> {
-        (!self.items.is_empty()).then_some(At(0))
+    pub(super) fn root(&self) -> Option<ValueIndex> {
+        (!self.items.is_empty()).then_some(ValueIndex(0))
     }
 
     pub(super) fn text(&self) -> &Arc<str> {
         &self.text
     }
 
-    pub(super) fn kind(&self, at: At) -> Kind {
+    pub(super) fn kind(&self, at: ValueIndex) -> JsonKind {
         self.item(at).kind
     }
 
     /// Start of the value, in bytes.
-    pub(super) fn start(&self, at: At) -> usize {
+    pub(super) fn start(&self, at: ValueIndex) -> usize {
         self.item(at).start as usize
     }
 
     /// Start of the member's name, or of the value where it has none, in bytes.
-    pub(super) fn key_start(&self, at: At) -> usize {
+    pub(super) fn key_start(&self, at: ValueIndex) -> usize {
         let item = self.item(at);
         if item.key_start == item.key_end { item.start as usize } else { item.key_start as usize }
     }
 
     /// True if the end of this list or object is missing.
-    pub(super) fn is_cut(&self, at: At) -> bool {
+    pub(super) fn is_cut(&self, at: ValueIndex) -> bool {
         self.item(at).cut
     }
 
     /// Name of a member of an object.
-    pub(super) fn key(&self, at: At) -> Cow<'_, str> {
+    pub(super) fn key(&self, at: ValueIndex) -> Cow<'_, str> {
         let item = self.item(at);
         scan::unquote(&self.text[item.key_start as usize..item.key_end as usize])
     }
 
     /// Text of a string; `None` for other types.
-    pub(super) fn string(&self, at: At) -> Option<Cow<'_, str>> {
-        (self.kind(at) == Kind::Text).then(|| scan::unquote(self.raw(at)))
+    pub(super) fn string(&self, at: ValueIndex) -> Option<Cow<'_, str>> {
+        (self.kind(at) == JsonKind::Text).then(|| scan::unquote(self.raw(at)))
     }
 
     /// Number; `None` for other types. The parser refuses infinite numbers.
-    pub(super) fn number(&self, at: At) -> Option<f64> {
-        (self.kind(at) == Kind::Number).then(|| self.raw(at).parse().ok()).flatten()
+    pub(super) fn number(&self, at: ValueIndex) -> Option<f64> {
+        (self.kind(at) == JsonKind::Number).then(|| self.raw(at).parse().ok()).flatten()
     }
 
     /// Items of a list or members of an object, in document order.
-    pub(super) fn children(&self, at: At) -> impl Iterator<Item = At> + '_ {
+    pub(super) fn children(&self, at: ValueIndex) -> impl Iterator<Item = ValueIndex> + '_ {
         let end = self.item(at).next;
         let within = move |child: u32| (child < end).then_some(child);
         std::iter::successors(within(at.0 + 1), move |&child| {
             within(self.items[child as usize].next)
         })
-        .map(At)
+        .map(ValueIndex)
     }
 
     /// Member of an object by name, if there is one.
-    pub(super) fn member(&self, at: At, name: &str) -> Option<At> {
-        (self.kind(at) == Kind::Object)
+    pub(super) fn member(&self, at: ValueIndex, name: &str) -> Option<ValueIndex> {
+        (self.kind(at) == JsonKind::Object)
             .then(|| self.children(at).find(|&child| self.key(child) == name))
             .flatten()
     }
@@ -150,14 +150,14 @@ impl Tree {
     ///
     /// This method is recursive, which is safe: the parser admits no nesting deeper than
     /// [`parser::MAX_DEPTH`].
-    pub(super) fn to_json(&self, at: At) -> serde_json::Value {
+    pub(super) fn to_json(&self, at: ValueIndex) -> serde_json::Value {
         match self.kind(at) {
-            Kind::Null | Kind::Bad => serde_json::Value::Null,
-            Kind::Bool(value) => value.into(),
-            Kind::Number => scan::json_number(self.raw(at)),
-            Kind::Text => scan::unquote(self.raw(at)).into_owned().into(),
-            Kind::List => self.children(at).map(|child| self.to_json(child)).collect(),
-            Kind::Object => serde_json::Value::Object(
+            JsonKind::Null | JsonKind::Bad => serde_json::Value::Null,
+            JsonKind::Bool(value) => value.into(),
+            JsonKind::Number => scan::json_number(self.raw(at)),
+            JsonKind::Text => scan::unquote(self.raw(at)).into_owned().into(),
+            JsonKind::List => self.children(at).map(|child| self.to_json(child)).collect(),
+            JsonKind::Object => serde_json::Value::Object(
                 self.children(at)
                     .map(|child| (self.key(child).into_owned(), self.to_json(child)))
                     .collect(),
@@ -165,12 +165,12 @@ impl Tree {
         }
     }
 
-    fn raw(&self, at: At) -> &str {
+    fn raw(&self, at: ValueIndex) -> &str {
         let item = self.item(at);
         &self.text[item.start as usize..item.end as usize]
     }
 
-    fn item(&self, at: At) -> &Item {
+    fn item(&self, at: ValueIndex) -> &Item {
         &self.items[at.0 as usize]
     }
 }

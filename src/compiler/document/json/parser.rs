@@ -8,9 +8,9 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::scan::unquote;
-use super::{Item, Kind, Tree};
+use super::{Item, JsonKind, Tree};
 use crate::diag::{Diagnostic, LineColumn};
-use crate::document::problems::{Lines, Problems};
+use crate::document::problems::{LineIndex, Problems};
 use crate::document::source::member_path;
 
 /// Greatest size of a document, in bytes.
@@ -23,7 +23,11 @@ pub(in crate::document) const MAX_VALUES: usize = 8_000_000;
 const MAX_MISTAKES: usize = 100;
 
 /// Parses a text; its problems go to `problems`.
-pub(in crate::document) fn parse(text: &Arc<str>, lines: &Lines, problems: &mut Problems) -> Tree {
+pub(in crate::document) fn parse(
+    text: &Arc<str>,
+    lines: &LineIndex,
+    problems: &mut Problems,
+) -> Tree {
     let mut tree = Tree { text: text.clone(), items: Vec::new(), cut: true };
     if text.len() > MAX_BYTES {
         let mib = text.len().div_ceil(1 << 20);
@@ -53,17 +57,17 @@ pub(in crate::document) fn parse(text: &Arc<str>, lines: &Lines, problems: &mut 
 }
 
 /// List or object whose end is not read yet.
-struct Open {
+struct OpenContainer {
     item: usize,
     is_object: bool,
-    expects: Expects,
+    expects: ExpectedToken,
     /// Number of items or members so far.
     count: usize,
 }
 
 /// Token that may come next in a list or an object, besides its end.
 #[derive(Clone, Copy, PartialEq)]
-enum Expects {
+enum ExpectedToken {
     First,
     Comma,
     /// Item after a comma at this byte.
@@ -72,11 +76,11 @@ enum Expects {
 
 pub(super) struct Parser<'t> {
     pub(super) text: &'t str,
-    lines: &'t Lines,
+    lines: &'t LineIndex,
     problems: &'t mut Problems,
     pub(super) at: usize,
     items: Vec<Item>,
-    open: Vec<Open>,
+    open: Vec<OpenContainer>,
     mistakes: usize,
     /// Span of the name of the member whose value is being read; empty in lists.
     reading: Option<Range<usize>>,
@@ -102,7 +106,10 @@ impl<'t> Parser<'t> {
         }
         let is_string = self.peek() == Some(b'"');
         self.value(0..0);
-        if is_string && self.items.iter().all(|item| item.kind == Kind::Bad) && self.mistakes == 0 {
+        if is_string
+            && self.items.iter().all(|item| item.kind == JsonKind::Bad)
+            && self.mistakes == 0
+        {
             self.problem(
                 self.at,
                 Diagnostic::error("truncated", "the file ends in the middle of a string"),
@@ -148,17 +155,17 @@ impl<'t> Parser<'t> {
                 return false;
             }
             (Some(b'}' | b']'), _) => self.close(),
-            (Some(b','), Expects::Comma) => {
-                open.expects = Expects::AfterComma(self.at);
+            (Some(b','), ExpectedToken::Comma) => {
+                open.expects = ExpectedToken::AfterComma(self.at);
                 self.at += 1;
             }
             (Some(b','), _) => {
                 self.mistake(self.at, "there is a comma too many", "remove it");
                 self.at += 1;
             }
-            (Some(b':'), Expects::Comma) if is_name_in_list => return self.name_in_list(),
-            (Some(_), Expects::Comma) if begins_value(next) => {
-                open.expects = Expects::AfterComma(self.at);
+            (Some(b':'), ExpectedToken::Comma) if is_name_in_list => return self.name_in_list(),
+            (Some(_), ExpectedToken::Comma) if begins_value(next) => {
+                open.expects = ExpectedToken::AfterComma(self.at);
                 let end = self.text[..self.at].trim_end().len();
                 self.mistake(
                     end,
@@ -166,7 +173,7 @@ impl<'t> Parser<'t> {
                     "write `,` between one item and the next",
                 );
             }
-            (Some(_), Expects::Comma) => self.unexpected(),
+            (Some(_), ExpectedToken::Comma) => self.unexpected(),
             (Some(_), _) => return self.item(),
         }
         true
@@ -176,7 +183,7 @@ impl<'t> Parser<'t> {
     fn item(&mut self) -> bool {
         let Some(open) = self.open.last_mut() else { return true };
         if !open.is_object {
-            open.expects = Expects::Comma;
+            open.expects = ExpectedToken::Comma;
             return self.value(0..0);
         }
         let key_start = self.at;
@@ -198,7 +205,7 @@ impl<'t> Parser<'t> {
     /// Parses a member after its name; false where nothing more can be read.
     fn member(&mut self, key: Range<usize>) -> bool {
         if let Some(open) = self.open.last_mut() {
-            open.expects = Expects::Comma;
+            open.expects = ExpectedToken::Comma;
         }
         self.space();
         match self.peek() {
@@ -216,7 +223,7 @@ impl<'t> Parser<'t> {
                     "write `\"name\": value`",
                 );
                 if !begins_value(self.peek()) {
-                    self.push(Kind::Bad, self.at, key);
+                    self.push(JsonKind::Bad, self.at, key);
                     return true;
                 }
             }
@@ -229,7 +236,7 @@ impl<'t> Parser<'t> {
                 &format!("{name} has no value"),
                 "write one, or remove the field",
             );
-            self.push(Kind::Bad, self.at, key);
+            self.push(JsonKind::Bad, self.at, key);
             return true;
         }
         self.value(key)
@@ -243,7 +250,8 @@ impl<'t> Parser<'t> {
             && around.is_object
             && !list.is_object
             && self.items.last().is_some_and(|last| {
-                last.kind == Kind::Text && self.text[last.end as usize..self.at].trim().is_empty()
+                last.kind == JsonKind::Text
+                    && self.text[last.end as usize..self.at].trim().is_empty()
             })
     }
 
@@ -269,15 +277,15 @@ impl<'t> Parser<'t> {
             Some(open @ (b'{' | b'[')) => return self.open(open == b'{', key),
             Some(b'"' | b'\'') => {
                 let closed = self.string();
-                if closed { Kind::Text } else { Kind::Bad }
+                if closed { JsonKind::Text } else { JsonKind::Bad }
             }
             Some(b'0'..=b'9' | b'-' | b'+' | b'.') => self.number(),
             Some(b'a'..=b'z' | b'A'..=b'Z' | b'_') => self.literal(),
             Some(_) => {
                 self.unexpected();
-                Kind::Bad
+                JsonKind::Bad
             }
-            None => Kind::Bad,
+            None => JsonKind::Bad,
         };
         self.push(kind, start, key);
         true
@@ -296,8 +304,8 @@ impl<'t> Parser<'t> {
         let item = self.items.len();
         let start = self.at;
         self.at += 1;
-        self.push(if is_object { Kind::Object } else { Kind::List }, start, key);
-        self.open.push(Open { item, is_object, expects: Expects::First, count: 0 });
+        self.push(if is_object { JsonKind::Object } else { JsonKind::List }, start, key);
+        self.open.push(OpenContainer { item, is_object, expects: ExpectedToken::First, count: 0 });
         true
     }
 
@@ -322,7 +330,7 @@ impl<'t> Parser<'t> {
                 let from = self.lines.at(self.text, self.items[open.item].start as usize);
                 let message = format!("the {what} opened at {} is not closed", line_column(from));
                 self.mistake(self.at, &message, &format!("write `{end}` before this"));
-            } else if let Expects::AfterComma(comma) = open.expects {
+            } else if let ExpectedToken::AfterComma(comma) = open.expects {
                 self.mistake(comma, "there is a comma after the last item", "remove it");
             }
             self.end_item(open.item, self.at + usize::from(!cut), cut);
@@ -359,7 +367,7 @@ impl<'t> Parser<'t> {
         );
     }
 
-    fn push(&mut self, kind: Kind, start: usize, key: Range<usize>) {
+    fn push(&mut self, kind: JsonKind, start: usize, key: Range<usize>) {
         self.reading = None;
         let next = self.items.len() as u32 + 1;
         let (start, end) = (start as u32, self.at as u32);

@@ -2,12 +2,12 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 
-use super::{At, Kind, MAX_DEPTH, Tree, parse};
+use super::{JsonKind, MAX_DEPTH, Tree, ValueIndex, parse};
 use crate::diag::Diagnostic;
-use crate::document::problems::{Lines, Problems};
+use crate::document::problems::{LineIndex, Problems};
 
 fn parsed(text: &str) -> (Tree, Vec<Diagnostic>) {
-    let lines = Lines::new(text);
+    let lines = LineIndex::new(text);
     let mut problems = Problems::new();
     let tree = parse(&Arc::from(text), &lines, &mut problems);
     (tree, problems.finish("", text, &lines))
@@ -43,7 +43,7 @@ proptest! {
     #[test]
     fn items_make_a_tree(text in r#"(\{|\}|\[|\]|,|:|"a"|'b|"|1|x|/\*|//|\n|é){0,40}"#) {
         let (tree, _) = parsed(&text);
-        let mut open: Vec<At> = tree.root().into_iter().collect();
+        let mut open: Vec<ValueIndex> = tree.root().into_iter().collect();
         let mut count = 0;
         while let Some(at) = open.pop() {
             count += 1;
@@ -120,5 +120,5 @@ fn strings_are_unquoted() {
     let strings: Vec<_> =
         tree.children(root).map(|at| tree.string(at).unwrap().into_owned()).collect();
     assert_eq!(strings, ["A\n\"\\/😀", "plain é"]);
-    assert_eq!(tree.kind(root), Kind::List);
+    assert_eq!(tree.kind(root), JsonKind::List);
 }

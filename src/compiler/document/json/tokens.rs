@@ -1,7 +1,7 @@
 //! Tokens that the parser reads without regard to open lists and objects: strings, numbers, words,
 //! white space, and unexpected text.
 
-use super::Kind;
+use super::JsonKind;
 use super::parser::{Parser, short};
 use super::scan::{escape, format_number, is_json_number};
 use crate::diag::Diagnostic;
@@ -75,14 +75,14 @@ impl<'t> Parser<'t> {
         }
     }
 
-    pub(super) fn number(&mut self) -> Kind {
+    pub(super) fn number(&mut self) -> JsonKind {
         let start = self.at;
         let end =
             self.text[start..].find(|c: char| !(c.is_ascii_alphanumeric() || "+-._".contains(c)));
         self.at = end.map_or(self.text.len(), |end| start + end);
         let text = &self.text[start..self.at];
         if self.at == self.text.len() && self.is_inside() {
-            return Kind::Bad; // The number is cut off.
+            return JsonKind::Bad; // The number is cut off.
         }
         if !is_json_number(text) {
             if is_not_finite(text.trim_start_matches(['+', '-'])) {
@@ -94,13 +94,13 @@ impl<'t> Parser<'t> {
                 };
                 self.mistake(start, &format!("`{}` is no number of JSON", short(text)), &hint);
             }
-            return Kind::Bad;
+            return JsonKind::Bad;
         }
         if text.parse::<f64>().is_ok_and(f64::is_finite) {
-            return Kind::Number;
+            return JsonKind::Number;
         }
         self.not_finite(start, text);
-        Kind::Bad
+        JsonKind::Bad
     }
 
     fn not_finite(&mut self, start: usize, text: &str) {
@@ -113,14 +113,14 @@ impl<'t> Parser<'t> {
     }
 
     /// Reads `true`, `false`, `null`, or any other word, which is a mistake.
-    pub(super) fn literal(&mut self) -> Kind {
+    pub(super) fn literal(&mut self) -> JsonKind {
         let start = self.at;
         let word = self.word();
         let hint = match word {
-            "true" => return Kind::Bool(true),
-            "false" => return Kind::Bool(false),
-            "null" => return Kind::Null,
-            _ if self.at == self.text.len() && self.is_inside() => return Kind::Bad, // Cut off.
+            "true" => return JsonKind::Bool(true),
+            "false" => return JsonKind::Bool(false),
+            "null" => return JsonKind::Null,
+            _ if self.at == self.text.len() && self.is_inside() => return JsonKind::Bad, // Cut off.
             "True" | "TRUE" | "yes" | "on" => "write true".to_owned(),
             "False" | "FALSE" | "no" | "off" => "write false".to_owned(),
             "None" | "nil" | "undefined" | "NULL" | "Null" => {
@@ -128,12 +128,12 @@ impl<'t> Parser<'t> {
             }
             _ if is_not_finite(word) => {
                 self.not_finite(start, word);
-                return Kind::Bad;
+                return JsonKind::Bad;
             }
             _ => format!("strings stand in double quotes: \"{}\"", short(word)),
         };
         self.mistake(start, &format!("`{}` is no value of JSON", short(word)), &hint);
-        Kind::Bad
+        JsonKind::Bad
     }
 
     /// Reads a word: letters, digits and `_-$.`.

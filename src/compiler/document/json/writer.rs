@@ -1,12 +1,12 @@
 //! Writer of JSON in the canonical form.
 
 use super::scan::format_number;
-use crate::document::Unknown;
-use crate::document::shape::Shape;
+use crate::document::UnknownFields;
+use crate::document::shape::ObjectShape;
 
 /// Layout of an object or a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::document) enum Layout {
+pub(in crate::document) enum JsonLayout {
     /// Layout with every member or item on a line of its own.
     Lines,
     /// Layout on one line.
@@ -14,10 +14,10 @@ pub(in crate::document) enum Layout {
 }
 
 /// Writer of one document.
-pub(in crate::document) struct Writer {
+pub(in crate::document) struct JsonWriter {
     text: String,
     /// Open objects and lists: the layout of each, and whether it has content already.
-    open: Vec<(Layout, bool)>,
+    open: Vec<(JsonLayout, bool)>,
     /// Text of numbers that are not finite.
     not_finite: &'static str,
     /// Number of drivers that decide between the direction keys of the set that is written; `None`
@@ -25,7 +25,7 @@ pub(in crate::document) struct Writer {
     pub(in crate::document) key_axes: Option<usize>,
 }
 
-impl Writer {
+impl JsonWriter {
     pub(in crate::document) fn new() -> Self {
         Self { text: String::new(), open: Vec::new(), not_finite: "null", key_axes: None }
     }
@@ -59,7 +59,7 @@ impl Writer {
     }
 
     pub(in crate::document) fn numbers(&mut self, numbers: &[f64]) {
-        self.list(Layout::Inline, numbers, |w, &number| w.number(number));
+        self.list(JsonLayout::Inline, numbers, |w, &number| w.number(number));
     }
 
     pub(in crate::document) fn string(&mut self, text: &str) {
@@ -69,22 +69,26 @@ impl Writer {
     /// Writes any JSON on one line.
     pub(in crate::document) fn json(&mut self, value: &serde_json::Value) {
         match value {
-            serde_json::Value::Object(members) => self.object(Layout::Inline, |w| {
+            serde_json::Value::Object(members) => self.object(JsonLayout::Inline, |w| {
                 for (name, value) in members {
                     w.member(name, |w| w.json(value));
                 }
             }),
-            serde_json::Value::Array(items) => self.list(Layout::Inline, items, Self::json),
+            serde_json::Value::Array(items) => self.list(JsonLayout::Inline, items, Self::json),
             other => self.text.push_str(&other.to_string()),
         }
     }
 
     /// Writes an object; `write` writes its members.
-    pub(in crate::document) fn object(&mut self, layout: Layout, write: impl FnOnce(&mut Self)) {
+    pub(in crate::document) fn object(
+        &mut self,
+        layout: JsonLayout,
+        write: impl FnOnce(&mut Self),
+    ) {
         self.text.push('{');
         self.open.push((layout, false));
         write(self);
-        self.close('}', layout == Layout::Inline);
+        self.close('}', layout == JsonLayout::Inline);
     }
 
     /// Writes a member of the open object.
@@ -98,7 +102,7 @@ impl Writer {
     /// Writes a list of these items.
     pub(in crate::document) fn list<I: IntoIterator>(
         &mut self,
-        layout: Layout,
+        layout: JsonLayout,
         items: I,
         mut write: impl FnMut(&mut Self, I::Item),
     ) {
@@ -114,8 +118,8 @@ impl Writer {
     /// Writes the members that the shape does not know, at the end of its object.
     pub(in crate::document) fn unknown(
         &mut self,
-        shape: &'static Shape,
-        unknown: Option<&Unknown>,
+        shape: &'static ObjectShape,
+        unknown: Option<&UnknownFields>,
     ) {
         for (name, value) in
             unknown.into_iter().flatten().filter(|(name, _)| shape.field(name).is_none())
@@ -131,18 +135,18 @@ impl Writer {
             self.text.push(',');
         }
         match layout {
-            Layout::Lines => self.new_line(),
-            Layout::Inline if !is_first || pad => self.text.push(' '),
-            Layout::Inline => {}
+            JsonLayout::Lines => self.new_line(),
+            JsonLayout::Inline if !is_first || pad => self.text.push(' '),
+            JsonLayout::Inline => {}
         }
     }
 
     fn close(&mut self, end: char, pad: bool) {
         if let Some((layout, true)) = self.open.pop() {
             match layout {
-                Layout::Lines => self.new_line(),
-                Layout::Inline if pad => self.text.push(' '),
-                Layout::Inline => {}
+                JsonLayout::Lines => self.new_line(),
+                JsonLayout::Inline if pad => self.text.push(' '),
+                JsonLayout::Inline => {}
             }
         }
         self.text.push(end);

@@ -2,8 +2,8 @@
 
 use super::{Light, LightField, LightKind};
 use crate::document::Value;
-use crate::document::described::Described as _;
-use crate::document::shape::{Bounds, Kind};
+use crate::document::described::DescribedObject as _;
+use crate::document::shape::{FieldKind, NumberBounds};
 
 /// Quantity of a field's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,7 +39,7 @@ pub(super) struct LightRow {
 }
 
 /// Access to a field of a light.
-pub(super) struct Lens {
+pub(super) struct FieldAccess {
     /// Name in files and targets.
     pub(super) name: &'static str,
     /// Word in node files.
@@ -127,9 +127,9 @@ impl LightField {
         self.bounds().is_some_and(|bounds| bounds.above)
     }
 
-    fn bounds(self) -> Option<Bounds> {
+    fn bounds(self) -> Option<NumberBounds> {
         match &Light::shape().field(self.name())?.1.kind {
-            Kind::Number(bounds) => Some(*bounds),
+            FieldKind::Number(bounds) => Some(*bounds),
             _ => None,
         }
     }

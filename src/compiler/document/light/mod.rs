@@ -12,11 +12,11 @@ mod values;
 use serde::{Deserialize, Serialize};
 
 use super::described::described;
-use super::shape::{Bounds, FAR, Kind, LINE, POSITIVE};
-use super::word::Word as _;
+use super::shape::{FAR, FieldKind, LINE, NumberBounds, POSITIVE};
+use super::word::WordChoice as _;
 use LightKind::{Directional, Point, Spot};
 use LightQuantity::{Angle, Color, Direction, Distance, Factor, Position};
-use field::{Lens, LightRow, NumbersOf as _};
+use field::{FieldAccess, LightRow, NumbersOf as _};
 
 pub use field::LightQuantity;
 pub use input::LightInput;
@@ -42,12 +42,13 @@ macro_rules! light_fields {
             pub struct Light("light", Line) {
                 /// What the artist calls it; empty for the id.
                 #[serde(skip_serializing_if = "String::is_empty")]
-                name: String = String::new(), Kind::Text(LINE);
+                name: String = String::new(), FieldKind::Text(LINE);
                 /// What the light is.
                 #[serde(rename = "type")]
-                kind as "type": LightKind = LightKind::Directional, Kind::Word(LightKind::WORDS);
+                kind as "type": LightKind = LightKind::Directional,
+                    FieldKind::Word(LightKind::WORDS);
                 /// The frame of `direction`, `position` and `aim`.
-                space: LightSpace = LightSpace::Illumination, Kind::Word(LightSpace::WORDS);
+                space: LightSpace = LightSpace::Illumination, FieldKind::Word(LightSpace::WORDS);
                 $($(#[doc = $help])+ $field: $ty = $default, $kind $(, by $codec)?;)*
             }
         }
@@ -72,9 +73,9 @@ macro_rules! light_fields {
                 }
             }
 
-            fn lens(self) -> Lens {
+            fn lens(self) -> FieldAccess {
                 match self {
-                    $(Self::$variant => Lens {
+                    $(Self::$variant => FieldAccess {
                         name: stringify!($field),
                         word: concat!("light.", stringify!($field)),
                         numbers: |light| light.$field.numbers(),
@@ -88,7 +89,7 @@ macro_rules! light_fields {
 
 light_fields! {
     /// Directional lights: toward the light; any length but 0.
-    Direction direction: [f64; 3] = [0.0, 0.0, 1.0], Kind::Direction;
+    Direction direction: [f64; 3] = [0.0, 0.0, 1.0], FieldKind::Direction;
     {
         label: "Direction",
         hint: "Toward the light. The middle is toward you, the inner ring sideways, the rim \
@@ -99,7 +100,7 @@ light_fields! {
     }
 
     /// Point and spot lights: where it is, in scene units.
-    Position position: [f64; 3] = [0.0, 0.0, 3.0], Kind::Numbers(3, 3, FAR);
+    Position position: [f64; 3] = [0.0, 0.0, 3.0], FieldKind::Numbers(3, 3, FAR);
     {
         label: "Position",
         hint: "In scene units",
@@ -109,7 +110,7 @@ light_fields! {
     }
 
     /// Spot lights: the way it shines, from the light outward; any length but 0.
-    Aim aim: [f64; 3] = [0.0, 0.0, -1.0], Kind::Direction;
+    Aim aim: [f64; 3] = [0.0, 0.0, -1.0], FieldKind::Direction;
     {
         label: "Aim",
         hint: "From the light outward",
@@ -119,7 +120,7 @@ light_fields! {
     }
 
     /// Spot lights: the half-angle of the full cone, in radians; at most `outer`.
-    Inner inner: f64 = 0.35, Kind::Number(Bounds::new(0.0, std::f64::consts::PI));
+    Inner inner: f64 = 0.35, FieldKind::Number(NumberBounds::new(0.0, std::f64::consts::PI));
     {
         label: "Full cone",
         hint: "Half-angle of full light",
@@ -129,7 +130,7 @@ light_fields! {
     }
 
     /// Spot lights: the half-angle at which nothing is left, in radians.
-    Outer outer: f64 = 0.5, Kind::Number(Bounds::above(0.0, std::f64::consts::PI));
+    Outer outer: f64 = 0.5, FieldKind::Number(NumberBounds::above(0.0, std::f64::consts::PI));
     {
         label: "Whole cone",
         hint: "Half-angle at which nothing is left",
@@ -138,7 +139,7 @@ light_fields! {
     }
 
     /// Straight RGB in the look's color space.
-    Color color: [f64; 3] = [1.0; 3], Kind::Color { alpha: false };
+    Color color: [f64; 3] = [1.0; 3], FieldKind::Color { alpha: false };
     {
         label: "Color",
         hint: "Of the light",
@@ -147,7 +148,7 @@ light_fields! {
     }
 
     /// A factor.
-    Intensity intensity: f64 = 1.0, Kind::Number(POSITIVE);
+    Intensity intensity: f64 = 1.0, FieldKind::Number(POSITIVE);
     {
         label: "Intensity",
         hint: "A factor on the color",
@@ -157,7 +158,7 @@ light_fields! {
 
     /// Point and spot lights: the distance at which half the intensity is left, in scene units; 0
     /// for no fading, and 1e-30 for less than that.
-    HalfDistance half_distance: f64 = 0.0, Kind::Number(POSITIVE);
+    HalfDistance half_distance: f64 = 0.0, FieldKind::Number(POSITIVE);
     {
         label: "Half distance",
         hint: "How far from the light half its intensity is left, in scene units; 0 for no fading",
@@ -167,7 +168,7 @@ light_fields! {
 
     /// Point and spot lights: the distance beyond which nothing is left, in scene units; 0 for no
     /// end, and 1e-30 for less than that.
-    Range range: f64 = 0.0, Kind::Number(POSITIVE);
+    Range range: f64 = 0.0, FieldKind::Number(POSITIVE);
     {
         label: "Range",
         hint: "How far from the light nothing is left, in scene units; 0 for no end",

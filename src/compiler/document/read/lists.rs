@@ -4,20 +4,20 @@ use std::hash::Hash;
 
 use indexmap::IndexMap;
 
-use super::reader::{Reader, Step};
+use super::reader::{PathStep, Reader};
 use crate::diag::Diagnostic;
-use crate::document::json::{At, Kind};
+use crate::document::json::{JsonKind, ValueIndex};
 use crate::document::shape;
 
 impl Reader<'_> {
     /// Items of a list that could be read, each with its index in the text.
     pub(in crate::document) fn list_at<T>(
         &mut self,
-        at: At,
-        kind: &'static shape::Kind,
-        mut read: impl FnMut(&mut Self, At) -> Option<T>,
+        at: ValueIndex,
+        kind: &'static shape::FieldKind,
+        mut read: impl FnMut(&mut Self, ValueIndex) -> Option<T>,
     ) -> Option<Vec<(u32, T)>> {
-        if self.tree.kind(at) != Kind::List {
+        if self.tree.kind(at) != JsonKind::List {
             self.wrong_type(at, "a list");
             return None;
         }
@@ -40,11 +40,11 @@ impl Reader<'_> {
     /// Members of an object with any names.
     pub(in crate::document) fn members<K: Hash + Eq, T>(
         &mut self,
-        at: At,
-        kind: &'static shape::Kind,
-        mut read: impl FnMut(&mut Self, At, &str) -> Option<(K, T)>,
+        at: ValueIndex,
+        kind: &'static shape::FieldKind,
+        mut read: impl FnMut(&mut Self, ValueIndex, &str) -> Option<(K, T)>,
     ) -> Option<IndexMap<K, T>> {
-        if self.tree.kind(at) != Kind::Object {
+        if self.tree.kind(at) != JsonKind::Object {
             self.wrong_type(at, "an object");
             return None;
         }
@@ -53,7 +53,7 @@ impl Reader<'_> {
         let mut map = IndexMap::new();
         for member in tree.children(at).take(most) {
             let key = tree.key(member);
-            self.path.push(Step::Key(member));
+            self.path.push(PathStep::Key(member));
             let entry = read(self, member, &key);
             self.path.pop();
             match entry {
@@ -66,9 +66,9 @@ impl Reader<'_> {
     }
 
     /// Number of items that are read; more are reported.
-    fn bounded(&mut self, at: At, kind: &shape::Kind) -> usize {
+    fn bounded(&mut self, at: ValueIndex, kind: &shape::FieldKind) -> usize {
         let most = match kind {
-            shape::Kind::List(_, most) | shape::Kind::Map(_, most) => *most,
+            shape::FieldKind::List(_, most) | shape::FieldKind::Map(_, most) => *most,
             _ => 10_000,
         };
         let count = self.tree.children(at).count();

@@ -10,11 +10,11 @@ mod value;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::described::{Codec as _, Described, Plain};
-use super::json::{self, At, Kind};
-use super::problems::{Lines, Problems};
-use super::shape::{self, Shape};
-use super::source::{Loaded, SourceMap};
+use super::described::{Codec as _, DescribedObject, PlainCodec};
+use super::json::{self, JsonKind, ValueIndex};
+use super::problems::{LineIndex, Problems};
+use super::shape::{self, ObjectShape};
+use super::source::{LoadedDocument, SourceMap};
 use super::{Look, Scene, VERSION, read_text};
 use crate::diag::Diagnostic;
 use crate::files::Files;
@@ -25,16 +25,16 @@ pub(super) use value::AxisAngle;
 #[derive(Clone, Debug)]
 pub enum Document {
     /// Look, with its source and diagnostics.
-    Look(Loaded<Look>),
+    Look(LoadedDocument<Look>),
     /// Scene, with its source and diagnostics.
-    Scene(Loaded<Scene>),
+    Scene(LoadedDocument<Scene>),
 }
 
 impl Document {
     /// Reads a text that may hold either: a scene where the text says so or has `objects`,
     /// otherwise a look.
     pub fn read(text: &str, file: &str) -> Self {
-        let parsed = Parsed::new(text, file);
+        let parsed = ParsedText::new(text, file);
         let is_scene = parsed.kind() == Some("scene");
         if is_scene { Self::Scene(parsed.scene()) } else { Self::Look(parsed.look()) }
     }
@@ -59,17 +59,17 @@ impl Document {
 
 impl Look {
     /// Reads a look from JSON; `file` is its name in diagnostics. See docs/format.md.
-    pub fn read(text: &str, file: &str) -> Loaded<Self> {
-        Parsed::new(text, file).look()
+    pub fn read(text: &str, file: &str) -> LoadedDocument<Self> {
+        ParsedText::new(text, file).look()
     }
 
     /// Problems of the text itself, whether or not the names in it exist.
     pub(super) fn read_alone(text: &str) -> Vec<Diagnostic> {
-        Parsed::new(text, "").read::<Self>().diagnostics
+        ParsedText::new(text, "").read::<Self>().diagnostics
     }
 
     /// Reads a look from a file.
-    pub fn load(files: &dyn Files, path: &Path) -> Loaded<Self> {
+    pub fn load(files: &dyn Files, path: &Path) -> LoadedDocument<Self> {
         match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
             Err(problem) => failed(path, *problem),
@@ -79,12 +79,12 @@ impl Look {
 
 impl Scene {
     /// Reads a scene from JSON; `file` is its name in diagnostics. See docs/format.md.
-    pub fn read(text: &str, file: &str) -> Loaded<Self> {
-        Parsed::new(text, file).scene()
+    pub fn read(text: &str, file: &str) -> LoadedDocument<Self> {
+        ParsedText::new(text, file).scene()
     }
 
     /// Reads a scene from a file.
-    pub fn load(files: &dyn Files, path: &Path) -> Loaded<Self> {
+    pub fn load(files: &dyn Files, path: &Path) -> LoadedDocument<Self> {
         match read_text(files, path) {
             Ok(text) => Self::read(&text, &path.display().to_string()),
             Err(problem) => failed(path, *problem),
@@ -93,24 +93,24 @@ impl Scene {
 }
 
 /// Result for a file that could not be read.
-fn failed<T>(path: &Path, problem: Diagnostic) -> Loaded<T> {
+fn failed<T>(path: &Path, problem: Diagnostic) -> LoadedDocument<T> {
     let file = path.display().to_string();
-    let lines = Lines::new("");
+    let lines = LineIndex::new("");
     let tree = json::parse(&Arc::from(""), &lines, &mut Problems::new());
     let source = SourceMap { file, lines, tree, kept: Default::default() };
-    Loaded { value: None, source, diagnostics: vec![problem] }
+    LoadedDocument { value: None, source, diagnostics: vec![problem] }
 }
 
 /// Parsed text before it becomes a look or a scene.
-struct Parsed {
+struct ParsedText {
     source: SourceMap,
     problems: Problems,
 }
 
-impl Parsed {
+impl ParsedText {
     fn new(text: &str, file: &str) -> Self {
         let mut problems = Problems::new();
-        let lines = Lines::new(text);
+        let lines = LineIndex::new(text);
         let tree = json::parse(&Arc::from(text), &lines, &mut problems);
         Self {
             source: SourceMap { file: file.to_owned(), lines, tree, kept: Default::default() },
@@ -135,17 +135,17 @@ impl Parsed {
         }
     }
 
-    fn look(self) -> Loaded<Look> {
+    fn look(self) -> LoadedDocument<Look> {
         let loaded = self.read();
         with_structure(loaded, Look::check)
     }
 
-    fn scene(self) -> Loaded<Scene> {
+    fn scene(self) -> LoadedDocument<Scene> {
         let loaded = self.read();
         with_structure(loaded, Scene::check)
     }
 
-    fn read<T: Described>(mut self) -> Loaded<T> {
+    fn read<T: DescribedObject>(mut self) -> LoadedDocument<T> {
         let mut value = None;
         if let Some(root) = self.root(T::shape()) {
             let mut reader = Reader::new(&self.source.tree, &mut self.problems);
@@ -155,14 +155,14 @@ impl Parsed {
         }
         let diagnostics =
             self.problems.finish(&self.source.file, self.source.text(), &self.source.lines);
-        Loaded { value, source: self.source, diagnostics }
+        LoadedDocument { value, source: self.source, diagnostics }
     }
 
     /// Top value of a document of the right type and a known version.
-    fn root(&mut self, shape: &Shape) -> Option<At> {
+    fn root(&mut self, shape: &ObjectShape) -> Option<ValueIndex> {
         let tree = &self.source.tree;
         let root = tree.root()?;
-        if tree.kind(root) != Kind::Object {
+        if tree.kind(root) != JsonKind::Object {
             let message = format!(
                 "expected a {}, which is an object, found {}",
                 shape.name,
@@ -201,21 +201,24 @@ impl Parsed {
 }
 
 /// Reads the document at the top: its kind, and its fields.
-fn document<T: Described>(r: &mut Reader<'_>, at: At) -> Option<T> {
+fn document<T: DescribedObject>(r: &mut Reader<'_>, at: ValueIndex) -> Option<T> {
     let mut fields = r.object(at, T::shape())?;
     r.field(&fields, "chiaro", |r, at, kind| match kind {
-        shape::Kind::Word(words) => r.word_at(at, words),
+        shape::FieldKind::Word(words) => r.word_at(at, words),
         _ => None,
     });
-    let _: Option<f64> = Plain::read(r, &mut fields, "version");
-    let schema: Option<String> = Plain::read(r, &mut fields, "$schema");
+    let _: Option<f64> = PlainCodec::read(r, &mut fields, "version");
+    let schema: Option<String> = PlainCodec::read(r, &mut fields, "$schema");
     fields.unknown.extend(schema.map(|schema| ("$schema".to_owned(), schema.into())));
     T::from_fields(r, &mut fields)
 }
 
 /// Adds the problems of the document as a whole, unless parts of it are missing because the text is
 /// cut off.
-fn with_structure<T>(mut loaded: Loaded<T>, check: impl Fn(&T) -> Vec<Diagnostic>) -> Loaded<T> {
+fn with_structure<T>(
+    mut loaded: LoadedDocument<T>,
+    check: impl Fn(&T) -> Vec<Diagnostic>,
+) -> LoadedDocument<T> {
     if let Some(value) = loaded.value.as_ref().filter(|_| !loaded.source.tree.cut) {
         let mut found = check(value);
         loaded.source.locate_all(&mut found);

@@ -6,18 +6,18 @@ use std::collections::BTreeMap;
 
 use crate::diag::Diagnostic;
 use crate::document::color::{parse_hex, srgb_to_linear};
-use crate::document::json::{At, Kind, Tree};
+use crate::document::json::{JsonKind, Tree, ValueIndex};
 use crate::document::problems::Problems;
-use crate::document::shape::{self, Bounds, Shape};
+use crate::document::shape::{self, NumberBounds, ObjectShape};
 use crate::document::source::member_path;
-use crate::document::{ColorSpace, Unknown};
+use crate::document::{ColorSpace, UnknownFields};
 use crate::ids::{is_slug, make_slug};
 
 /// Step from a value to a value in it.
 #[derive(Clone, Copy)]
-pub(in crate::document) enum Step {
+pub(in crate::document) enum PathStep {
     Field(&'static str),
-    Key(At),
+    Key(ValueIndex),
     Index(u32),
 }
 
@@ -25,7 +25,7 @@ pub(in crate::document) enum Step {
 pub(in crate::document) struct Reader<'t> {
     pub(in crate::document) tree: &'t Tree,
     problems: &'t mut Problems,
-    pub(in crate::document) path: Vec<Step>,
+    pub(in crate::document) path: Vec<PathStep>,
     /// Indices of the items kept in lists; see [`SourceMap`](crate::document::source::SourceMap).
     pub(in crate::document) kept: BTreeMap<String, Vec<u32>>,
     /// Color space of the document, which decides how `#rrggbb` is decoded.
@@ -37,36 +37,36 @@ pub(in crate::document) struct Reader<'t> {
 
 /// Members of one object, by the fields of its shape.
 pub(in crate::document) struct Fields {
-    shape: &'static Shape,
-    at: At,
-    found: [Option<At>; 24],
+    shape: &'static ObjectShape,
+    at: ValueIndex,
+    found: [Option<ValueIndex>; 24],
     /// Members that the shape does not know. Unknown fields of a field's own parts lie here too,
     /// under the field's name and the part's id, so that each part's type need not hold them.
-    pub(in crate::document) unknown: Unknown,
+    pub(in crate::document) unknown: UnknownFields,
 }
 
 impl Fields {
     /// Value of a field, if it is there.
-    pub(in crate::document) fn get(&self, name: &str) -> Option<At> {
+    pub(in crate::document) fn get(&self, name: &str) -> Option<ValueIndex> {
         let (index, _) = self.shape.field(name).expect("a field of the shape");
         self.found[index]
     }
 
     /// Place of the object itself.
-    pub(in crate::document) fn at(&self) -> At {
+    pub(in crate::document) fn at(&self) -> ValueIndex {
         self.at
     }
 
-    fn kind(&self, name: &str) -> &'static shape::Kind {
+    fn kind(&self, name: &str) -> &'static shape::FieldKind {
         &self.shape.field(name).expect("a field of the shape").1.kind
     }
 
     /// Keeps unknown fields of a field's value.
-    pub(in crate::document) fn shadow(&mut self, name: &str, extras: Unknown) {
+    pub(in crate::document) fn shadow(&mut self, name: &str, extras: UnknownFields) {
         if extras.is_empty() {
             return;
         }
-        let of_field = self.unknown.entry(name).or_insert_with(|| Unknown::new().into());
+        let of_field = self.unknown.entry(name).or_insert_with(|| UnknownFields::new().into());
         if let Some(of_field) = of_field.as_object_mut() {
             of_field.extend(extras);
         }
@@ -87,7 +87,7 @@ impl<'t> Reader<'t> {
 
     /// Reports a problem at a value. A list or object without its end gets no further report: the
     /// missing end is its problem.
-    pub(in crate::document) fn report(&mut self, at: At, problem: Diagnostic) {
+    pub(in crate::document) fn report(&mut self, at: ValueIndex, problem: Diagnostic) {
         if self.tree.is_cut(at) {
             return;
         }
@@ -99,32 +99,37 @@ impl<'t> Reader<'t> {
     /// JSON path of the reader's place, e.g. `nodes[3].values.offset`.
     pub(in crate::document) fn json_path(&self) -> String {
         self.path.iter().fold(String::new(), |path, step| match step {
-            Step::Field(name) => member_path(&path, name),
-            Step::Key(at) => member_path(&path, &self.tree.key(*at)),
-            Step::Index(index) => format!("{path}[{index}]"),
+            PathStep::Field(name) => member_path(&path, name),
+            PathStep::Key(at) => member_path(&path, &self.tree.key(*at)),
+            PathStep::Index(index) => format!("{path}[{index}]"),
         })
     }
 
     /// Reports a problem with the name of the member where the reader is.
-    pub(in crate::document) fn report_name(&mut self, at: At, problem: Diagnostic) {
+    pub(in crate::document) fn report_name(&mut self, at: ValueIndex, problem: Diagnostic) {
         let path = self.json_path();
         self.problems.push(self.tree.key_start(at), problem.json_path(path));
     }
 
     /// Reports a problem with an item of the list where the reader is.
-    pub(in crate::document) fn report_item(&mut self, index: u32, at: At, problem: Diagnostic) {
+    pub(in crate::document) fn report_item(
+        &mut self,
+        index: u32,
+        at: ValueIndex,
+        problem: Diagnostic,
+    ) {
         self.at_index(index as usize, |r| r.report(at, problem));
     }
 
-    pub(in crate::document) fn wrong_type(&mut self, at: At, expected: &str) {
+    pub(in crate::document) fn wrong_type(&mut self, at: ValueIndex, expected: &str) {
         let kind = self.tree.kind(at);
-        if kind == Kind::Bad {
+        if kind == JsonKind::Bad {
             return; // The parser has reported it.
         }
         let mut problem =
             Diagnostic::error("wrong-type", format!("expected {expected}, found {}", kind.noun()));
-        let is_item = matches!(self.path.last(), Some(Step::Index(_)));
-        if kind == Kind::Null && !is_item {
+        let is_item = matches!(self.path.last(), Some(PathStep::Index(_)));
+        if kind == JsonKind::Null && !is_item {
             problem = problem.hint("leave the field out for its default");
         } else if let Some(number) =
             self.tree.string(at).filter(|text| text.parse::<f64>().is_ok_and(f64::is_finite))
@@ -135,12 +140,16 @@ impl<'t> Reader<'t> {
     }
 
     /// Members of an object; the unknown ones are warned about and kept.
-    pub(in crate::document) fn object(&mut self, at: At, shape: &'static Shape) -> Option<Fields> {
-        if self.tree.kind(at) != Kind::Object {
+    pub(in crate::document) fn object(
+        &mut self,
+        at: ValueIndex,
+        shape: &'static ObjectShape,
+    ) -> Option<Fields> {
+        if self.tree.kind(at) != JsonKind::Object {
             self.wrong_type(at, &format!("{} (an object)", with_article(shape.name)));
             return None;
         }
-        let mut fields = Fields { shape, at, found: [None; 24], unknown: Unknown::new() };
+        let mut fields = Fields { shape, at, found: [None; 24], unknown: UnknownFields::new() };
         let tree = self.tree;
         for member in tree.children(at) {
             let name = tree.key(member);
@@ -158,20 +167,20 @@ impl<'t> Reader<'t> {
         Some(fields)
     }
 
-    fn unknown_field(&mut self, at: At, name: &str, shape: &'static Shape) {
+    fn unknown_field(&mut self, at: ValueIndex, name: &str, shape: &'static ObjectShape) {
         let message =
             format!("{} has no field `{name}`; it is kept as it is", with_article(shape.name));
         let known = shape.fields().map(|field| field.name);
-        self.path.push(Step::Key(at));
+        self.path.push(PathStep::Key(at));
         let problem = Diagnostic::warning("unknown-field", message);
         let is_told = self.problems.takes(&problem);
         self.report_name(at, if is_told { problem.suggest(name, known) } else { problem });
         self.path.pop();
     }
 
-    pub(in crate::document) fn duplicate_key(&mut self, at: At, name: &str) {
+    pub(in crate::document) fn duplicate_key(&mut self, at: ValueIndex, name: &str) {
         let message = format!("`{name}` is given twice; the first is used");
-        self.path.push(Step::Key(at));
+        self.path.push(PathStep::Key(at));
         self.report_name(at, Diagnostic::error("duplicate-key", message).hint("remove one"));
         self.path.pop();
     }
@@ -181,13 +190,13 @@ impl<'t> Reader<'t> {
         &mut self,
         fields: &Fields,
         name: &'static str,
-        read: impl FnOnce(&mut Self, At, &'static shape::Kind) -> Option<T>,
+        read: impl FnOnce(&mut Self, ValueIndex, &'static shape::FieldKind) -> Option<T>,
     ) -> Option<T> {
         let Some(at) = fields.get(name) else {
             self.missing(fields, name);
             return None;
         };
-        self.path.push(Step::Field(name));
+        self.path.push(PathStep::Field(name));
         let value = read(self, at, fields.kind(name));
         self.path.pop();
         value
@@ -195,7 +204,7 @@ impl<'t> Reader<'t> {
 
     fn missing(&mut self, fields: &Fields, name: &'static str) {
         let Some((_, field)) = fields.shape.field(name) else { return };
-        if matches!(field.default, shape::Default::Required) {
+        if matches!(field.default, shape::FieldDefault::Required) {
             let message = format!("{} needs the field `{name}`", with_article(fields.shape.name));
             self.report(
                 fields.at,
@@ -204,14 +213,18 @@ impl<'t> Reader<'t> {
         }
     }
 
-    pub(in crate::document) fn number_at(&mut self, at: At, bounds: Bounds) -> Option<f64> {
+    pub(in crate::document) fn number_at(
+        &mut self,
+        at: ValueIndex,
+        bounds: NumberBounds,
+    ) -> Option<f64> {
         let Some(number) = self.tree.number(at) else {
             self.wrong_type(at, "a number");
             return None;
         };
         if !bounds.hold(number) {
             let problem = Diagnostic::error("out-of-range", format!("{number} is out of range"));
-            self.report(at, problem.hint(format!("write {}", bounds.say())));
+            self.report(at, problem.hint(format!("write {}", bounds.describe())));
             return None;
         }
         Some(number)
@@ -219,8 +232,8 @@ impl<'t> Reader<'t> {
 
     pub(in crate::document) fn array_at<const N: usize>(
         &mut self,
-        at: At,
-        bounds: Bounds,
+        at: ValueIndex,
+        bounds: NumberBounds,
     ) -> Option<[f64; N]> {
         self.numbers_at(at, N, N, bounds)?.try_into().ok()
     }
@@ -228,17 +241,17 @@ impl<'t> Reader<'t> {
     /// Reads a list of `least` to `most` numbers.
     pub(in crate::document) fn numbers_at(
         &mut self,
-        at: At,
+        at: ValueIndex,
         least: usize,
         most: usize,
-        bounds: Bounds,
+        bounds: NumberBounds,
     ) -> Option<Vec<f64>> {
         let expected = if least == most {
             format!("{least} numbers")
         } else {
             format!("{least} to {most} numbers")
         };
-        if self.tree.kind(at) != Kind::List {
+        if self.tree.kind(at) != JsonKind::List {
             self.wrong_type(at, &format!("a list of {expected}"));
             return None;
         }
@@ -266,14 +279,14 @@ impl<'t> Reader<'t> {
         index: usize,
         read: impl FnOnce(&mut Self) -> T,
     ) -> T {
-        self.path.push(Step::Index(index as u32));
+        self.path.push(PathStep::Index(index as u32));
         let value = read(self);
         self.path.pop();
         value
     }
 
     /// True for a direction whose length is not 0; a zero direction is reported.
-    pub(in crate::document) fn is_direction(&mut self, at: At, direction: &[f64]) -> bool {
+    pub(in crate::document) fn is_direction(&mut self, at: ValueIndex, direction: &[f64]) -> bool {
         let is_zero = direction.iter().all(|x| x.abs() < 1e-12);
         if is_zero {
             let problem =
@@ -283,7 +296,11 @@ impl<'t> Reader<'t> {
         !is_zero
     }
 
-    pub(in crate::document) fn text_at(&mut self, at: At, most: usize) -> Option<Cow<'t, str>> {
+    pub(in crate::document) fn text_at(
+        &mut self,
+        at: ValueIndex,
+        most: usize,
+    ) -> Option<Cow<'t, str>> {
         let Some(text) = self.tree.string(at) else {
             self.wrong_type(at, "a string");
             return None;
@@ -296,7 +313,7 @@ impl<'t> Reader<'t> {
         Some(text)
     }
 
-    pub(in crate::document) fn slug_at(&mut self, at: At) -> Option<String> {
+    pub(in crate::document) fn slug_at(&mut self, at: ValueIndex) -> Option<String> {
         let text = self.text_at(at, shape::LONG)?;
         if is_slug(&text) {
             return Some(text.into_owned());
@@ -305,7 +322,7 @@ impl<'t> Reader<'t> {
         None
     }
 
-    fn bad_slug(&mut self, at: At, text: &str) {
+    fn bad_slug(&mut self, at: ValueIndex, text: &str) {
         let problem = Self::no_slug(text);
         self.report(at, problem);
     }
@@ -322,7 +339,7 @@ impl<'t> Reader<'t> {
     /// Reads one of these words.
     pub(in crate::document) fn word_at(
         &mut self,
-        at: At,
+        at: ValueIndex,
         words: &'static [(&'static str, &'static str)],
     ) -> Option<Cow<'t, str>> {
         let text = self.text_at(at, shape::LONG)?;
@@ -337,7 +354,11 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads a color of three numbers, or with `alpha` of three or four.
-    pub(in crate::document) fn color_at(&mut self, at: At, alpha: bool) -> Option<Vec<f64>> {
+    pub(in crate::document) fn color_at(
+        &mut self,
+        at: ValueIndex,
+        alpha: bool,
+    ) -> Option<Vec<f64>> {
         if let Some(text) = self.tree.string(at) {
             let Some(hex) = parse_hex(&text).filter(|_| alpha || text.len() == 7) else {
                 let hint =
@@ -353,7 +374,7 @@ impl<'t> Reader<'t> {
             color.extend((text.len() == 9).then_some(hex[3]));
             return Some(color);
         }
-        if self.tree.kind(at) != Kind::List {
+        if self.tree.kind(at) != JsonKind::List {
             self.wrong_type(at, "a color: [r, g, b] or \"#rrggbb\"");
             return None;
         }

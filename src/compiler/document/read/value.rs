@@ -2,58 +2,67 @@
 
 use super::reader::Reader;
 use crate::diag::Diagnostic;
-use crate::document::described::{Part as _, described};
-use crate::document::json::{At, Kind};
+use crate::document::described::{FieldType as _, described};
+use crate::document::json::{JsonKind, ValueIndex};
 use crate::document::rotation;
 use crate::document::shape::{self, F32, FAR, LONG, MAX_NUMBERS};
-use crate::document::{Curve, Endpoint, Ramp, Target, Unknown, Value};
+use crate::document::{Curve, Endpoint, Ramp, Target, UnknownFields, Value};
 use crate::ids::is_slug;
 
 described! {
     /// A rotation by the right-hand rule.
     pub struct AxisAngle("axis and angle", Line) {
         /// The axis; any length but 0.
-        axis: [f64; 3], shape::Kind::Direction, required;
+        axis: [f64; 3], shape::FieldKind::Direction, required;
         /// How far, in radians.
-        angle: f64, shape::Kind::Number(FAR), required;
+        angle: f64, shape::FieldKind::Number(FAR), required;
     }
 }
 
 impl Reader<'_> {
-    pub(in crate::document) fn value_at(&mut self, at: At, extras: &mut Unknown) -> Option<Value> {
+    pub(in crate::document) fn value_at(
+        &mut self,
+        at: ValueIndex,
+        extras: &mut UnknownFields,
+    ) -> Option<Value> {
         match self.tree.kind(at) {
-            Kind::Bool(value) => Some(Value::Bool(value)),
-            Kind::Number => self.number_at(at, F32).map(Value::Number),
-            Kind::Text => self.text_at(at, LONG).map(|text| Value::Text(text.into_owned())),
-            Kind::List => self.numbers_at(at, 1, MAX_NUMBERS, F32).map(Value::Vector),
-            Kind::Object if self.tree.member(at, "stops").is_some() => {
-                let ramp = Ramp::read(self, at, &shape::Kind::Value, extras)?;
+            JsonKind::Bool(value) => Some(Value::Bool(value)),
+            JsonKind::Number => self.number_at(at, F32).map(Value::Number),
+            JsonKind::Text => self.text_at(at, LONG).map(|text| Value::Text(text.into_owned())),
+            JsonKind::List => self.numbers_at(at, 1, MAX_NUMBERS, F32).map(Value::Vector),
+            JsonKind::Object if self.tree.member(at, "stops").is_some() => {
+                let ramp = Ramp::read(self, at, &shape::FieldKind::Value, extras)?;
                 self.in_order(at, "stops", ramp.stops.iter().map(|stop| stop.at))?;
                 Some(Value::Ramp(ramp))
             }
-            Kind::Object if self.tree.member(at, "points").is_some() => {
-                let curve = Curve::read(self, at, &shape::Kind::Value, extras)?;
+            JsonKind::Object if self.tree.member(at, "points").is_some() => {
+                let curve = Curve::read(self, at, &shape::FieldKind::Value, extras)?;
                 self.in_order(at, "points", curve.points.iter().map(|point| point[0]))?;
                 Some(Value::Curve(curve))
             }
-            Kind::Object => {
+            JsonKind::Object => {
                 let problem = Diagnostic::error("wrong-type", "this object is no value");
                 let hint = "a curve is {\"points\": [[x, y], ...]}, a ramp \
                             {\"stops\": [{\"at\": x, \"color\": [r, g, b]}, ...]}";
                 self.report(at, problem.hint(hint));
                 None
             }
-            Kind::Null => {
+            JsonKind::Null => {
                 let problem = Diagnostic::error("wrong-type", "null is no value");
                 self.report(at, problem.hint("leave the value out for the input's default"));
                 None
             }
-            Kind::Bad => None,
+            JsonKind::Bad => None,
         }
     }
 
     /// Checks that there is at least one place, and that each is greater than the one before it.
-    fn in_order(&mut self, at: At, what: &str, places: impl Iterator<Item = f64>) -> Option<()> {
+    fn in_order(
+        &mut self,
+        at: ValueIndex,
+        what: &str,
+        places: impl Iterator<Item = f64>,
+    ) -> Option<()> {
         let places: Vec<f64> = places.collect();
         if places.is_empty() {
             let problem = Diagnostic::error("wrong-count", format!("`{what}` has nothing in it"));
@@ -74,11 +83,11 @@ impl Reader<'_> {
     /// Reads an end of a wire; the end at an input needs a port.
     pub(in crate::document) fn endpoint_at(
         &mut self,
-        at: At,
+        at: ValueIndex,
         needs_port: bool,
     ) -> Option<Endpoint> {
         let text = match self.tree.kind(at) {
-            Kind::Null => "".into(),
+            JsonKind::Null => "".into(),
             _ => self.text_at(at, 200)?,
         };
         let end = Endpoint::parse(&text);
@@ -101,7 +110,11 @@ impl Reader<'_> {
         None
     }
 
-    pub(in crate::document) fn target_from(&mut self, at: At, text: &str) -> Option<Target> {
+    pub(in crate::document) fn target_from(
+        &mut self,
+        at: ValueIndex,
+        text: &str,
+    ) -> Option<Target> {
         let target = Target::parse(text).filter(|target| match target {
             Target::Input { node, port } => {
                 node.ids().iter().all(|id| is_slug(id.as_str())) && is_slug(port.as_str())
@@ -121,22 +134,22 @@ impl Reader<'_> {
     }
 
     /// Reads a rotation as a unit quaternion.
-    pub(in crate::document) fn rotation_at(&mut self, at: At) -> Option<[f64; 4]> {
+    pub(in crate::document) fn rotation_at(&mut self, at: ValueIndex) -> Option<[f64; 4]> {
         let found = match self.tree.kind(at) {
-            Kind::Object => self.axis_angle(at)?,
-            Kind::List
+            JsonKind::Object => self.axis_angle(at)?,
+            JsonKind::List
                 if self
                     .tree
                     .children(at)
                     .next()
-                    .is_some_and(|row| self.tree.kind(row) == Kind::List) =>
+                    .is_some_and(|row| self.tree.kind(row) == JsonKind::List) =>
             {
                 rotation::from_matrix(self.matrix(at)?)
             }
-            Kind::List if self.tree.children(at).count() == 4 => {
+            JsonKind::List if self.tree.children(at).count() == 4 => {
                 rotation::from_quaternion(self.array_at(at, FAR)?)
             }
-            Kind::Bad => return None,
+            JsonKind::Bad => return None,
             _ => Err("this is no rotation"),
         };
         found
@@ -148,7 +161,7 @@ impl Reader<'_> {
             .ok()
     }
 
-    fn matrix(&mut self, at: At) -> Option<[[f64; 3]; 3]> {
+    fn matrix(&mut self, at: ValueIndex) -> Option<[[f64; 3]; 3]> {
         let tree = self.tree;
         let rows: Vec<_> = tree
             .children(at)
@@ -168,8 +181,9 @@ impl Reader<'_> {
             .ok()
     }
 
-    fn axis_angle(&mut self, at: At) -> Option<Result<[f64; 4], &'static str>> {
-        let turn = AxisAngle::read(self, at, &shape::Kind::Rotation, &mut Unknown::new())?;
+    fn axis_angle(&mut self, at: ValueIndex) -> Option<Result<[f64; 4], &'static str>> {
+        let turn =
+            AxisAngle::read(self, at, &shape::FieldKind::Rotation, &mut UnknownFields::new())?;
         Some(Ok(rotation::from_axis_angle(turn.axis, turn.angle)))
     }
 }

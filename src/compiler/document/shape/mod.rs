@@ -8,34 +8,34 @@ pub use schema::{look_schema, scene_schema};
 pub use tables::field_tables;
 
 /// Shape of an object of a document.
-pub(super) struct Shape {
+pub(super) struct ObjectShape {
     /// Name of the object in messages and the schema, e.g. `light`.
     pub(super) name: &'static str,
     /// Description of the object, in a phrase.
     pub(super) help: &'static str,
     /// Rows, in the order in which they are written.
-    pub(super) rows: &'static [Row],
+    pub(super) rows: &'static [ShapeRow],
 }
 
-/// Row of a [`Shape`].
-pub(super) enum Row {
+/// Row of a [`ObjectShape`].
+pub(super) enum ShapeRow {
     /// Single field.
-    Field(Field),
+    Field(ShapeField),
     /// Fields of another object, which lie among those of this one.
-    Flat(fn() -> &'static Shape),
+    Flat(fn() -> &'static ObjectShape),
 }
 
-/// Field of a [`Shape`].
-pub(super) struct Field {
+/// Field of a [`ObjectShape`].
+pub(super) struct ShapeField {
     pub(super) name: &'static str,
-    pub(super) kind: Kind,
-    pub(super) default: Default,
+    pub(super) kind: FieldKind,
+    pub(super) default: FieldDefault,
     /// Description of the field, with unit and space.
     pub(super) help: &'static str,
 }
 
 /// Default of a field that is left out.
-pub(super) enum Default {
+pub(super) enum FieldDefault {
     /// No default: the field may not be left out.
     Required,
     /// Default as JSON.
@@ -45,13 +45,13 @@ pub(super) enum Default {
 }
 
 /// Kind of values that a field takes.
-pub(super) enum Kind {
+pub(super) enum FieldKind {
     /// `true` or `false`.
     Bool,
     /// Number within bounds.
-    Number(Bounds),
+    Number(NumberBounds),
     /// List of numbers within bounds: its least and greatest length.
-    Numbers(usize, usize, Bounds),
+    Numbers(usize, usize, NumberBounds),
     /// Direction: three numbers that are not all 0.
     Direction,
     /// Color: RGB, or RGB with an optional alpha, or `#rrggbb`.
@@ -79,18 +79,18 @@ pub(super) enum Kind {
     /// Looks: a path, or an object of paths by material.
     Looks,
     /// Object with a shape.
-    Object(fn() -> &'static Shape),
+    Object(fn() -> &'static ObjectShape),
     /// List of at most this many items.
-    List(&'static Kind, usize),
+    List(&'static FieldKind, usize),
     /// Object of at most this many members, by id.
-    Map(&'static Kind, usize),
+    Map(&'static FieldKind, usize),
     /// Object of values by target.
     TargetValues,
 }
 
 /// Bounds of a number.
 #[derive(Clone, Copy)]
-pub(super) struct Bounds {
+pub(super) struct NumberBounds {
     pub(super) min: f64,
     pub(super) max: f64,
     /// True if `min` itself is excluded.
@@ -99,7 +99,7 @@ pub(super) struct Bounds {
     pub(super) whole: bool,
 }
 
-impl Bounds {
+impl NumberBounds {
     /// Bounds from `min` to `max`, both included.
     pub(super) const fn new(min: f64, max: f64) -> Self {
         Self { min, max, above: false, whole: false }
@@ -122,18 +122,18 @@ impl Bounds {
     }
 
     /// Bounds in words: `a number from 0 to 1000000`, or the only number within them.
-    pub(super) fn say(&self) -> String {
+    pub(super) fn describe(&self) -> String {
         if self.min == self.max {
-            return say_number(self.min);
+            return number_name(self.min);
         }
         let whole = if self.whole { "whole " } else { "" };
         let from = if self.above { "above" } else { "from" };
-        format!("a {whole}number {from} {} to {}", say_number(self.min), say_number(self.max))
+        format!("a {whole}number {from} {} to {}", number_name(self.min), number_name(self.max))
     }
 }
 
 /// Text of a number, or its name where it has one.
-pub(super) fn say_number(number: f64) -> String {
+pub(super) fn number_name(number: f64) -> String {
     if number == std::f64::consts::PI {
         "pi".to_owned()
     } else if number == f64::from(f32::MAX) {
@@ -146,13 +146,13 @@ pub(super) fn say_number(number: f64) -> String {
 }
 
 /// Bounds of lengths, colors and positions: a number beyond is a mistake.
-pub(super) const FAR: Bounds = Bounds::new(-1e6, 1e6);
+pub(super) const FAR: NumberBounds = NumberBounds::new(-1e6, 1e6);
 /// Bounds of lengths and factors that are not negative.
-pub(super) const POSITIVE: Bounds = Bounds::new(0.0, 1e6);
+pub(super) const POSITIVE: NumberBounds = NumberBounds::new(0.0, 1e6);
 /// Bounds of a shader's 32-bit numbers.
-pub(super) const F32: Bounds = Bounds::new(-(f32::MAX as f64), f32::MAX as f64);
+pub(super) const F32: NumberBounds = NumberBounds::new(-(f32::MAX as f64), f32::MAX as f64);
 /// Versions of the format that are read.
-pub(super) const FORMAT: Bounds = Bounds::whole(1.0, super::VERSION as f64);
+pub(super) const FORMAT: NumberBounds = NumberBounds::whole(1.0, super::VERSION as f64);
 /// Greatest length of a path, in bytes.
 pub(super) const MAX_PATH: usize = 4096;
 /// Greatest length of a line of text, in bytes.
@@ -166,26 +166,26 @@ pub(super) const MAX_WIRES: usize = 1_000_000;
 /// Greatest count of numbers in one value.
 pub(super) const MAX_NUMBERS: usize = 16;
 
-impl Kind {
+impl FieldKind {
     /// True for a color that may have an alpha.
     pub(super) fn has_alpha(&self) -> bool {
         matches!(self, Self::Color { alpha: true })
     }
 }
 
-impl Shape {
+impl ObjectShape {
     /// Fields, in the order in which they are written.
-    pub(super) fn fields(&'static self) -> impl Iterator<Item = &'static Field> + Clone {
+    pub(super) fn fields(&'static self) -> impl Iterator<Item = &'static ShapeField> + Clone {
         // Flat objects have fields only, so one level suffices.
         let rows = self.rows.iter().flat_map(|row| match row {
-            Row::Field(_) => std::slice::from_ref(row),
-            Row::Flat(shape) => shape().rows,
+            ShapeRow::Field(_) => std::slice::from_ref(row),
+            ShapeRow::Flat(shape) => shape().rows,
         });
-        rows.filter_map(|row| if let Row::Field(field) = row { Some(field) } else { None })
+        rows.filter_map(|row| if let ShapeRow::Field(field) = row { Some(field) } else { None })
     }
 
     /// Field with a name, and its index.
-    pub(super) fn field(&'static self, name: &str) -> Option<(usize, &'static Field)> {
+    pub(super) fn field(&'static self, name: &str) -> Option<(usize, &'static ShapeField)> {
         self.fields().enumerate().find(|(_, field)| field.name == name)
     }
 }

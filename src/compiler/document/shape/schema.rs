@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::{Bounds, Default, F32, FAR, Field, Kind, LONG, MAX_NUMBERS, Shape};
-use crate::document::described::Described as _;
+use super::{
+    F32, FAR, FieldDefault, FieldKind, LONG, MAX_NUMBERS, NumberBounds, ObjectShape, ShapeField,
+};
+use crate::document::described::DescribedObject as _;
 use crate::document::read::AxisAngle;
 use crate::document::{Curve, Look, Ramp, Scene};
 
@@ -31,7 +33,7 @@ pub fn scene_schema() -> Value {
     schema(Scene::shape())
 }
 
-fn schema(shape: &'static Shape) -> Value {
+fn schema(shape: &'static ObjectShape) -> Value {
     let mut definitions = BTreeMap::new();
     let top = object(shape, &mut definitions);
     let mut schema = Map::new();
@@ -45,20 +47,20 @@ fn schema(shape: &'static Shape) -> Value {
 /// Definitions that a schema refers to, by name.
 type Definitions = BTreeMap<String, Value>;
 
-fn object(shape: &'static Shape, definitions: &mut Definitions) -> Map<String, Value> {
+fn object(shape: &'static ObjectShape, definitions: &mut Definitions) -> Map<String, Value> {
     let mut properties = Map::new();
     for field in shape.fields() {
         let mut property = kind(&field.kind, definitions);
         if let Some(property) = property.as_object_mut() {
             property.insert("description".into(), field.help.into());
-            if let Default::Json(default) = field.default {
+            if let FieldDefault::Json(default) = field.default {
                 let default = serde_json::from_str(&default()).unwrap_or(Value::Null);
                 property.insert("default".into(), default);
             }
         }
         properties.insert(field.name.into(), property);
     }
-    let is_required = |field: &&'static Field| matches!(field.default, Default::Required);
+    let is_required = |field: &&'static ShapeField| matches!(field.default, FieldDefault::Required);
     let required: Vec<&str> = shape.fields().filter(is_required).map(|field| field.name).collect();
     let mut object = Map::new();
     object.insert("description".into(), shape.help.into());
@@ -87,35 +89,35 @@ fn refer(
     json!({ "$ref": format!("#/$defs/{name}") })
 }
 
-fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
+fn kind(of: &FieldKind, definitions: &mut Definitions) -> Value {
     match of {
-        Kind::Bool => json!({ "type": "boolean" }),
-        Kind::Number(bounds) => number(bounds),
-        Kind::Numbers(least, most, bounds) => numbers(*least, *most, bounds),
-        Kind::Direction => refer("direction", definitions, |_| {
+        FieldKind::Bool => json!({ "type": "boolean" }),
+        FieldKind::Number(bounds) => number(bounds),
+        FieldKind::Numbers(least, most, bounds) => numbers(*least, *most, bounds),
+        FieldKind::Direction => refer("direction", definitions, |_| {
             let mut direction = numbers(3, 3, &FAR);
             direction["not"] = json!({ "items": { "const": 0 } });
             direction
         }),
-        Kind::Color { alpha } => {
+        FieldKind::Color { alpha } => {
             let name = if *alpha { "color with alpha" } else { "color" };
             refer(name, definitions, |_| color(*alpha))
         }
-        Kind::Backdrop => {
+        FieldKind::Backdrop => {
             let mut choices = color(true);
             if let Some(choices) = choices["anyOf"].as_array_mut() {
                 choices.extend([json!({ "const": "none" }), json!({ "type": "null" })]);
             }
             choices
         }
-        Kind::Rotation => refer("rotation", definitions, rotation),
-        Kind::Text(most) => json!({ "type": "string", "maxLength": most }),
-        Kind::Slug => json!({ "type": "string", "pattern": SLUG }),
-        Kind::Word(words) => choice(words),
-        Kind::Output => json!({ "type": "string", "pattern": OUTPUT }),
-        Kind::Input => json!({ "type": "string", "pattern": INPUT }),
-        Kind::Target => json!({ "type": "string", "pattern": TARGET }),
-        Kind::KeyDirection => json!({ "anyOf": [
+        FieldKind::Rotation => refer("rotation", definitions, rotation),
+        FieldKind::Text(most) => json!({ "type": "string", "maxLength": most }),
+        FieldKind::Slug => json!({ "type": "string", "pattern": SLUG }),
+        FieldKind::Word(words) => choice(words),
+        FieldKind::Output => json!({ "type": "string", "pattern": OUTPUT }),
+        FieldKind::Input => json!({ "type": "string", "pattern": INPUT }),
+        FieldKind::Target => json!({ "type": "string", "pattern": TARGET }),
+        FieldKind::KeyDirection => json!({ "anyOf": [
             { "const": "view" },
             {
                 "type": "object",
@@ -132,27 +134,27 @@ fn kind(of: &Kind, definitions: &mut Definitions) -> Value {
                 "additionalProperties": false
             }
         ] }),
-        Kind::Value => refer("value", definitions, value),
-        Kind::Looks => {
+        FieldKind::Value => refer("value", definitions, value),
+        FieldKind::Looks => {
             json!({ "anyOf": [path(), { "type": "object", "additionalProperties": path() }] })
         }
-        Kind::Object(shape) => {
+        FieldKind::Object(shape) => {
             let shape = shape();
             refer(shape.name, definitions, |definitions| object(shape, definitions).into())
         }
-        Kind::List(item, most) => {
+        FieldKind::List(item, most) => {
             json!({ "type": "array", "items": kind(item, definitions), "maxItems": most })
         }
-        Kind::Map(item, most) => json!({
+        FieldKind::Map(item, most) => json!({
             "type": "object",
             "propertyNames": { "pattern": SLUG },
             "additionalProperties": kind(item, definitions),
             "maxProperties": most
         }),
-        Kind::TargetValues => json!({
+        FieldKind::TargetValues => json!({
             "type": "object",
             "propertyNames": { "pattern": TARGET },
-            "additionalProperties": kind(&Kind::Value, definitions),
+            "additionalProperties": kind(&FieldKind::Value, definitions),
             "maxProperties": 10_000
         }),
     }
@@ -162,7 +164,7 @@ fn path() -> Value {
     json!({ "type": "string", "maxLength": 4096 })
 }
 
-fn number(bounds: &Bounds) -> Value {
+fn number(bounds: &NumberBounds) -> Value {
     let least = if bounds.above { "exclusiveMinimum" } else { "minimum" };
     let what = if bounds.whole { "integer" } else { "number" };
     json!({ "type": what, least: plain(bounds.min), "maximum": plain(bounds.max) })
@@ -177,7 +179,7 @@ fn plain(number: f64) -> Value {
     }
 }
 
-fn numbers(least: usize, most: usize, bounds: &Bounds) -> Value {
+fn numbers(least: usize, most: usize, bounds: &NumberBounds) -> Value {
     json!({ "type": "array", "items": number(bounds), "minItems": least, "maxItems": most })
 }
 
@@ -199,7 +201,7 @@ fn rotation(definitions: &mut Definitions) -> Value {
     json!({ "anyOf": [
         numbers(4, 4, &FAR),
         { "type": "array", "items": numbers(3, 3, &FAR), "minItems": 3, "maxItems": 3 },
-        kind(&Kind::Object(AxisAngle::shape), definitions)
+        kind(&FieldKind::Object(AxisAngle::shape), definitions)
     ] })
 }
 
@@ -210,8 +212,8 @@ fn value(definitions: &mut Definitions) -> Value {
         number(&F32),
         numbers(1, MAX_NUMBERS, &F32),
         { "type": "string", "maxLength": LONG },
-        kind(&Kind::Object(Curve::shape), definitions),
-        kind(&Kind::Object(Ramp::shape), definitions)
+        kind(&FieldKind::Object(Curve::shape), definitions),
+        kind(&FieldKind::Object(Ramp::shape), definitions)
     ] })
 }
 

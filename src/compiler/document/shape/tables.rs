@@ -1,7 +1,7 @@
 //! Tables of docs/format.md.
 
-use super::{Default, Kind, Shape, say_number};
-use crate::document::described::Described as _;
+use super::{FieldDefault, FieldKind, ObjectShape, number_name};
+use crate::document::described::DescribedObject as _;
 use crate::document::{Curve, LightField, Look, Ramp, Scene};
 
 /// Tables in Markdown, one for each kind of object, by the object's name, as docs/format.md has
@@ -40,19 +40,19 @@ fn list_item(words: &str) -> String {
 }
 
 /// Collects the shape and the shapes of all objects in it, each once.
-fn collect(shape: &'static Shape, found: &mut Vec<&'static Shape>) {
+fn collect(shape: &'static ObjectShape, found: &mut Vec<&'static ObjectShape>) {
     if found.iter().any(|known| known.name == shape.name) {
         return;
     }
     found.push(shape);
     for field in shape.fields() {
         let inner = match &field.kind {
-            Kind::List(item, _) | Kind::Map(item, _) => item,
+            FieldKind::List(item, _) | FieldKind::Map(item, _) => item,
             kind => kind,
         };
         match inner {
-            Kind::Object(shape) => collect(shape(), found),
-            Kind::Value => {
+            FieldKind::Object(shape) => collect(shape(), found),
+            FieldKind::Value => {
                 collect(Curve::shape(), found);
                 collect(Ramp::shape(), found);
             }
@@ -61,71 +61,80 @@ fn collect(shape: &'static Shape, found: &mut Vec<&'static Shape>) {
     }
 }
 
-fn table(shape: &'static Shape) -> String {
+fn table(shape: &'static ObjectShape) -> String {
     let mut table =
         String::from("| field | takes | default | meaning |\n| --- | --- | --- | --- |\n");
     for field in shape.fields() {
         let default = match field.default {
-            Default::Required => "required".to_owned(),
-            Default::Json(json) => format!("`{}`", json()),
-            Default::Words(words) => words.to_owned(),
+            FieldDefault::Required => "required".to_owned(),
+            FieldDefault::Json(json) => format!("`{}`", json()),
+            FieldDefault::Words(words) => words.to_owned(),
         };
         let mut help = field.help.replace('|', "\\|");
-        if let Kind::Word(words) = &field.kind
+        if let FieldKind::Word(words) = &field.kind
             && words.len() > 1
         {
             let all: Vec<String> =
                 words.iter().map(|(word, meaning)| format!("`{word}`: {meaning}")).collect();
             help = format!("{help} {}.", all.join("; "));
         }
-        table += &format!("| `{}` | {} | {default} | {help} |\n", field.name, say(&field.kind));
+        table +=
+            &format!("| `{}` | {} | {default} | {help} |\n", field.name, kind_words(&field.kind));
     }
     table
 }
 
-fn say(kind: &Kind) -> String {
+fn kind_words(kind: &FieldKind) -> String {
     match kind {
-        Kind::Bool => "`true` or `false`".to_owned(),
-        Kind::Number(bounds) => bounds.say(),
-        Kind::Numbers(least, most, bounds) => {
+        FieldKind::Bool => "`true` or `false`".to_owned(),
+        FieldKind::Number(bounds) => bounds.describe(),
+        FieldKind::Numbers(least, most, bounds) => {
             let count =
                 if least == most { format!("{least}") } else { format!("{least} to {most}") };
-            format!("{count} numbers from {} to {}", say_number(bounds.min), say_number(bounds.max))
+            format!(
+                "{count} numbers from {} to {}",
+                number_name(bounds.min),
+                number_name(bounds.max)
+            )
         }
-        Kind::Direction => "3 numbers, not all 0".to_owned(),
-        Kind::Color { alpha: false } => "a [color](#colors) without alpha".to_owned(),
-        Kind::Color { alpha: true } | Kind::Backdrop => "a [color](#colors)".to_owned(),
-        Kind::Rotation => "a [rotation](#rotations)".to_owned(),
-        Kind::Text(most) => format!("a string of at most {most} bytes"),
-        Kind::Slug => "an [id](#ids)".to_owned(),
-        Kind::Word(words) => {
+        FieldKind::Direction => "3 numbers, not all 0".to_owned(),
+        FieldKind::Color { alpha: false } => "a [color](#colors) without alpha".to_owned(),
+        FieldKind::Color { alpha: true } | FieldKind::Backdrop => "a [color](#colors)".to_owned(),
+        FieldKind::Rotation => "a [rotation](#rotations)".to_owned(),
+        FieldKind::Text(most) => format!("a string of at most {most} bytes"),
+        FieldKind::Slug => "an [id](#ids)".to_owned(),
+        FieldKind::Word(words) => {
             words.iter().map(|(word, _)| format!("`\"{word}\"`")).collect::<Vec<_>>().join(", ")
         }
-        Kind::Output => "`\"node.port\"` or `\"node\"`".to_owned(),
-        Kind::Input => "`\"node.port\"`".to_owned(),
-        Kind::Target => "a [target](#targets)".to_owned(),
-        Kind::KeyDirection => "`\"view\"`, `{\"light\": id}` or `{\"drivers\": [...]}`".to_owned(),
-        Kind::Value => "a [value](#values)".to_owned(),
-        Kind::Looks => "a path, or an object of paths".to_owned(),
-        Kind::Object(shape) => format!("{}, an object", linked(shape())),
-        Kind::List(item, most) => format!("a list of {}, at most {most}", plural(item)),
-        Kind::Map(item, most) => format!("an object of {} by id, at most {most}", plural(item)),
-        Kind::TargetValues => {
+        FieldKind::Output => "`\"node.port\"` or `\"node\"`".to_owned(),
+        FieldKind::Input => "`\"node.port\"`".to_owned(),
+        FieldKind::Target => "a [target](#targets)".to_owned(),
+        FieldKind::KeyDirection => {
+            "`\"view\"`, `{\"light\": id}` or `{\"drivers\": [...]}`".to_owned()
+        }
+        FieldKind::Value => "a [value](#values)".to_owned(),
+        FieldKind::Looks => "a path, or an object of paths".to_owned(),
+        FieldKind::Object(shape) => format!("{}, an object", linked(shape())),
+        FieldKind::List(item, most) => format!("a list of {}, at most {most}", plural(item)),
+        FieldKind::Map(item, most) => {
+            format!("an object of {} by id, at most {most}", plural(item))
+        }
+        FieldKind::TargetValues => {
             "an object of [values](#values) by [target](#targets), at most 10000".to_owned()
         }
     }
 }
 
-fn plural(kind: &Kind) -> String {
+fn plural(kind: &FieldKind) -> String {
     match kind {
-        Kind::Object(shape) => linked(shape()),
-        Kind::Slug => "[ids](#ids)".to_owned(),
-        Kind::Value => "[values](#values)".to_owned(),
-        Kind::Numbers(..) => "`[x, y]`".to_owned(),
-        other => say(other),
+        FieldKind::Object(shape) => linked(shape()),
+        FieldKind::Slug => "[ids](#ids)".to_owned(),
+        FieldKind::Value => "[values](#values)".to_owned(),
+        FieldKind::Numbers(..) => "`[x, y]`".to_owned(),
+        other => kind_words(other),
     }
 }
 
-fn linked(shape: &Shape) -> String {
+fn linked(shape: &ObjectShape) -> String {
     format!("[{}](#{})", shape.name, shape.name.replace(' ', "-"))
 }

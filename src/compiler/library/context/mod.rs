@@ -14,7 +14,7 @@ use std::fmt;
 
 use crate::document::{LightInput, Tier};
 
-pub use row::{Bounds, ContextRow, ContextSource, HostSurroundings};
+pub use row::{ContextBounds, ContextRow, ContextSource, HostSurroundings};
 pub use sample::{ContextSample, SurfacePart, SurfacePoint};
 
 use super::PassId;

@@ -26,7 +26,7 @@ pub struct ContextRow {
     /// Word of the context that replaces this one in the fast tier.
     pub fast: Option<&'static str>,
     /// Bounds of each of the context's numbers.
-    pub bounds: Bounds,
+    pub bounds: ContextBounds,
     /// Value where a look is evaluated without a scene.
     pub sample: ContextSample,
 }
@@ -83,7 +83,7 @@ pub struct HostSurroundings {
 
 /// Bounds of each number of a context, whatever the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Bounds {
+pub enum ContextBounds {
     /// No bounds: a value from a mesh, an interpolation or a scene.
     Anything,
     /// From -1 to 1: a component of a unit vector or of a rotation, or a cosine.
@@ -109,7 +109,7 @@ impl ContextRow {
             label: None,
             balanced: None,
             fast: None,
-            bounds: Bounds::Anything,
+            bounds: ContextBounds::Anything,
             sample: ContextSample::None(&[]),
         }
     }
@@ -163,9 +163,9 @@ impl ContextRow {
             LightInput::Field(field) if field.quantity() == LightQuantity::Factor
         );
         let bounds = match input {
-            _ if is_intensity => Bounds::Intensity,
-            _ if input.is_unit() => Bounds::Unit,
-            _ => Bounds::Anything,
+            _ if is_intensity => ContextBounds::Intensity,
+            _ if input.is_unit() => ContextBounds::Unit,
+            _ => ContextBounds::Anything,
         };
         let source = ContextSource::Light(input);
         Self::new(input.word(), input.wgsl_type(), source, input.help()).within(bounds)
@@ -186,7 +186,7 @@ impl ContextRow {
     }
 
     /// Row with numbers that lie within bounds.
-    pub(super) const fn within(self, bounds: Bounds) -> Self {
+    pub(super) const fn within(self, bounds: ContextBounds) -> Self {
         Self { bounds, ..self }
     }
 

@@ -7,7 +7,7 @@
 use glam::{DMat3, DVec3};
 
 use super::Rate::{Frame, Object};
-use super::row::{Bounds, ContextRow as Row};
+use super::row::{ContextBounds, ContextRow as Row};
 use super::sample::SurfacePart::{
     Camera, Kappa, Normal, Position, Tangent, Time, Uv, VertexColor, View,
 };
@@ -56,7 +56,7 @@ pub(super) const TABLE: &[Row] = &[
         "normal",
         "unit surface normal, world space, toward the side that is seen",
     )
-    .within(Bounds::Unit)
+    .within(ContextBounds::Unit)
     .sampled(&[Normal], |at| vec3(at.normal)),
     Row::fragment(
         "view",
@@ -65,7 +65,7 @@ pub(super) const TABLE: &[Row] = &[
          vec3f(0.0, 0.0, 1.0)))",
         "unit, from the surface to the eye, world space",
     )
-    .within(Bounds::Unit)
+    .within(ContextBounds::Unit)
     .sampled(&[View], |at| vec3(at.view)),
     Row::fragment("position", "vec3f", "in.position", "the place on the surface, world space")
         .sampled(&[Position], |at| vec3(at.position)),
@@ -212,7 +212,7 @@ pub(super) const TABLE: &[Row] = &[
         "the rotation from world to camera axes",
         "rotation from world to camera axes: x right, y up, z toward the viewer",
     )
-    .within(Bounds::Unit)
+    .within(ContextBounds::Unit)
     .follows(&[Camera]),
     Row::host(
         "object_id",
@@ -221,7 +221,7 @@ pub(super) const TABLE: &[Row] = &[
         "counts objects from 0",
         "counts objects from 0",
     )
-    .within(Bounds::Count),
+    .within(ContextBounds::Count),
     Row::host("time", "f32", (Frame, |host| Value::Float(host.time)), "seconds", "seconds")
         .follows(&[Time]),
     Row::host(
@@ -239,7 +239,7 @@ pub(super) const TABLE: &[Row] = &[
         "width and height in pixels",
         "width and height in pixels",
     )
-    .within(Bounds::Count),
+    .within(ContextBounds::Count),
     Row::fragment(
         "pixel",
         "vec2f",

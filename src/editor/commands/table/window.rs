@@ -6,7 +6,7 @@ use super::KeyScope::{self, Window};
 use super::{ALT, CTRL, CTRL_SHIFT, CommandRow, Menu, NONE, SHIFT, row};
 use crate::commands::{Command as C, FitCommand, GridPreset, PaintCommand as P, PanelId, Switch};
 use crate::document::Storage;
-use crate::hcbtf::exchange::Form;
+use crate::hcbtf::exchange::ExchangeFormat;
 
 /// Rows about files and steps, which stand before those of the languages.
 pub(super) fn files() -> Vec<CommandRow> {
@@ -38,7 +38,7 @@ fn new_hcbtf(preset: GridPreset) -> P {
     P::New { grid: preset.grid(), keeps_look: false }
 }
 
-fn export_hcbtf(form: Form) -> P {
+fn export_hcbtf(form: ExchangeFormat) -> P {
     P::Export { form, storage: Storage::default(), to: None }
 }
 
@@ -79,12 +79,15 @@ pub(super) fn rows() -> Vec<CommandRow> {
         painting(P::SaveAs, "Save the HCBTF under another name...").needing_painting(),
         painting(P::Close, "Close the HCBTF").needing_painting(),
         painting(P::AskImport, "Import painted pictures as an HCBTF..."),
-        painting(export_hcbtf(Form::Folder), "Export the HCBTF as a folder of images...")
+        painting(export_hcbtf(ExchangeFormat::Folder), "Export the HCBTF as a folder of images...")
             .needing_painting(),
-        painting(export_hcbtf(Form::Contact), "Export the HCBTF as a contact sheet...")
+        painting(export_hcbtf(ExchangeFormat::Contact), "Export the HCBTF as a contact sheet...")
             .needing_painting(),
-        painting(export_hcbtf(Form::Sheet), "Export the HCBTF as a sheet of the thesis...")
-            .needing_painting(),
+        painting(
+            export_hcbtf(ExchangeFormat::Sheet),
+            "Export the HCBTF as a sheet of the thesis...",
+        )
+        .needing_painting(),
         painting(P::AskTexture, "Export the HCBTF as a KTX2 texture...").needing_painting(),
     ]
 }

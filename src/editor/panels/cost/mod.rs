@@ -6,11 +6,13 @@ mod plot;
 
 use std::sync::Arc;
 
-use crate::accuracy::{BenchOptions, MeasuredNodes, Report, Row, Subject, bench};
+use crate::accuracy::{
+    BenchOptions, BenchReport, MeasuredNodes, MeasurementRow, MeasurementSubject, bench,
+};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, GraphId, Look, Tier};
 use crate::frame::{Assets, PlanOptions};
-use crate::progress::{Progress, Stopped};
+use crate::progress::{Interruption, Progress};
 use crate::render::{Gpu, Renderer};
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
 use crate::state::session::Session;
@@ -30,7 +32,7 @@ struct MeasureRequest {
 
 struct Measurement {
     of: CostSubject,
-    result: Result<Report, Vec<Diagnostic>>,
+    result: Result<BenchReport, Vec<Diagnostic>>,
 }
 
 /// Inputs of a measurement: tiers and positions of nodes do not change its figures.
@@ -60,7 +62,7 @@ pub struct Cost {
     progress: Progress,
     done: Option<Measurement>,
     /// Subject that is plotted: the look or a node.
-    subject: Subject,
+    subject: MeasurementSubject,
     /// True if the last measurement still holds, with the revision that this was found for.
     is_current: (Option<(DocumentNumber, LookRevision)>, bool),
 }
@@ -80,13 +82,13 @@ impl Cost {
             progress: Progress::new(),
             wake: Arc::new(wake),
             done: None,
-            subject: Subject::Whole,
+            subject: MeasurementSubject::Whole,
             is_current: (None, false),
         }
     }
 
     /// Report of the last measurement.
-    pub fn report(&self) -> Option<&Report> {
+    pub fn report(&self) -> Option<&BenchReport> {
         self.done.as_ref().and_then(|done| done.result.as_ref().ok())
     }
 
@@ -112,7 +114,7 @@ impl Cost {
         for done in self.worker.as_ref().map(Worker::answers).unwrap_or_default() {
             // A measurement that was stopped leaves the one before in place.
             let is_stopped =
-                done.result.as_ref().is_err_and(|problems| Stopped::is_among(problems));
+                done.result.as_ref().is_err_and(|problems| Interruption::is_among(problems));
             if !is_stopped {
                 self.done = Some(done);
                 self.is_current.0 = None;
@@ -147,7 +149,7 @@ impl Drop for Cost {
 
 /// Edit that adopts a row's tier, as one step; `None` where the look has that tier already, or
 /// where the row is not a choice.
-fn adopt(look: &Look, row: &Row) -> Option<Edit> {
+fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
     let tier = row.tier?;
     let set = |id: &crate::ids::NodeId, tier| Edit::SetTier {
         graph: GraphId::Look,
@@ -155,7 +157,7 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
         tier,
     };
     match &row.subject {
-        Subject::Whole => {
+        MeasurementSubject::Whole => {
             let mut edits: Vec<Edit> = Vec::new();
             if look.tier != tier {
                 edits.push(Edit::SetLookTier { tier });
@@ -168,12 +170,12 @@ fn adopt(look: &Look, row: &Row) -> Option<Edit> {
                 _ => Some(Edit::Group { edits }),
             }
         }
-        Subject::Node { id, .. } => {
+        MeasurementSubject::Node { id, .. } => {
             let node = look.graph.nodes.get(id)?;
             (node.tier.unwrap_or(look.tier) != tier)
                 .then(|| set(id, (tier != look.tier).then_some(tier)))
         }
-        Subject::Pass(_) => None,
+        MeasurementSubject::Pass(_) => None,
     }
 }
 

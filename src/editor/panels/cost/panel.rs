@@ -4,7 +4,7 @@ use eframe::egui;
 use eframe::egui::{FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 
 use super::{Cost, adopt, plot};
-use crate::accuracy::{Report, Row, Subject, report::tier_word};
+use crate::accuracy::{BenchReport, MeasurementRow, MeasurementSubject, report::tier_word};
 use crate::commands::{Command, PanelId};
 use crate::panels::table::{PanelPlace, PanelRow};
 use crate::state::problem_text::sentence;
@@ -59,7 +59,7 @@ impl Cost {
         };
         let mut picked = None;
         let area = ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
-            let rows: Vec<&Row> = report
+            let rows: Vec<&MeasurementRow> = report
                 .rows
                 .iter()
                 .filter(|row| row.subject == self.subject && row.error.is_some())
@@ -115,25 +115,25 @@ impl Cost {
     }
 }
 
-fn name(subject: &Subject) -> String {
+fn name(subject: &MeasurementSubject) -> String {
     match subject {
-        Subject::Whole => "Whole look".to_owned(),
-        Subject::Pass(kind) => format!("{} pass", kind.label()),
-        Subject::Node { name, .. } => name.clone(),
+        MeasurementSubject::Whole => "Whole look".to_owned(),
+        MeasurementSubject::Pass(kind) => format!("{} pass", kind.label()),
+        MeasurementSubject::Node { name, .. } => name.clone(),
     }
 }
 
 /// True if the look has this row's tier now.
-fn in_use(session: &Session, row: &Row) -> bool {
+fn in_use(session: &Session, row: &MeasurementRow) -> bool {
     row.tier.is_some() && subject_is_there(session, row) && adopt(session.look(), row).is_none()
 }
 
 /// True if the look still has the node that this row measured.
-fn subject_is_there(session: &Session, row: &Row) -> bool {
+fn subject_is_there(session: &Session, row: &MeasurementRow) -> bool {
     match &row.subject {
-        Subject::Whole => true,
-        Subject::Pass(_) => false,
-        Subject::Node { id, .. } => session.look().graph.nodes.contains_key(id),
+        MeasurementSubject::Whole => true,
+        MeasurementSubject::Pass(_) => false,
+        MeasurementSubject::Node { id, .. } => session.look().graph.nodes.contains_key(id),
     }
 }
 
@@ -148,10 +148,10 @@ fn column(rect: Rect, index: usize) -> Rect {
 fn table(
     ui: &mut Ui,
     session: &Session,
-    report: &Report,
-    plotted: &Subject,
-    picked: &mut Option<Subject>,
-) -> Option<Row> {
+    report: &BenchReport,
+    plotted: &MeasurementSubject,
+    picked: &mut Option<MeasurementSubject>,
+) -> Option<MeasurementRow> {
     let (head, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
     for (index, title) in
         ["Tier", "Milliseconds (95%)", "Max error", "RMS", "> 1/255"].into_iter().enumerate()
@@ -165,8 +165,9 @@ fn table(
         );
     }
     let mut chosen = None;
-    let mut last: Option<&Subject> = None;
-    for row in report.rows.iter().filter(|row| !matches!(row.subject, Subject::Pass(_))) {
+    let mut last: Option<&MeasurementSubject> = None;
+    for row in report.rows.iter().filter(|row| !matches!(row.subject, MeasurementSubject::Pass(_)))
+    {
         if last != Some(&row.subject) {
             last = Some(&row.subject);
             if subject(ui, &row.subject, row.subject == *plotted) {
@@ -180,7 +181,7 @@ fn table(
     chosen
 }
 
-fn subject(ui: &mut Ui, subject: &Subject, is_plotted: bool) -> bool {
+fn subject(ui: &mut Ui, subject: &MeasurementSubject, is_plotted: bool) -> bool {
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), ROW + 2.0), Sense::click());
     let name = name(subject);
@@ -198,7 +199,7 @@ fn subject(ui: &mut Ui, subject: &Subject, is_plotted: bool) -> bool {
     response.on_hover_text("A click plots this one").clicked()
 }
 
-fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
+fn figures(ui: &mut Ui, session: &Session, row: &MeasurementRow) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
     let word = tier_word(row.tier);
     let label = format!("Adopt {word} for {}", name(&row.subject));
@@ -218,7 +219,7 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
     first.min.x += 16.0;
     cell(ui, first, word, FontId::proportional(theme::TEXT_SIZE), theme::of(ui).text);
     let time = &row.time;
-    let is_noise = matches!(row.subject, Subject::Node { .. }) && time.is_noise();
+    let is_noise = matches!(row.subject, MeasurementSubject::Node { .. }) && time.is_noise();
     // Only as many decimals are shown as the interval supports.
     let places = if time.high - time.low > 1.0 {
         0
@@ -249,13 +250,13 @@ fn figures(ui: &mut Ui, session: &Session, row: &Row) -> bool {
 }
 
 /// Description of a row in words.
-pub(super) fn told(row: &Row, is_used: bool) -> String {
+pub(super) fn told(row: &MeasurementRow, is_used: bool) -> String {
     let mut text = format!("{}, {}", name(&row.subject), tier_word(row.tier));
     text += &format!(
         "\n{:.3} ms, 95% from {:.3} to {:.3}",
         row.time.median, row.time.low, row.time.high
     );
-    if matches!(row.subject, Subject::Node { .. }) {
+    if matches!(row.subject, MeasurementSubject::Node { .. }) {
         text +=
             if row.time.is_noise() { "\nnothing seen beyond noise" } else { "\nadded by the node" };
     }

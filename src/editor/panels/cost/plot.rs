@@ -5,7 +5,7 @@ use eframe::egui;
 use eframe::egui::{Align2, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 use super::panel::told;
-use crate::accuracy::Row;
+use crate::accuracy::MeasurementRow;
 use crate::accuracy::report::{pareto_front, tier_word};
 use crate::widgets::theme;
 
@@ -55,18 +55,18 @@ impl Axis {
 /// Plots the rows of one subject, and returns the row that was clicked.
 pub(super) fn show(
     ui: &mut Ui,
-    rows: &[&Row],
+    rows: &[&MeasurementRow],
     title: String,
-    in_use: impl Fn(&Row) -> bool,
-) -> Option<Row> {
+    in_use: impl Fn(&MeasurementRow) -> bool,
+) -> Option<MeasurementRow> {
     let height = (ui.clip_rect().height() * 0.62).clamp(*HEIGHT.start(), *HEIGHT.end());
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     response
         .widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, "Error against time"));
     let inner = Rect::from_min_max(rect.min + vec2(46.0, 20.0), rect.max - vec2(10.0, 20.0));
-    let time = |row: &Row| row.time.median.max(LEAST_TIME);
-    let error = |row: &Row| row.max_error().unwrap_or(0.0).max(LEAST_ERROR);
+    let time = |row: &MeasurementRow| row.time.median.max(LEAST_TIME);
+    let error = |row: &MeasurementRow| row.max_error().unwrap_or(0.0).max(LEAST_ERROR);
     let x = Axis::new(rows.iter().map(|row| time(row)), inner.left(), inner.right());
     let y =
         Axis::new(rows.iter().map(|row| error(row)).chain([VISIBLE]), inner.bottom(), inner.top());
@@ -78,13 +78,13 @@ pub(super) fn show(
         FontId::proportional(theme::SMALL_TEXT),
         theme::of(ui).text,
     );
-    let place = |row: &Row| pos2(x.at(time(row)), y.at(error(row)));
+    let place = |row: &MeasurementRow| pos2(x.at(time(row)), y.at(error(row)));
     let front: Vec<Pos2> = pareto_front(rows).into_iter().map(|index| place(rows[index])).collect();
     ui.painter().add(Shape::line(front, Stroke::new(1.0, theme::of(ui).dim)));
     // Points are widgets of their own, so that the keyboard and screen readers reach them; where
     // points overlap, the nearest to the pointer counts.
-    let points: Vec<(Pos2, &Row)> = rows.iter().map(|row| (place(row), *row)).collect();
-    let touch = |(index, (at, row)): (usize, &(Pos2, &Row))| {
+    let points: Vec<(Pos2, &MeasurementRow)> = rows.iter().map(|row| (place(row), *row)).collect();
+    let touch = |(index, (at, row)): (usize, &(Pos2, &MeasurementRow))| {
         let reach = Rect::from_center_size(*at, vec2(20.0, 20.0));
         let point = ui.interact(reach, response.id.with(index), Sense::click());
         let label = format!("Point {}", tier_word(row.tier));
@@ -122,7 +122,7 @@ pub(super) fn show(
 
 /// Draws the tiers' names beside their points, each where it covers neither a point nor another
 /// name.
-fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &Row)]) {
+fn name_points(ui: &Ui, inner: Rect, points: &[(Pos2, &MeasurementRow)]) {
     let mut taken: Vec<Rect> =
         points.iter().map(|(at, _)| Rect::from_center_size(*at, vec2(14.0, 14.0))).collect();
     for (at, row) in points {

@@ -5,7 +5,7 @@ mod interface;
 use eframe::egui;
 use eframe::egui::{RichText, ScrollArea, TextEdit, Ui};
 
-use crate::catalog::Kind;
+use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Edit, Target, Tier, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
@@ -121,7 +121,7 @@ fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
 const LONG: usize = 10;
 
 /// Shows the search field of a node with many inputs; returns the query in lower case.
-fn search(ui: &mut Ui, kind: &Kind) -> String {
+fn search(ui: &mut Ui, kind: &NodeKind) -> String {
     if kind.inputs.len() < LONG {
         return String::new();
     }
@@ -140,7 +140,7 @@ fn search(ui: &mut Ui, kind: &Kind) -> String {
     text.trim().to_lowercase()
 }
 
-fn search_id(kind: &Kind) -> egui::Id {
+fn search_id(kind: &NodeKind) -> egui::Id {
     egui::Id::unique(("inspector search", &kind.id))
 }
 
@@ -235,7 +235,7 @@ fn tier_row(
 }
 
 /// Error of a tier against the exact one, as the node's file states it.
-fn error_of(session: &Session, kind: &Kind, tier: Option<Tier>) -> String {
+fn error_of(session: &Session, kind: &NodeKind, tier: Option<Tier>) -> String {
     let def = session.project.library.nodes.get(&kind.id);
     match tier {
         None => format!("As the look is: {}", tier_name(session.look().tier).to_lowercase()),

@@ -8,7 +8,7 @@ use eframe::egui::{
 
 use super::super::thumbs::ThumbObject;
 use super::{MODES, OPACITY};
-use crate::catalog::{Kind, Port};
+use crate::catalog::{NodeKind, Port};
 use crate::commands::Command;
 use crate::document::{Edit, GraphId, Node, Target, Value};
 use crate::ids::{NodeId, NodePath};
@@ -31,7 +31,7 @@ pub(super) struct Row<'a> {
     pub(super) session: &'a Session,
     pub(super) id: &'a NodeId,
     pub(super) node: &'a Node,
-    pub(super) kind: &'a Kind,
+    pub(super) kind: &'a NodeKind,
 }
 
 /// Responses of a row's widgets.

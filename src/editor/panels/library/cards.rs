@@ -13,8 +13,8 @@ use eframe::egui::{
 use super::super::thumbs::{Shot, Thumbs, key_of, key_of_scene};
 use super::examples::{self, Example, count, example};
 use crate::commands::{Command, PAINTING};
-use crate::document::{Document, Loaded, Look};
-use crate::hcbtf::{Cover, Picture, cover};
+use crate::document::{Document, LoadedDocument, Look};
+use crate::hcbtf::{BytePicture, Cover, cover};
 use crate::state::crashes::{CrashLog, CrashStep, DocumentOrigin, Suspect};
 use crate::state::session::Session;
 use crate::widgets::rows::{fitted, picture_frame, row_ground, whole};
@@ -48,7 +48,7 @@ struct Painting {
     size: String,
     /// Description of the painting, in more words.
     about: String,
-    picture: Option<Picture>,
+    picture: Option<BytePicture>,
     texture: OnceCell<TextureHandle>,
 }
 
@@ -142,11 +142,11 @@ impl Card {
             return Self { origin, name: name_of(path), content, key: 0, side };
         }
         let (content, key) = match Document::load(files, path) {
-            Document::Look(Loaded { value: Some(look), .. }) => {
+            Document::Look(LoadedDocument { value: Some(look), .. }) => {
                 let key = key_of(&look, Shot::Whole, side);
                 (CardContent::Look(Arc::new(look)), key)
             }
-            Document::Scene(Loaded { value: Some(scene), .. }) => {
+            Document::Scene(LoadedDocument { value: Some(scene), .. }) => {
                 (CardContent::Scene, key_of_scene(path, &scene, session, side))
             }
             _ => (CardContent::Unreadable, 0),

@@ -9,7 +9,7 @@ use eframe::egui::{
 };
 
 use super::DraggedKind;
-use crate::catalog::Kind;
+use crate::catalog::NodeKind;
 use crate::commands::Command;
 use crate::state::session::Session;
 use crate::widgets::rows::row_ground;
@@ -26,7 +26,7 @@ pub(super) fn show(ui: &mut Ui, session: &Session, query: &str) -> Vec<Command> 
         ui.set_max_width(ui.available_width() - 8.0);
         ui.spacing_mut().item_spacing.y = 1.0;
         if !query.trim().is_empty() {
-            let mut found: Vec<(u32, &Arc<Kind>)> =
+            let mut found: Vec<(u32, &Arc<NodeKind>)> =
                 kinds().filter_map(|kind| Some((rank(kind, query)?, kind))).collect();
             found.sort_by_key(|(rank, _)| *rank);
             if found.is_empty() {
@@ -70,7 +70,7 @@ fn capital(word: &str) -> String {
 }
 
 /// Rank of a kind in a search, 0 best; `None` where a word is found nowhere in the kind.
-fn rank(kind: &Kind, query: &str) -> Option<u32> {
+fn rank(kind: &NodeKind, query: &str) -> Option<u32> {
     let label = kind.label.to_lowercase();
     let mut sum = 0;
     for word in query.to_lowercase().split_whitespace() {
@@ -89,7 +89,7 @@ fn rank(kind: &Kind, query: &str) -> Option<u32> {
     Some(sum)
 }
 
-fn row(ui: &mut Ui, kind: &Arc<Kind>, out: &mut Vec<Command>) {
+fn row(ui: &mut Ui, kind: &Arc<NodeKind>, out: &mut Vec<Command>) {
     let id = Id::unique("library").with(&kind.id);
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let response = ui.interact(rect, id, Sense::click_and_drag());
@@ -111,7 +111,7 @@ fn row(ui: &mut Ui, kind: &Arc<Kind>, out: &mut Vec<Command>) {
     tell(response, kind);
 }
 
-fn paint(ui: &Ui, rect: Rect, kind: &Kind) {
+fn paint(ui: &Ui, rect: Rect, kind: &NodeKind) {
     let colors = theme::of(ui);
     let chip = Rect::from_min_size(rect.min + vec2(6.0, 5.0), vec2(5.0, ROW - 10.0));
     ui.painter().rect_filled(chip, 2.0, colors.of_category(&kind.category).gamma_multiply(1.5));
@@ -127,7 +127,7 @@ fn paint(ui: &Ui, rect: Rect, kind: &Kind) {
 }
 
 /// Shows a node at the pointer while the node is dragged.
-fn ghost(ui: &Ui, kind: &Kind) {
+fn ghost(ui: &Ui, kind: &NodeKind) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else { return };
     ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
     let area = Area::new(Id::unique("library ghost"))
@@ -150,7 +150,7 @@ fn ghost(ui: &Ui, kind: &Kind) {
     });
 }
 
-fn tell(response: Response, kind: &Kind) {
+fn tell(response: Response, kind: &NodeKind) {
     response.on_hover_ui(|ui: &mut egui::Ui| {
         ui.set_max_width(320.0);
         ui.label(egui::RichText::new(&*kind.label).strong());

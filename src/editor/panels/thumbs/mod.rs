@@ -15,7 +15,7 @@ use eframe::egui::{self, ColorImage, TextureHandle, TextureId, Ui};
 use crate::compile::Live;
 use crate::document::Look;
 use crate::frame::{
-    AssetStore, Cull, DEFAULT_MESH, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX,
+    AssetStore, CullMode, DEFAULT_MESH, Executor, Picture, PlanOptions, Planner, SHAPE_PREFIX,
 };
 use crate::progress::Progress;
 use crate::render::Gpu;
@@ -147,7 +147,9 @@ impl Thumbs {
         let start = |gpu: Gpu| {
             let mut thumb_renderer = ThumbRenderer {
                 executor: gpu.executor(),
-                planner: CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects)),
+                planner: CachedPlanner::new(|assets| {
+                    Planner::new(assets).culling(CullMode::Objects)
+                }),
             };
             Worker::waiting("thumbs", wake, async move |job: ThumbRequest| {
                 let _going = crashes.begin(CrashStep::Draw, || job.origin.clone());

@@ -10,8 +10,8 @@ use crate::compile::Live;
 use crate::document::{Camera, Document, Projection, Scene};
 use crate::files::{FileKind, Files};
 use crate::frame::{
-    AssetStore, Assets, Cull, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup, SetupObject,
-    View, scene_setup,
+    AssetStore, Assets, CullMode, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup,
+    SetupObject, View, scene_setup,
 };
 use crate::library::Library;
 use crate::state::session::Session;
@@ -47,7 +47,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions, assets: &AssetStore) -> O
     if bytes_of_meshes(&scene, &folder, files) > MOST_BYTES {
         return None;
     }
-    let mut planner = Planner::new(Assets::of(assets)).culling(Cull::Objects);
+    let mut planner = Planner::new(Assets::of(assets)).culling(CullMode::Objects);
     planner.assets.draft();
     // Missing files are left out, as in the window.
     let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets).value;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::diag::Diagnostic;
-use crate::files::journal::{Journaled, Op};
+use crate::files::journal::{JournalDocument, Op};
 use crate::state::document::journal_writer::{JournalStart, JournalWriter};
 use crate::state::orbit::Orbit;
 
@@ -11,7 +11,7 @@ use crate::state::orbit::Orbit;
 pub(crate) const VIEW: &str = "view";
 
 /// Journal of a document, and the edits that are not sent to it yet.
-pub(crate) struct DocumentJournal<D: Journaled> {
+pub(crate) struct DocumentJournal<D: JournalDocument> {
     writer: Option<JournalWriter<D>>,
     ops: Vec<Op<D::Edit>>,
     /// View that the journal was last told.
@@ -20,7 +20,7 @@ pub(crate) struct DocumentJournal<D: Journaled> {
     overridden: Option<String>,
 }
 
-impl<D: Journaled> Default for DocumentJournal<D> {
+impl<D: JournalDocument> Default for DocumentJournal<D> {
     fn default() -> Self {
         Self { writer: None, ops: Vec::new(), view: None, overridden: None }
     }
@@ -28,7 +28,7 @@ impl<D: Journaled> Default for DocumentJournal<D> {
 
 impl<D> DocumentJournal<D>
 where
-    D: Journaled + Send + 'static,
+    D: JournalDocument + Send + 'static,
     D::Edit: Send,
 {
     /// Keeps journals in a folder from now on. `wake` is called from another thread when the

@@ -14,7 +14,7 @@ use std::time::Duration;
 use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::History;
-use crate::files::journal::{About, Journal, Journaled, Op, Slot};
+use crate::files::journal::{DocumentInfo, Journal, JournalDocument, JournalSlot, Op};
 use crate::state::worker::start;
 
 /// Interval of writing while a gesture goes on.
@@ -32,15 +32,15 @@ const WINDOW: f64 = 0.25;
 type Members = serde_json::Map<String, serde_json::Value>;
 
 /// A whole document, for a journal to begin with.
-pub(crate) struct JournalStart<D: Journaled> {
-    pub(crate) about: About,
+pub(crate) struct JournalStart<D: JournalDocument> {
+    pub(crate) about: DocumentInfo,
     pub(crate) source: Option<Arc<str>>,
     pub(crate) history: History<D>,
     /// Slot that the document was in, if it was taken back.
-    pub(crate) slot: Option<Slot>,
+    pub(crate) slot: Option<JournalSlot>,
 }
 
-enum Message<D: Journaled> {
+enum Message<D: JournalDocument> {
     Begin(Box<JournalStart<D>>),
     /// The values that the window wants back beside the document, from now on.
     Window(Members),
@@ -62,7 +62,7 @@ struct WriterState {
 }
 
 /// Writer of a document's journal, as the UI thread sees it.
-pub(crate) struct JournalWriter<D: Journaled> {
+pub(crate) struct JournalWriter<D: JournalDocument> {
     sender: Option<Sender<Message<D>>>,
     sent: u64,
     shared: Arc<WriterState>,
@@ -75,7 +75,7 @@ pub(crate) struct JournalWriter<D: Journaled> {
 
 impl<D> JournalWriter<D>
 where
-    D: Journaled + Send + 'static,
+    D: JournalDocument + Send + 'static,
     D::Edit: Send,
 {
     /// Starts the thread, which keeps journals in `folder`. `wake` is called from another thread
@@ -161,7 +161,7 @@ where
     }
 }
 
-impl<D: Journaled> Drop for JournalWriter<D> {
+impl<D: JournalDocument> Drop for JournalWriter<D> {
     fn drop(&mut self) {
         // The thread ends when nobody can send any more, after it has written everything that was
         // sent.
@@ -179,20 +179,20 @@ fn problem(why: impl std::fmt::Display) -> Diagnostic {
 }
 
 /// Operations that are about to be written.
-struct WaitingOps<D: Journaled> {
+struct WaitingOps<D: JournalDocument> {
     ops: Vec<Op<D::Edit>>,
     /// True if the last operation is the first of its gesture. Later ones of the same gesture never
     /// replace it: the first makes the undo step, and removes the steps that could be redone.
     is_first: bool,
 }
 
-impl<D: Journaled> Default for WaitingOps<D> {
+impl<D: JournalDocument> Default for WaitingOps<D> {
     fn default() -> Self {
         Self { ops: Vec::new(), is_first: false }
     }
 }
 
-impl<D: Journaled> WaitingOps<D> {
+impl<D: JournalDocument> WaitingOps<D> {
     /// Adds an operation after those that wait, or replaces the last of them if the new one sets
     /// the same value anyway.
     fn join(&mut self, op: Op<D::Edit>) {
@@ -215,9 +215,9 @@ impl<D: Journaled> WaitingOps<D> {
 }
 
 /// The part of the writer that lives on the thread and owns the journal.
-struct Writer<D: Journaled> {
+struct Writer<D: JournalDocument> {
     folder: PathBuf,
-    slot: Option<Slot>,
+    slot: Option<JournalSlot>,
     journal: Option<Journal>,
     waiting: WaitingOps<D>,
     is_synced: bool,
@@ -231,7 +231,7 @@ struct Writer<D: Journaled> {
     wake: Box<dyn Fn() + Send>,
 }
 
-impl<D: Journaled> Writer<D> {
+impl<D: JournalDocument> Writer<D> {
     fn run(&mut self, receiver: &Receiver<Message<D>>) {
         let mut since: Option<Clock> = None;
         loop {
@@ -326,7 +326,7 @@ impl<D: Journaled> Writer<D> {
             self.slot = slot;
         }
         if self.slot.is_none() {
-            self.slot = Some(Slot::new(&self.folder)?);
+            self.slot = Some(JournalSlot::new(&self.folder)?);
         }
         if let Some(slot) = &self.slot {
             self.journal = Some(Journal::begin(slot, &about, source.as_deref(), &history)?);

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostic;
 use crate::document::History;
-use crate::files::journal::{About, Journaled, Op, Slot};
+use crate::files::journal::{DocumentInfo, JournalDocument, JournalSlot, Op};
 use crate::state::document::journal_writer::JournalStart;
 use crate::state::revision::{DocumentRevision, GestureId, StepTime};
 use journal::DocumentJournal;
@@ -35,7 +35,7 @@ pub(crate) struct OpenDocument<D: FileDocument> {
 }
 
 /// A document that files hold.
-pub(crate) trait FileDocument: Journaled {
+pub(crate) trait FileDocument: JournalDocument {
     /// Remembered state of the file.
     type FileState;
     /// Content of a file that another program wrote.
@@ -212,9 +212,9 @@ where
     /// Begins the journal with the whole document.
     pub(crate) fn begin_journal(
         &mut self,
-        about: About,
+        about: DocumentInfo,
         source: Option<std::sync::Arc<str>>,
-        slot: Option<Slot>,
+        slot: Option<JournalSlot>,
     ) {
         self.journal.begin(JournalStart { about, source, history: self.history.clone(), slot });
     }

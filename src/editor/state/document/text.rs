@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::{FileDocument, OnDisk, OpenDocument};
-use crate::document::{Loaded, Look, Scene, SourceMap};
+use crate::document::{LoadedDocument, Look, Scene, SourceMap};
 
 /// A text file in its state when it was last read or written.
 pub(crate) struct TextFile {
@@ -29,7 +29,7 @@ impl TextFile {
 
 /// A document with a text form.
 pub(crate) trait TextDocument: FileDocument<FileState = TextFile, Change = String> {
-    fn read_text(text: &str, file: &str) -> Loaded<Self>;
+    fn read_text(text: &str, file: &str) -> LoadedDocument<Self>;
 
     /// The canonical text, with the spelling of `source` wherever that means the same.
     fn text_like(&self, source: &SourceMap) -> String;
@@ -55,7 +55,7 @@ macro_rules! text_document {
         }
 
         impl TextDocument for $document {
-            fn read_text(text: &str, file: &str) -> Loaded<Self> {
+            fn read_text(text: &str, file: &str) -> LoadedDocument<Self> {
                 Self::read(text, file)
             }
 

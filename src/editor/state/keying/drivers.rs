@@ -2,7 +2,7 @@
 //! names.
 
 use super::KeyedLook;
-use crate::compile::{Live, Options, compile};
+use crate::compile::{CompileOptions, Live, compile};
 use crate::document::{DirectionKeys, Driver, KeyDirection, OutputPort, Target};
 use crate::frame::{Rig, Wires, driver_value};
 use crate::ids::{NodePath, PortName};
@@ -37,7 +37,7 @@ impl KeyedLook<'_> {
         let (name, scheme, unknown) = (String::new(), Default::default(), Default::default());
         let mut trial = self.base.look.clone();
         trial.direction_keys.push(DirectionKeys { name, by, scheme, keys: Vec::new(), unknown });
-        let options = Options { live: Live::Exposed, ..Options::default() };
+        let options = CompileOptions { live: Live::Exposed, ..CompileOptions::default() };
         let shader = compile(&trial, self.base.library, &options).ok()?.value;
         let base = |node: &NodePath, port: &PortName| {
             self.base.own_value(&Target::Input { node: node.clone(), port: port.clone() })

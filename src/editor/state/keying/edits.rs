@@ -6,7 +6,7 @@ use super::KeyedLook;
 use super::{KeyedBy, rounded};
 use crate::document::{
     DirectionKey, DirectionKeys, Edit, GraphId, Interpolation, KeyDirection, KeyScheme, Target,
-    TimeKey, TimeKeys, Unknown, Value,
+    TimeKey, TimeKeys, UnknownFields, Value,
 };
 use crate::frame::set_light_field;
 use crate::ids::NodeId;
@@ -114,7 +114,7 @@ impl KeyedLook<'_> {
             return Some(self.set_in_time(track, self.view.time, value));
         }
         let mut keys =
-            TimeKeys { target: target.clone(), keys: Vec::new(), unknown: Unknown::new() };
+            TimeKeys { target: target.clone(), keys: Vec::new(), unknown: UnknownFields::new() };
         put(&mut keys, self.view.time, value);
         Some(self.grounded(Some(target), Edit::AddTimeKeys { keys, index: None }))
     }
@@ -161,9 +161,11 @@ impl KeyedLook<'_> {
                 drivers.iter().map(|driver| self.driver_name(driver)).collect::<Vec<_>>().join(", ")
             }
         };
-        let key = DirectionKey { direction: rounded(direction), values, unknown: Unknown::new() };
+        let key =
+            DirectionKey { direction: rounded(direction), values, unknown: UnknownFields::new() };
         let scheme = KeyScheme::default();
-        let keys = DirectionKeys { name, by, scheme, keys: vec![key], unknown: Unknown::new() };
+        let keys =
+            DirectionKeys { name, by, scheme, keys: vec![key], unknown: UnknownFields::new() };
         self.grounded(target, Edit::AddDirectionKeys { keys, index: None })
     }
 
@@ -204,5 +206,5 @@ fn put(keys: &mut TimeKeys, time: f64, value: Value) {
         matches!(value, Value::Number(_) | Value::Vector(_)) || value.color().is_some();
     let otherwise = if has_between { Interpolation::Smooth } else { Interpolation::Stepped };
     let interpolation = before.map_or(otherwise, |key| key.interpolation);
-    keys.keys.insert(index, TimeKey { time, value, interpolation, unknown: Unknown::new() });
+    keys.keys.insert(index, TimeKey { time, value, interpolation, unknown: UnknownFields::new() });
 }

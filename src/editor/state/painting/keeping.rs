@@ -8,7 +8,7 @@ use serde_json::json;
 use super::work::{FileStamp, OpenPainting};
 use crate::diag::Diagnostic;
 use crate::document::Hcbtf;
-use crate::files::journal::{About, Recovered, Slot};
+use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 
 /// Member of a journal for the stamp of the file when it was last read or written.
 const FILE: &str = "file";
@@ -16,7 +16,7 @@ const FILE: &str = "file";
 impl OpenPainting {
     /// The painting that a journal gave; the journal goes on in its slot, once it is kept in a
     /// folder.
-    pub(crate) fn taken_back(found: Recovered<Hcbtf>) -> Self {
+    pub(crate) fn taken_back(found: RecoveredWork<Hcbtf>) -> Self {
         let mut work = Self::of_history(found.history, found.about.path.map(PathBuf::from));
         if work.path().is_none() {
             work.set_title(&found.about.name);
@@ -36,7 +36,7 @@ impl OpenPainting {
         &mut self,
         folder: &Path,
         wake: Arc<dyn Fn() + Send + Sync>,
-        slot: Option<Slot>,
+        slot: Option<JournalSlot>,
     ) {
         self.document.journal.keep_in(folder, move || wake());
         if slot.is_some() || self.is_dirty() {
@@ -52,8 +52,8 @@ impl OpenPainting {
         }
     }
 
-    fn begin_journal(&mut self, slot: Option<Slot>) {
-        let about = About {
+    fn begin_journal(&mut self, slot: Option<JournalSlot>) {
+        let about = DocumentInfo {
             name: self.name(),
             path: self.path().and_then(Path::to_str).map(str::to_owned),
             is_partial: false,

@@ -1,4 +1,4 @@
-//! The look that a bare HCBTF is seen in: a lookup with one light, over grey where nothing is
+//! The look that a bare HCBTF is seen in: a lookup with one light, over gray where nothing is
 //! painted.
 
 use serde_json::json;

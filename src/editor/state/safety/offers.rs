@@ -7,7 +7,9 @@ use std::time::{Duration, SystemTime};
 use crate::clock;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Scene};
-use crate::files::journal::{Found, Journaled, Recovered, Slot, left_behind, recover_any};
+use crate::files::journal::{
+    JournalDocument, JournalSlot, RecoveredDocument, RecoveredWork, left_behind, recover_any,
+};
 use crate::files::read_text;
 use crate::state::session::Session;
 
@@ -17,7 +19,7 @@ const FORGOTTEN: Duration = Duration::from_secs(7 * 24 * 60 * 60);
 /// Work that can be taken back from a journal.
 #[derive(Debug)]
 pub(crate) struct Offer {
-    slot: Slot,
+    slot: JournalSlot,
     /// Display name of the document.
     pub(crate) name: String,
     /// File of the document, if there is one.
@@ -68,7 +70,7 @@ struct Outline {
 impl Outline {
     fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
         Ok(match recover_any(path)? {
-            Found::Look(found) => {
+            RecoveredDocument::Look(found) => {
                 let is_in_file = is_in_file(
                     &found,
                     |text| Some(Look::read(text, "").value?.to_text()),
@@ -77,7 +79,7 @@ impl Outline {
                 let beside = text_of(&found.about.window, "scene");
                 Self { is_in_file, beside, ..Self::of(*found) }
             }
-            Found::Scene(found) => {
+            RecoveredDocument::Scene(found) => {
                 let is_in_file = is_in_file(
                     &found,
                     |text| Some(Scene::read(text, "").value?.to_text()),
@@ -86,11 +88,11 @@ impl Outline {
                 let beside = text_of(&found.about.window, "look");
                 Self { is_in_file, beside, is_scene: true, ..Self::of(*found) }
             }
-            Found::Hcbtf(found) => Self { is_painting: true, ..Self::of(*found) },
+            RecoveredDocument::Hcbtf(found) => Self { is_painting: true, ..Self::of(*found) },
         })
     }
 
-    fn of<D: Journaled>(found: Recovered<D>) -> Self {
+    fn of<D: JournalDocument>(found: RecoveredWork<D>) -> Self {
         Self {
             name: found.about.name,
             path: found.about.path.map(PathBuf::from),
@@ -118,7 +120,7 @@ fn text_of(window: &serde_json::Value, key: &str) -> Option<PathBuf> {
 }
 
 impl Offer {
-    fn of(slot: Slot) -> Option<Self> {
+    fn of(slot: JournalSlot) -> Option<Self> {
         let written = slot.written();
         match Outline::read(slot.path()) {
             Ok(found) => {
@@ -182,8 +184,8 @@ impl Offer {
 
 /// True if the file holds the document: the document was saved, and the journal did not come to
 /// know. `canonical` is the canonical form of a text.
-fn is_in_file<D: Journaled>(
-    found: &Recovered<D>,
+fn is_in_file<D: JournalDocument>(
+    found: &RecoveredWork<D>,
     canonical: impl Fn(&str) -> Option<String>,
     to_text: impl Fn(&D) -> String,
 ) -> bool {
@@ -260,7 +262,7 @@ impl Offers {
             let may_be =
                 offer.is_readable && !offer.is_scene && !offer.is_painting && !offer.is_thrown;
             let found = may_be.then(|| recover_any(offer.slot.path()).ok()).flatten();
-            let Some(Found::Look(found)) = found else { return false };
+            let Some(RecoveredDocument::Look(found)) = found else { return false };
             is_it(found.history.document(), offer.path.as_deref())
         })
     }
@@ -300,9 +302,9 @@ impl Offers {
         let found = recover_any(offer.slot.path())?;
         let offer = self.all.remove(number);
         match found {
-            Found::Look(found) => session.take_back(*found, offer.slot),
-            Found::Scene(found) => session.take_back_scene(*found, offer.slot),
-            Found::Hcbtf(found) => session.take_back_painting(*found, offer.slot),
+            RecoveredDocument::Look(found) => session.take_back(*found, offer.slot),
+            RecoveredDocument::Scene(found) => session.take_back_scene(*found, offer.slot),
+            RecoveredDocument::Hcbtf(found) => session.take_back_painting(*found, offer.slot),
         }
         Ok(offer.name)
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::OpenScene;
 use super::names::folder_of;
 use crate::diag::Diagnostic;
-use crate::document::{History, Loaded, Scene, SceneEdit, Value};
+use crate::document::{History, LoadedDocument, Scene, SceneEdit, Value};
 use crate::examples;
 use crate::files::write_atomic;
 use crate::frame::SHAPE_PREFIX;
@@ -17,9 +17,12 @@ use crate::state::revision::StepTime;
 impl OpenScene {
     /// The scene that was read from a file, with the problems in it; only the problems where it
     /// could not be read at all.
-    pub(crate) fn opened(path: &Path, loaded: Loaded<Scene>) -> Result<Self, Vec<Diagnostic>> {
+    pub(crate) fn opened(
+        path: &Path,
+        loaded: LoadedDocument<Scene>,
+    ) -> Result<Self, Vec<Diagnostic>> {
         let is_partial = loaded.has_errors();
-        let Loaded { value, source, diagnostics } = loaded;
+        let LoadedDocument { value, source, diagnostics } = loaded;
         let Some(scene) = value else { return Err(diagnostics) };
         let mut open_scene =
             Self::with(History::new(scene), source, Some(path.to_owned()), folder_of(path));

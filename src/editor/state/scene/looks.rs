@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use crate::catalog::Catalog;
 use crate::compile::{TypedGraph, TypedSource, check};
-use crate::diag::{Diagnostic, Warned, has_errors};
-use crate::document::{Loaded, Look, Value};
+use crate::diag::{Diagnostic, WithWarnings, has_errors};
+use crate::document::{LoadedDocument, Look, Value};
 use crate::files::{FileKind, FileMetadata, Files};
 use crate::frame::SetupLook;
 use crate::library::{Library, Type};
@@ -84,7 +84,7 @@ impl Looks {
 fn read(
     file: &Path,
     stamp: Option<FileMetadata>,
-    loaded: Loaded<Look>,
+    loaded: LoadedDocument<Look>,
     before: Option<Arc<ClosedLook>>,
     library: &Library,
     catalog: &mut Option<Catalog>,
@@ -93,7 +93,7 @@ fn read(
     let folder = file.parent().map(Path::to_path_buf).unwrap_or_default();
     let look = loaded.value.filter(|_| !has_errors(&problems));
     let look = look.and_then(|look| match check(&look, library, None) {
-        Ok(Warned { value: typed, .. }) => {
+        Ok(WithWarnings { value: typed, .. }) => {
             let catalog = catalog.get_or_insert_with(|| Catalog::new(library));
             catalog.sync(&look, library);
             let parameters = LookWithLibrary { look: &look, catalog, library }.parameters();

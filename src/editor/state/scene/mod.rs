@@ -16,7 +16,7 @@ use serde_json::json;
 use crate::diag::Diagnostic;
 use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
 use crate::files::Files;
-use crate::files::journal::{About, Recovered, Slot};
+use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::frame::SetupLook;
 use crate::ids::ObjectId;
 use crate::library::Library;
@@ -302,10 +302,10 @@ impl OpenScene {
     }
 
     /// Begins the journal with the present scene.
-    pub(crate) fn begin_journal(&mut self, slot: Option<Slot>) {
+    pub(crate) fn begin_journal(&mut self, slot: Option<JournalSlot>) {
         let text = |path: PathBuf| path.to_str().map(str::to_owned);
         let base = text(self.base.clone());
-        let about = About {
+        let about = DocumentInfo {
             name: self.name(),
             path: self.document.path.as_deref().and_then(|path| text(absolute(path))),
             is_partial: self.document.is_partial,
@@ -325,7 +325,7 @@ impl OpenScene {
     }
 
     /// The scene that a journal gave.
-    pub(crate) fn taken_back(found: Recovered<Scene>) -> Self {
+    pub(crate) fn taken_back(found: RecoveredWork<Scene>) -> Self {
         let path = found.about.path.as_ref().map(PathBuf::from);
         let name = found.about.path.as_deref().unwrap_or("scene");
         let source = Scene::read(found.source.as_deref().unwrap_or("{}"), name).source;

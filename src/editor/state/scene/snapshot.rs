@@ -4,9 +4,9 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::diag::Warned;
+use crate::diag::WithWarnings;
 use crate::document::{Object, Scene, SourceMap};
-use crate::frame::{Assets, Setup, SetupLook, Wardrobe, place_objects};
+use crate::frame::{Assets, LookSource, Setup, SetupLook, place_objects};
 use crate::ids::ObjectId;
 use crate::state::revision::PictureRevision;
 
@@ -94,7 +94,7 @@ impl SceneSnapshot {
 
     /// The scene with everything that it names, as far as that exists, and the problems. `open` is
     /// the first of its looks, even if no object wears it.
-    pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> Warned<Setup> {
+    pub(crate) fn setup(&self, open: SetupLook, assets: &mut Assets) -> WithWarnings<Setup> {
         let mut worn = SceneLooks { snapshot: self, looks: vec![open], known: HashMap::new() };
         let (objects, problems) =
             place_objects(&self.scene, &self.base, &self.source, None, assets, &mut worn)
@@ -108,7 +108,7 @@ impl SceneSnapshot {
             }
             setup.objects.retain(|object| object.looks.iter().any(Option::is_some));
         }
-        Warned::new(setup, problems)
+        WithWarnings::new(setup, problems)
     }
 }
 
@@ -119,12 +119,12 @@ struct SceneLooks<'s> {
     known: HashMap<*const SetupLook, usize>,
 }
 
-impl Wardrobe for SceneLooks<'_> {
+impl LookSource for SceneLooks<'_> {
     fn has(&self, name: &str) -> bool {
         self.snapshot.open.contains(name) || self.snapshot.others.contains_key(name)
     }
 
-    fn find(&mut self, name: &str) -> Warned<Option<usize>> {
+    fn find(&mut self, name: &str) -> WithWarnings<Option<usize>> {
         if self.snapshot.open.contains(name) {
             return Some(0).into();
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look};
-use crate::files::journal::{About, Recovered, Slot};
+use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::frame::UNSAVED_HCBTF;
 use crate::state::document::journal::VIEW;
 use crate::state::painting::work::OpenPainting;
@@ -73,7 +73,7 @@ impl Session {
     }
 
     /// Begins the journal with the whole look.
-    pub(super) fn begin_journal(&mut self, slot: Option<Slot>) {
+    pub(super) fn begin_journal(&mut self, slot: Option<JournalSlot>) {
         if !self.look.journal.is_on() {
             return self.look.journal.clear();
         }
@@ -82,7 +82,7 @@ impl Session {
             .open_scene
             .as_ref()
             .and_then(|open_scene| std::path::absolute(open_scene.path()?).ok());
-        let about = About {
+        let about = DocumentInfo {
             name: self.name(),
             path: path.as_ref().and_then(|path| path.to_str()).map(str::to_owned),
             is_partial: self.look.is_partial,
@@ -127,7 +127,7 @@ impl Session {
 
     /// Takes back work that a journal gave: the document, its file, and all steps that can be
     /// undone and redone. The journal goes on in its slot.
-    pub(crate) fn take_back(&mut self, found: Recovered<Look>, slot: Slot) {
+    pub(crate) fn take_back(&mut self, found: RecoveredWork<Look>, slot: JournalSlot) {
         let path = found.about.path.as_ref().map(PathBuf::from);
         self.leave_scene_unless_worn(path.as_deref());
         let name = found.about.path.as_deref().unwrap_or("new look");

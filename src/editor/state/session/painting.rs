@@ -8,7 +8,7 @@ use glam::{DQuat, DVec3};
 use super::Session;
 use crate::diag::Diagnostic;
 use crate::document::{Hcbtf, HcbtfEdit, Look};
-use crate::files::journal::{Recovered, Slot};
+use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::frame::{SetupLook, UNSAVED_HCBTF};
 use crate::state::orbit::{Orbit, PLANE};
 use crate::state::painting::home::Home;
@@ -34,11 +34,11 @@ impl Session {
     }
 
     /// Takes back a painting that a journal gave. The journal goes on in its slot.
-    pub(crate) fn take_back_painting(&mut self, found: Recovered<Hcbtf>, slot: Slot) {
+    pub(crate) fn take_back_painting(&mut self, found: RecoveredWork<Hcbtf>, slot: JournalSlot) {
         self.keep_painting(Some(OpenPainting::taken_back(found)), Some(slot));
     }
 
-    fn keep_painting(&mut self, work: Option<OpenPainting>, slot: Option<Slot>) {
+    fn keep_painting(&mut self, work: Option<OpenPainting>, slot: Option<JournalSlot>) {
         self.leave_painting(false);
         self.painting = work;
         if let (Some(work), Some((folder, wake))) = (&mut self.painting, &self.journals.folder) {

@@ -5,9 +5,9 @@ use std::path::Path;
 use super::Session;
 use super::steps::{DocumentKind, Steps};
 use crate::diag::Diagnostic;
-use crate::document::{Loaded, Scene, SceneEdit};
+use crate::document::{LoadedDocument, Scene, SceneEdit};
 use crate::examples;
-use crate::files::journal::{Recovered, Slot};
+use crate::files::journal::{JournalSlot, RecoveredWork};
 use crate::ids::ObjectId;
 use crate::state::document::journal::VIEW;
 use crate::state::paths::absolute;
@@ -29,7 +29,7 @@ impl Session {
     pub(super) fn load_scene(
         &mut self,
         path: &Path,
-        loaded: Loaded<Scene>,
+        loaded: LoadedDocument<Scene>,
     ) -> Result<(), Vec<Diagnostic>> {
         self.set_scene(OpenScene::opened(path, loaded)?);
         Ok(())
@@ -55,7 +55,7 @@ impl Session {
 
     /// Takes back a scene that a journal gave, in place of the open documents. The journal goes on
     /// in its slot.
-    pub(crate) fn take_back_scene(&mut self, found: Recovered<Scene>, slot: Slot) {
+    pub(crate) fn take_back_scene(&mut self, found: RecoveredWork<Scene>, slot: JournalSlot) {
         let view = found.about.window.get(VIEW).cloned();
         self.set_scene(OpenScene::taken_back(found));
         self.journals.view = view;

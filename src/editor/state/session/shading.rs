@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::Session;
 use crate::compile::{CompiledShader, Live, TypedGraph};
-use crate::diag::Warned;
+use crate::diag::WithWarnings;
 use crate::document::{DirectionKeys, Edit, GraphId, Look, Target, Value};
 use crate::ids::{NodePath, PortName};
 use crate::library::Fallback;
@@ -15,8 +15,8 @@ use crate::state::compiling::{CompileAnswer, CompileRequest};
 use crate::state::reading::LookWithLibrary;
 use crate::state::revision::LookRevision;
 
-/// Time without changes before a look is compiled into a baked shader, in seconds.
-const REST: f64 = 0.8;
+/// Seconds of inactivity before the baked shader is compiled.
+const BAKE_DELAY: f64 = 0.8;
 
 /// Number of edited values that a long look keeps as uniforms before the set begins anew.
 const MOST_TOUCHED: usize = 512;
@@ -219,11 +219,11 @@ impl Session {
             return None;
         }
         let rested = now - self.compilation.shaders.changed_at;
-        if rested >= REST {
+        if rested >= BAKE_DELAY {
             self.request(true);
             return None;
         }
-        Some(Duration::from_secs_f64((REST - rested).max(0.01)))
+        Some(Duration::from_secs_f64((BAKE_DELAY - rested).max(0.01)))
     }
 
     fn request(&mut self, only_baked: bool) {
@@ -275,7 +275,7 @@ impl Session {
         }
         self.revisions.problems.advance();
         match result {
-            Ok(Warned { value: shaders, warnings }) => {
+            Ok(WithWarnings { value: shaders, warnings }) => {
                 self.compilation.problems = warnings;
                 if let Some(live) = shaders.live {
                     self.compilation.shaders.live = Some(live);

@@ -4,7 +4,7 @@ use eframe::egui::{
     self, DragValue, Response, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
-use super::Fitting;
+use super::FitTool;
 use super::tools::SIZES;
 use crate::commands::{Command, FitCommand, LightBrush, Switch};
 use crate::document::ColorSpace;
@@ -16,7 +16,7 @@ const PERCENT: f32 = 110.0;
 /// Width of the button at the beginning of the bar, in points.
 const SUN: f32 = 28.0;
 
-impl Fitting {
+impl FitTool {
     /// Shows the button that turns painting on and off.
     pub(crate) fn toggle(&self, ui: &mut Ui, out: &mut Vec<Command>) {
         let help = "Paint on the picture where it should be lighter or darker, and fit the look to \

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use super::work::FitRequest;
 use super::work::FitResult;
-use super::{ENOUGH, Fitting, LEAST_PAINTED};
+use super::{ENOUGH, FitTool, LEAST_PAINTED};
 use crate::commands::{Command, FitGoal};
 use crate::diag::Diagnostic;
 use crate::document::{Edit, Look, Tile};
-use crate::fit::{FitOptions, FittedLook, Keep, Report, Target};
+use crate::fit::{FitOptions, FitReport, FitTarget, FittedLook, KeptParts};
 use crate::progress::Progress;
 use crate::state::problem_text::sentence;
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
@@ -53,13 +53,13 @@ pub(super) struct FitOutcome {
     pub(super) what: FitGoal,
     pub(super) strokes: Strokes,
     pub(super) edit: Edit,
-    pub(super) report: Report,
+    pub(super) report: FitReport,
     /// State of the look that the edit was applied to, once it is: the result is shown for that
     /// state only.
     pub(super) applied: Option<FittedState>,
 }
 
-impl Fitting {
+impl FitTool {
     /// Begins a fit, or sets a message where a fit is not possible.
     pub(crate) fn fit(&mut self, what: FitGoal, session: &Session) {
         self.told = self.try_fit(what, session).err().map(str::to_owned);
@@ -84,10 +84,10 @@ impl Fitting {
             }
             goals => goals.to_vec(),
         };
-        let target = Target { size: ground.size, wishes: painted };
+        let target = FitTarget { size: ground.size, wishes: painted };
         let wake = self.wake.clone();
         let progress = Progress::observed(move |_| wake());
-        let keep = if what == FitGoal::ThisLook { self.how.keep } else { Keep::default() };
+        let keep = if what == FitGoal::ThisLook { self.how.keep } else { KeptParts::default() };
         let options = FitOptions {
             time: session.view.time,
             keep,
@@ -184,7 +184,7 @@ pub(super) fn of(session: &Session) -> FittedState {
 }
 
 /// True if a complete search gained less than anybody sees.
-fn gains_nothing(report: &Report) -> bool {
+fn gains_nothing(report: &FitReport) -> bool {
     !report.is_stopped && report.before - report.after < LEAST_GAIN
 }
 

@@ -9,10 +9,10 @@ use eframe::egui::ColorImage;
 
 use crate::compile::Live;
 use crate::diag::Diagnostic;
-use crate::frame::{Cull, PlanOptions, Planner, Setup};
+use crate::frame::{CullMode, PlanOptions, Planner, Setup};
 use crate::interp::Precision;
-use crate::progress::{Progress, Stopped};
-use crate::reference::{Modules, Options, execute};
+use crate::progress::{Interruption, Progress};
+use crate::reference::{Modules, ReferenceOptions, execute};
 use crate::state::session::Session;
 use crate::state::snapshot::{CachedPlanner, RenderSnapshot, Stamp};
 use crate::state::worker::Worker;
@@ -104,7 +104,8 @@ pub(super) struct Grounds {
 impl Grounds {
     /// `wake` is called from another thread when a new ground is drawn.
     pub(super) fn new(wake: impl Fn() + Send + 'static) -> Self {
-        let mut planner = CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        let mut planner =
+            CachedPlanner::new(|assets| Planner::new(assets).culling(CullMode::Objects));
         let draw = move |job: GroundRequest| GroundResult {
             result: draw(&mut planner, &job),
             moment: job.moment,
@@ -122,7 +123,7 @@ impl Grounds {
         for done in self.worker.answers() {
             // The same ground may have been given up and requested again.
             let is_whole =
-                done.result.as_ref().err().is_none_or(|problems| !Stopped::is_among(problems));
+                done.result.as_ref().err().is_none_or(|problems| !Interruption::is_among(problems));
             if is_whole && self.asked.as_ref() == Some(&done.moment) {
                 self.known = Some(done);
             }
@@ -195,7 +196,7 @@ fn draw(planner: &mut CachedPlanner, job: &GroundRequest) -> Result<Ground, Vec<
     let options = PlanOptions { size: *size, samples: 1, time: snapshot.time };
     let plan = planner.plan(&setup, &snapshot.library, &Live::Keyed, &options)?.value;
     let modules = Modules::new(&plan, Precision::F64).map_err(one)?;
-    let picture = execute(&plan, &modules, &Options::default(), progress).map_err(one)?;
+    let picture = execute(&plan, &modules, &ReferenceOptions::default(), progress).map_err(one)?;
     let is_worn: Vec<bool> = plan.draws.iter().map(|draw| is_of_open_look(&setup, draw)).collect();
     let [width, height] = *size;
     let places = || (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));

@@ -26,7 +26,7 @@ use eframe::egui::{self, Rect, Ui};
 use crate::commands::{Command, LightBrush, SketchCommand};
 use crate::diag::has_errors;
 use crate::document::{Look, Tile};
-use crate::fit::{Keep, PixelGoal as Painted};
+use crate::fit::{KeptParts, PixelGoal as Painted};
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
 pub(crate) use crate::state::sketch::Standpoint;
@@ -73,7 +73,7 @@ const REST: f64 = 0.15;
 /// Settings of a fit.
 #[derive(Clone, Copy, Debug)]
 struct FitSettings {
-    keep: Keep,
+    keep: KeptParts,
     /// Weight of keeping unpainted parts as they are, 0 to 1.
     keep_rest: f64,
     /// Largest number of layers of a fit from nothing.
@@ -90,7 +90,7 @@ struct OverlaySettings {
 }
 
 /// Painted light: the brush, the fit under way, and the result of the last one.
-pub struct Fitting {
+pub struct FitTool {
     is_on: bool,
     /// Height of the picture that is fitted at, in pixels.
     height: u32,
@@ -118,7 +118,7 @@ pub struct Fitting {
     wake: Arc<dyn Fn() + Send + Sync>,
 }
 
-impl Fitting {
+impl FitTool {
     /// Starts without strokes. `wake` is called from another thread when a thread has a result or
     /// progress.
     pub(crate) fn new(wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
@@ -127,7 +127,12 @@ impl Fitting {
             height: HEIGHT,
             aspect: 1.0,
             tools: Tools::default(),
-            how: FitSettings { keep: Keep::default(), keep_rest: 0.5, layers: 2, starts: STARTS },
+            how: FitSettings {
+                keep: KeptParts::default(),
+                keep_rest: 0.5,
+                layers: 2,
+                starts: STARTS,
+            },
             shows: OverlaySettings { strokes: true, misses: false },
             grounds: Grounds::new(wake.clone()),
             seen: None,
@@ -412,7 +417,7 @@ impl Fitting {
     }
 }
 
-impl BackgroundJobs for Fitting {
+impl BackgroundJobs for FitTool {
     fn is_busy(&self) -> bool {
         self.grounds.is_busy() || self.fitter.is_busy()
     }

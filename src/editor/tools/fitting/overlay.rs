@@ -11,7 +11,7 @@ use eframe::egui::{
 
 use glam::DVec2;
 
-use super::Fitting;
+use super::FitTool;
 use super::ground::GroundInputs;
 use super::target;
 use super::veil::strokes;
@@ -37,7 +37,7 @@ pub(super) struct Textures {
     ground: Option<(GroundInputs, TextureHandle)>,
 }
 
-impl Fitting {
+impl FitTool {
     /// Paints the ground as the picture, where no GPU draws one. Returns false if there is none.
     pub(crate) fn stand_in(&mut self, ui: &Ui, rect: Rect) -> bool {
         let (Some(ground), Some(moment)) =

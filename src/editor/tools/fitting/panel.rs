@@ -7,10 +7,10 @@ use eframe::egui::{
 };
 
 use super::fit::FitOutcome;
-use super::{Fitting, target};
+use super::{FitTool, target};
 use crate::commands::{Command, FitCommand, FitGoal, Switch};
 use crate::document::parse_hex;
-use crate::fit::{Changed, Report};
+use crate::fit::{FitReport, LookChange};
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
 use crate::widgets::text::hint;
@@ -19,7 +19,7 @@ use crate::widgets::theme;
 /// Largest number of layers that can be fitted from nothing here.
 pub(super) const MOST_LAYERS: usize = 5;
 
-impl Fitting {
+impl FitTool {
     /// Shows the panel.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut out = Vec::new();
@@ -140,7 +140,7 @@ impl Fitting {
     }
 
     /// Advice on what else may bring a look nearer to the strokes.
-    pub(super) fn advice(&self, what: FitGoal, report: &Report) -> String {
+    pub(super) fn advice(&self, what: FitGoal, report: &FitReport) -> String {
         let mut ways = Vec::new();
         if let Some(kept) = report.kept.told().filter(|_| what == FitGoal::ThisLook) {
             ways.push(format!("keep less ({kept} did not take part)"));
@@ -190,7 +190,7 @@ impl Fitting {
 }
 
 /// Shows the errors before and after the fit.
-fn errors(ui: &mut Ui, report: &Report) {
+fn errors(ui: &mut Ui, report: &FitReport) {
     ui.horizontal_wrapped(|ui| {
         let text = format!("Off by {}, before {}", steps(report.after), steps(report.before));
         let help = "RMS of a channel over what is painted, in steps of eight bits";
@@ -228,7 +228,7 @@ fn choice(ui: &mut Ui, outcome: &FitOutcome, out: &mut Vec<Command>) {
 }
 
 /// Shows everything that the fit has changed.
-fn changes(ui: &mut Ui, report: &Report, session: &Session) {
+fn changes(ui: &mut Ui, report: &FitReport, session: &Session) {
     let mut last = None;
     for change in &report.changed {
         let (whose, what) = named(change, session);
@@ -253,7 +253,7 @@ fn changes(ui: &mut Ui, report: &Report, session: &Session) {
 }
 
 /// Owner and name of a changed value, as shown to the user.
-fn named(change: &Changed, session: &Session) -> (String, String) {
+fn named(change: &LookChange, session: &Session) -> (String, String) {
     if change.what == "light" {
         let light = session.look().lights.get(change.place.as_str());
         let name = light.map(|light| light.name.clone()).filter(|name| !name.is_empty());
@@ -286,7 +286,7 @@ fn named(change: &Changed, session: &Session) -> (String, String) {
 }
 
 /// Angle by which a light was turned, if the light existed before.
-fn turned(change: &Changed) -> String {
+fn turned(change: &LookChange) -> String {
     let direction = |text: &str| -> Option<glam::DVec3> {
         let numbers: Vec<f64> = text.split(' ').filter_map(|word| word.parse().ok()).collect();
         <[f64; 3]>::try_from(numbers).ok().map(glam::DVec3::from)?.try_normalize()

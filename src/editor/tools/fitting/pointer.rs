@@ -5,7 +5,7 @@ use std::sync::Arc;
 use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Rect, Response, Ui};
 use glam::DVec2;
 
-use super::Fitting;
+use super::FitTool;
 use super::cover::Cover;
 use super::ground::Ground;
 use super::target::FINENESS;
@@ -80,7 +80,7 @@ fn laid(before: &[u8], cover: f64, shown: [f64; 3], tools: &Tools) -> [u8; 4] {
     [r, g, b, byte(cover + rest)]
 }
 
-impl Fitting {
+impl FitTool {
     /// Handles the pointer over the picture in `rect`.
     pub(super) fn paint(
         &mut self,

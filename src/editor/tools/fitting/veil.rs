@@ -119,9 +119,9 @@ impl Layer {
     }
 
     /// Lays a gray over a place.
-    fn over(&mut self, index: usize, grey: f32, alpha: f32) {
+    fn over(&mut self, index: usize, gray: f32, alpha: f32) {
         let below = self.colors[index];
-        let new = [grey, grey, grey, 1.0];
+        let new = [gray, gray, gray, 1.0];
         self.colors[index] = std::array::from_fn(|c| new[c] * alpha + below[c] * (1.0 - alpha));
     }
 

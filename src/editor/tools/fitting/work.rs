@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::commands::FitGoal;
 use crate::diag::Diagnostic;
 use crate::document::Look;
-use crate::fit::{FitOptions, FittedLook, Target, fit_layers, fit_look};
+use crate::fit::{FitOptions, FitTarget, FittedLook, fit_layers, fit_look};
 use crate::frame::Assets;
 use crate::progress::Progress;
 use crate::state::snapshot::RenderSnapshot;
@@ -15,7 +15,7 @@ use crate::state::worker::Worker;
 pub(super) struct FitRequest {
     pub(super) what: FitGoal,
     pub(super) snapshot: RenderSnapshot,
-    pub(super) target: Target,
+    pub(super) target: FitTarget,
     pub(super) options: FitOptions,
     pub(super) progress: Progress,
 }

@@ -13,7 +13,7 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::frame::{Draw, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
-use crate::reference::{Options, WireValue, probe_wires};
+use crate::reference::{ReferenceOptions, WireValue, probe_wires};
 use crate::state::session::Session;
 use crate::state::snapshot::{CachedPlanner, RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
@@ -275,7 +275,7 @@ fn probe(
         let setup = snapshot.setup(&mut planner.assets)?.value;
         let options = PlanOptions { size: spot.size, samples: 1, time: snapshot.time };
         let plan = planner.plan(&setup, &snapshot.library, &Live::All, &options)?.value;
-        let wires = probe_wires(&plan, spot.pixel, &Options::default(), &progress)
+        let wires = probe_wires(&plan, spot.pixel, &ReferenceOptions::default(), &progress)
             .map_err(|problem| vec![problem])?;
         let seen = wires.as_ref().and_then(|wires| plan.draws.get(wires.first()?.draw));
         match seen.and_then(|draw| other_look(&setup, draw)) {

@@ -6,7 +6,7 @@ use eframe::egui::{Color32, FontId, Rect, RichText, ScrollArea, Sense, Ui, pos2,
 use super::Probe;
 use crate::commands::Command;
 use crate::ids::NodePath;
-use crate::progress::Stopped;
+use crate::progress::Interruption;
 use crate::reference::WireValue;
 use crate::state::problem_text::sentence;
 use crate::state::session::Session;
@@ -40,7 +40,8 @@ impl Probe {
                 commands.extend(table(ui, session, wires, std::mem::take(&mut self.jump)));
             }
             Some(Err(found)) => {
-                for problem in found.iter().filter(|problem| problem.code != Stopped::CODE).take(3)
+                for problem in
+                    found.iter().filter(|problem| problem.code != Interruption::CODE).take(3)
                 {
                     ui.label(RichText::new(sentence(problem)).color(theme::of(ui).error));
                 }

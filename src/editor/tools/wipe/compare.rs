@@ -3,11 +3,11 @@
 use eframe::egui::ColorImage;
 
 use super::{ComparisonRequest, ComparisonResult, ComparisonTarget, PictureComparison};
-use crate::accuracy::{Colors, Truth, Variant, compare};
+use crate::accuracy::{PremultipliedPicture, Truth, Variant, compare};
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::frame::{Assets, Cull, Executor, Picture, PlanOptions, Planner, Setup};
+use crate::frame::{Assets, CullMode, Executor, Picture, PlanOptions, Planner, Setup};
 use crate::progress::Progress;
 use crate::render::Gpu;
 use crate::state::snapshot::CachedPlanner;
@@ -23,7 +23,7 @@ pub(super) struct Comparer {
 
 impl Comparer {
     pub(super) fn new(window: Gpu) -> Self {
-        let planner = CachedPlanner::new(|assets| Planner::new(assets).culling(Cull::Objects));
+        let planner = CachedPlanner::new(|assets| Planner::new(assets).culling(CullMode::Objects));
         Self { executor: None, window, planner }
     }
 
@@ -55,7 +55,7 @@ impl Comparer {
         match job.moment.against {
             ComparisonTarget::Tier(tier) => {
                 let other = draw(&Variant::Looks(tier).of(&setup)).await?;
-                Ok(together(&present, &other, &Colors::from(&other), |_| false))
+                Ok(together(&present, &other, &PremultipliedPicture::from(&other), |_| false))
             }
             ComparisonTarget::Truth => {
                 let truth = truth(job, &Variant::Looks(Tier::Exact).of(&setup), &options)?;
@@ -79,10 +79,10 @@ fn truth(
 fn together(
     present: &Picture,
     other: &Picture,
-    wanted: &Colors<'_>,
+    wanted: &PremultipliedPicture<'_>,
     is_edge: impl Fn(usize) -> bool,
 ) -> PictureComparison {
-    let got = Colors::from(present);
+    let got = PremultipliedPicture::from(present);
     let figures = compare(&got, wanted, &is_edge);
     let channels = |(index, (a, b)): (usize, (&[f64; 4], &[f64; 4]))| {
         let of = |channel: usize| {

@@ -16,7 +16,7 @@ use eframe::egui::{TextureHandle, Ui};
 use crate::accuracy::ErrorFigures;
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::progress::{Progress, Stopped};
+use crate::progress::{Interruption, Progress};
 use crate::render::Gpu;
 use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Stamp};
@@ -241,7 +241,8 @@ impl Wipe {
             }
             Err(problems) => {
                 self.shown = None;
-                self.problems = if Stopped::is_among(&problems) { Vec::new() } else { problems };
+                self.problems =
+                    if Interruption::is_among(&problems) { Vec::new() } else { problems };
             }
         }
     }

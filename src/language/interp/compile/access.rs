@@ -3,10 +3,10 @@
 use naga::{ArraySize, Expression, Handle, TypeInner};
 
 use super::Outcome;
-use super::expressions::{Operand, Place};
+use super::expressions::{MemoryPlace, Operand};
 use super::statements::FunctionCompiler;
 use crate::interp::instruction::{Instruction, IntBinary, Slot};
-use crate::interp::resources::Source;
+use crate::interp::resources::SlotSource;
 
 impl FunctionCompiler<'_> {
     pub(super) fn access_index(
@@ -25,7 +25,8 @@ impl FunctionCompiler<'_> {
         let operand = self.operand(base)?;
         if let Operand::Place(place) = operand {
             let offset = self.checked(layouts.offset(types, composite, index), base)?;
-            return self.define_place(handle, Place { offset: place.offset + offset, ..place });
+            return self
+                .define_place(handle, MemoryPlace { offset: place.offset + offset, ..place });
         }
         let (offset, count) = self.checked(layouts.part(types, composite, index), base)?;
         match operand {
@@ -66,24 +67,32 @@ impl FunctionCompiler<'_> {
                 };
                 let to =
                     self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
-                self.define_place(handle, Place { buffer: place.buffer, pointer: Some(to), offset })
+                self.define_place(
+                    handle,
+                    MemoryPlace { buffer: place.buffer, pointer: Some(to), offset },
+                )
             }
             Operand::Value(slots) => {
                 let first = self.gather(&slots)?;
                 let pointer = self.assembler.constant(u64::from(first))?;
                 let to =
                     self.compute(|to| Instruction::Index { to, pointer, index, count, stride })?;
-                let part = self.load_from(Place::at(to), stride)?;
+                let part = self.load_from(MemoryPlace::at(to), stride)?;
                 self.define(handle, part)
             }
         }
     }
 
     /// Index clamped to the bound buffer, if that has no fixed length.
-    fn within_buffer(&mut self, composite: &TypeInner, place: Place, index: Slot) -> Outcome<Slot> {
+    fn within_buffer(
+        &mut self,
+        composite: &TypeInner,
+        place: MemoryPlace,
+        index: Slot,
+    ) -> Outcome<Slot> {
         match place.buffer {
             Some(buffer) if is_unsized(composite) => {
-                let last = self.assembler.bound(Source::Last { buffer })?;
+                let last = self.assembler.bound(SlotSource::Last { buffer })?;
                 self.int2(IntBinary::MinUnsigned, index, last)
             }
             _ => Ok(index),
@@ -92,7 +101,7 @@ impl FunctionCompiler<'_> {
 
     pub(super) fn array_length(&mut self, array: Handle<Expression>) -> Outcome<Vec<Slot>> {
         match self.place(array)?.buffer {
-            Some(buffer) => Ok(vec![self.assembler.bound(Source::Length { buffer })?]),
+            Some(buffer) => Ok(vec![self.assembler.bound(SlotSource::Length { buffer })?]),
             None => Err(self.unsupported(
                 "the length of an array that is in no buffer (ArrayLength)",
                 self.span(array),
@@ -116,11 +125,11 @@ impl FunctionCompiler<'_> {
     }
 
     /// Slot that holds the number of the slot at `place`.
-    pub(super) fn pointer(&mut self, place: Place) -> Outcome<Slot> {
+    pub(super) fn pointer(&mut self, place: MemoryPlace) -> Outcome<Slot> {
         match place {
-            Place { pointer: None, offset, .. } => self.assembler.constant(u64::from(offset)),
-            Place { pointer: Some(pointer), offset: 0, .. } => Ok(pointer),
-            Place { pointer: Some(pointer), offset, .. } => {
+            MemoryPlace { pointer: None, offset, .. } => self.assembler.constant(u64::from(offset)),
+            MemoryPlace { pointer: Some(pointer), offset: 0, .. } => Ok(pointer),
+            MemoryPlace { pointer: Some(pointer), offset, .. } => {
                 let to = self.assembler.reserve(1)?;
                 self.assembler.emit(Instruction::Offset { to, pointer, offset })?;
                 Ok(to)
@@ -138,23 +147,23 @@ impl FunctionCompiler<'_> {
         self.load_from(place, count)
     }
 
-    fn load_from(&mut self, place: Place, count: u32) -> Outcome<Vec<Slot>> {
-        if let Place { buffer: Some(buffer), pointer: None, offset } = place {
+    fn load_from(&mut self, place: MemoryPlace, count: u32) -> Outcome<Vec<Slot>> {
+        if let MemoryPlace { buffer: Some(buffer), pointer: None, offset } = place {
             // No instruction changes a buffer while the program runs.
             return (offset..offset + count)
-                .map(|offset| self.assembler.bound(Source::Scalar { buffer, offset }))
+                .map(|offset| self.assembler.bound(SlotSource::Scalar { buffer, offset }))
                 .collect();
         }
         let to = self.assembler.reserve(count)?;
         match place {
-            Place { pointer: None, offset, .. } => {
+            MemoryPlace { pointer: None, offset, .. } => {
                 let from: Vec<Slot> = (offset..offset + count).collect();
                 self.copy(to, &from)?;
             }
-            Place { buffer: None, pointer: Some(pointer), offset } => {
+            MemoryPlace { buffer: None, pointer: Some(pointer), offset } => {
                 self.assembler.emit(Instruction::Load { to, pointer, offset, count })?;
             }
-            Place { buffer: Some(buffer), pointer: Some(pointer), offset } => {
+            MemoryPlace { buffer: Some(buffer), pointer: Some(pointer), offset } => {
                 self.assembler.emit(Instruction::LoadBuffer {
                     to,
                     buffer,

@@ -12,7 +12,7 @@ const MAX_DEPTH: u32 = 64;
 
 /// Number at compile time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Number {
+pub(super) enum ConstantNumber {
     /// WGSL's `AbstractInt`.
     Int(i64),
     /// WGSL's `AbstractFloat`, an f64.
@@ -21,7 +21,7 @@ pub(super) enum Number {
     Single { single: f32, wide: f64 },
 }
 
-impl Number {
+impl ConstantNumber {
     /// Value without any rounding to f32.
     pub(super) fn wide(self) -> f64 {
         match self {
@@ -99,7 +99,10 @@ impl Number {
 }
 
 /// Number that a text denotes, given the constants that it may name.
-pub(super) fn evaluate(text: &str, constants: &HashMap<String, Number>) -> Option<Number> {
+pub(super) fn evaluate(
+    text: &str,
+    constants: &HashMap<String, ConstantNumber>,
+) -> Option<ConstantNumber> {
     let mut reader = Reader { rest: text, constants, depth: 0 };
     let number = reader.sum()?;
     reader.skip_space();
@@ -108,7 +111,7 @@ pub(super) fn evaluate(text: &str, constants: &HashMap<String, Number>) -> Optio
 
 struct Reader<'t> {
     rest: &'t str,
-    constants: &'t HashMap<String, Number>,
+    constants: &'t HashMap<String, ConstantNumber>,
     depth: u32,
 }
 
@@ -144,7 +147,7 @@ impl<'t> Reader<'t> {
         taken
     }
 
-    fn sum(&mut self) -> Option<Number> {
+    fn sum(&mut self) -> Option<ConstantNumber> {
         let mut left = self.product()?;
         while let Some(operator @ (b'+' | b'-')) = self.peek() {
             self.rest = &self.rest[1..];
@@ -153,7 +156,7 @@ impl<'t> Reader<'t> {
         Some(left)
     }
 
-    fn product(&mut self) -> Option<Number> {
+    fn product(&mut self) -> Option<ConstantNumber> {
         let mut left = self.signed()?;
         while let Some(operator @ (b'*' | b'/')) = self.peek() {
             self.rest = &self.rest[1..];
@@ -162,7 +165,7 @@ impl<'t> Reader<'t> {
         Some(left)
     }
 
-    fn signed(&mut self) -> Option<Number> {
+    fn signed(&mut self) -> Option<ConstantNumber> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             return None;
@@ -172,7 +175,7 @@ impl<'t> Reader<'t> {
         number
     }
 
-    fn atom(&mut self) -> Option<Number> {
+    fn atom(&mut self) -> Option<ConstantNumber> {
         match self.peek()? {
             b'(' => {
                 self.take(b'(');
@@ -192,7 +195,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn call(&mut self, name: &str) -> Option<Number> {
+    fn call(&mut self, name: &str) -> Option<ConstantNumber> {
         self.take(b'(');
         let mut arguments = vec![self.sum()?];
         while self.take(b',') && self.peek()? != b')' {
@@ -208,7 +211,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn literal(&mut self) -> Option<Number> {
+    fn literal(&mut self) -> Option<ConstantNumber> {
         if self.rest.starts_with("0x") || self.rest.starts_with("0X") {
             return self.hexadecimal();
         }
@@ -220,16 +223,16 @@ impl<'t> Reader<'t> {
         });
         let is_int = text.bytes().all(|b| b.is_ascii_digit());
         match self.take_while(|b| b.is_ascii_alphanumeric() || b == b'_') {
-            "" if is_int => text.parse().ok().map(Number::Int),
-            "" => text.parse().ok().map(Number::Abstract),
-            "f" => Some(Number::Abstract(text.parse().ok()?).single()),
+            "" if is_int => text.parse().ok().map(ConstantNumber::Int),
+            "" => text.parse().ok().map(ConstantNumber::Abstract),
+            "f" => Some(ConstantNumber::Abstract(text.parse().ok()?).single()),
             _ => None,
         }
     }
 
     /// Reads `0x1F`, `0x1.8p3`, each with an f at the end if it is a float of WGSL's f32 (only
     /// after an exponent).
-    fn hexadecimal(&mut self) -> Option<Number> {
+    fn hexadecimal(&mut self) -> Option<ConstantNumber> {
         self.rest = &self.rest[2..];
         let whole = self.take_while(|b| b.is_ascii_hexdigit());
         let fraction = if self.rest.starts_with('.') {
@@ -241,7 +244,7 @@ impl<'t> Reader<'t> {
         let digits = i64::from_str_radix(&format!("{whole}{fraction}"), 16).ok()?;
         if !self.rest.starts_with(['p', 'P']) {
             let ends = !self.rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
-            return (fraction.is_empty() && ends).then_some(Number::Int(digits));
+            return (fraction.is_empty() && ends).then_some(ConstantNumber::Int(digits));
         }
         self.rest = &self.rest[1..];
         let mut is_first = true;
@@ -251,7 +254,7 @@ impl<'t> Reader<'t> {
             fits
         });
         let exponent = exponent.parse::<i32>().ok()?.clamp(-2000, 2000) - 4 * fraction.len() as i32;
-        let number = Number::Abstract(digits as f64 * f64::from(exponent).exp2());
+        let number = ConstantNumber::Abstract(digits as f64 * f64::from(exponent).exp2());
         match self.take_while(|b| b.is_ascii_alphanumeric() || b == b'_') {
             "" => Some(number),
             "f" => Some(number.single()),
@@ -260,7 +263,7 @@ impl<'t> Reader<'t> {
     }
 }
 
-fn of_one(name: &str, a: Number) -> Option<Number> {
+fn of_one(name: &str, a: ConstantNumber) -> Option<ConstantNumber> {
     macro_rules! float {
         ($($name:literal => $function:ident,)*) => {
             match name {
@@ -278,7 +281,7 @@ fn of_one(name: &str, a: Number) -> Option<Number> {
     }
 }
 
-fn of_two(name: &str, a: Number, b: Number) -> Option<Number> {
+fn of_two(name: &str, a: ConstantNumber, b: ConstantNumber) -> Option<ConstantNumber> {
     match name {
         "pow" => Some(a.join(b, f64::powf, f32::powf)),
         "min" => Some(a.join(b, f64::min, f32::min)),
@@ -294,10 +297,10 @@ mod tests {
 
     fn wide(text: &str) -> Option<f64> {
         let constants = HashMap::from([
-            ("PI".to_owned(), Number::Abstract(3.25).single()),
-            ("THIRD".to_owned(), Number::Abstract(1.0 / 3.0).single()),
+            ("PI".to_owned(), ConstantNumber::Abstract(3.25).single()),
+            ("THIRD".to_owned(), ConstantNumber::Abstract(1.0 / 3.0).single()),
         ]);
-        evaluate(text, &constants).map(Number::wide)
+        evaluate(text, &constants).map(ConstantNumber::wide)
     }
 
     #[test]
@@ -352,7 +355,8 @@ mod tests {
 
     #[test]
     fn naga_is_agreed_with_where_its_rounding_is_followed() {
-        let constants = HashMap::from([("THIRD".to_owned(), Number::Abstract(1.0 / 3.0).single())]);
+        let constants =
+            HashMap::from([("THIRD".to_owned(), ConstantNumber::Abstract(1.0 / 3.0).single())]);
         let third = 1.0_f32 / 3.0;
         let number = evaluate("THIRD * 0.1 / 7.0", &constants).unwrap();
         assert!(number.agrees_with(third * 0.1 / 7.0));

@@ -7,10 +7,10 @@ use naga::{Expression, Handle};
 
 use super::Outcome;
 use crate::diag::Diagnostic;
-use crate::interp::Observed;
+use crate::interp::ObservedValue;
 use crate::interp::image::Operation;
-use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
-use crate::interp::resources::Source;
+use crate::interp::instruction::{Instruction, JumpTarget, PureCall, Slot, Switch};
+use crate::interp::resources::SlotSource;
 
 /// Greatest number of slots of a program's memory: 32 MiB.
 pub(super) const MAX_SLOTS: u32 = 1 << 22;
@@ -33,7 +33,7 @@ pub(super) struct Assembler {
     wide_constants: HashMap<(u64, u64), Slot>,
     /// Bits of those slots in f32.
     wide_slots: HashMap<Slot, u64>,
-    bound_slots: HashMap<Source, Slot>,
+    bound_slots: HashMap<SlotSource, Slot>,
     operations: Vec<Operation>,
     constant_slots: HashSet<Slot>,
     constant_runs: HashMap<Vec<Slot>, Slot>,
@@ -42,21 +42,21 @@ pub(super) struct Assembler {
     /// Number of slots that all lists of slots name together.
     listed: usize,
     /// Values that the source names, where they are to be read.
-    pub(super) observed: Vec<Observed>,
+    pub(super) observed: Vec<ObservedValue>,
     /// Number of the instruction that each label stands before.
     labels: Vec<u32>,
 }
 
 /// Complete program, without its signature.
-pub(super) struct Linked {
+pub(super) struct LinkedProgram {
     pub(super) code: Vec<Instruction>,
     pub(super) switches: Vec<Switch>,
     pub(super) pure_calls: Vec<PureCall>,
     pub(super) image: Vec<u64>,
     pub(super) wide_constants: Vec<(Slot, u64)>,
-    pub(super) bound_slots: Vec<(Slot, Source)>,
+    pub(super) bound_slots: Vec<(Slot, SlotSource)>,
     pub(super) operations: Vec<Operation>,
-    pub(super) observed: Vec<Observed>,
+    pub(super) observed: Vec<ObservedValue>,
     pub(super) entry: u32,
 }
 
@@ -133,7 +133,7 @@ impl Assembler {
     }
 
     /// Slot that is filled when resources are bound.
-    pub(super) fn bound(&mut self, source: Source) -> Outcome<Slot> {
+    pub(super) fn bound(&mut self, source: SlotSource) -> Outcome<Slot> {
         if let Some(&slot) = self.bound_slots.get(&source) {
             return Ok(slot);
         }
@@ -186,13 +186,13 @@ impl Assembler {
     }
 
     /// New label, to be placed later.
-    pub(super) fn label(&mut self) -> Target {
+    pub(super) fn label(&mut self) -> JumpTarget {
         self.labels.push(0);
         self.labels.len() as u32 - 1
     }
 
     /// Puts a label before the next instruction.
-    pub(super) fn place(&mut self, label: Target) {
+    pub(super) fn place(&mut self, label: JumpTarget) {
         self.labels[label as usize] = self.code.len() as u32;
     }
 
@@ -214,7 +214,7 @@ impl Assembler {
     }
 
     /// Resolves all labels.
-    pub(super) fn link(self, entry: Target) -> Linked {
+    pub(super) fn link(self, entry: JumpTarget) -> LinkedProgram {
         let Self {
             mut code,
             mut switches,
@@ -245,10 +245,10 @@ impl Assembler {
         }
         let mut wide_constants: Vec<(Slot, u64)> = wide_slots.into_iter().collect();
         wide_constants.sort_unstable();
-        let mut bound_slots: Vec<(Slot, Source)> =
+        let mut bound_slots: Vec<(Slot, SlotSource)> =
             bound_slots.into_iter().map(|(source, slot)| (slot, source)).collect();
         bound_slots.sort_unstable_by_key(|(slot, _)| *slot);
-        Linked {
+        LinkedProgram {
             code,
             switches,
             pure_calls,

@@ -7,7 +7,7 @@ use super::linear::transpose;
 use super::statements::FunctionCompiler;
 use crate::interp::ScalarKind;
 use crate::interp::instruction::{
-    Compare, Conversion, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, Slot,
+    Comparison, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, ScalarConversion, Slot,
 };
 
 impl FunctionCompiler<'_> {
@@ -80,7 +80,8 @@ impl FunctionCompiler<'_> {
             }
             Math::Frexp => {
                 let fraction = self.map(a, |this, a| this.float1(FloatUnary::FrexpFraction, a))?;
-                let exponent = self.map(a, |this, a| this.convert(Conversion::FrexpExponent, a))?;
+                let exponent =
+                    self.map(a, |this, a| this.convert(ScalarConversion::FrexpExponent, a))?;
                 Ok([fraction, exponent].concat())
             }
             Math::Length => Ok(vec![self.length(a)?]),
@@ -156,7 +157,7 @@ impl FunctionCompiler<'_> {
             Math::FaceForward => {
                 let zero = self.float_constant(0.0)?;
                 let cosine = self.dot(b, c)?;
-                let facing = self.compare(Compare::Less, cosine, zero)?;
+                let facing = self.compare(Comparison::Less, cosine, zero)?;
                 self.map(a, |this, a| {
                     let turned = this.float1(FloatUnary::Negate, a)?;
                     this.choose(facing, a, turned)
@@ -230,7 +231,7 @@ impl FunctionCompiler<'_> {
         let ratio_squared = self.multiply(ratio, ratio)?;
         let refracted_squared = self.multiply(ratio_squared, sine_squared)?;
         let k = self.subtract(one, refracted_squared)?;
-        let total = self.compare(Compare::Less, k, zero)?;
+        let total = self.compare(Comparison::Less, k, zero)?;
         let root = self.float1(FloatUnary::Sqrt, k)?;
         let scaled = self.multiply(ratio, cosine)?;
         let along = self.add(scaled, root)?;
@@ -250,37 +251,37 @@ impl FunctionCompiler<'_> {
     /// Packs a vector into, or unpacks it from, a u32.
     fn packing(&mut self, fun: Math, a: &[Slot]) -> Outcome<Vec<Slot>> {
         let packed = match fun {
-            Math::Pack4x8snorm => self.convert_and_pack(Conversion::ToSnorm8, a)?,
-            Math::Pack4x8unorm => self.convert_and_pack(Conversion::ToUnorm8, a)?,
-            Math::Pack2x16snorm => self.convert_and_pack(Conversion::ToSnorm16, a)?,
-            Math::Pack2x16unorm => self.convert_and_pack(Conversion::ToUnorm16, a)?,
-            Math::Pack2x16float => self.convert_and_pack(Conversion::ToHalf, a)?,
+            Math::Pack4x8snorm => self.convert_and_pack(ScalarConversion::ToSnorm8, a)?,
+            Math::Pack4x8unorm => self.convert_and_pack(ScalarConversion::ToUnorm8, a)?,
+            Math::Pack2x16snorm => self.convert_and_pack(ScalarConversion::ToSnorm16, a)?,
+            Math::Pack2x16unorm => self.convert_and_pack(ScalarConversion::ToUnorm16, a)?,
+            Math::Pack2x16float => self.convert_and_pack(ScalarConversion::ToHalf, a)?,
             Math::Pack4xI8 | Math::Pack4xU8 => self.pack(a)?,
             Math::Pack4xI8Clamp => self.clamp_and_pack(a, -128, 127, true)?,
             Math::Pack4xU8Clamp => self.clamp_and_pack(a, 0, 255, false)?,
             Math::Unpack4xI8 => return self.unpack(a[0], 4, true),
             Math::Unpack4xU8 => return self.unpack(a[0], 4, false),
             Math::Unpack4x8snorm => {
-                return self.unpack_and_convert(a[0], 4, true, Conversion::FromSnorm8);
+                return self.unpack_and_convert(a[0], 4, true, ScalarConversion::FromSnorm8);
             }
             Math::Unpack4x8unorm => {
-                return self.unpack_and_convert(a[0], 4, false, Conversion::FromUnorm8);
+                return self.unpack_and_convert(a[0], 4, false, ScalarConversion::FromUnorm8);
             }
             Math::Unpack2x16snorm => {
-                return self.unpack_and_convert(a[0], 2, true, Conversion::FromSnorm16);
+                return self.unpack_and_convert(a[0], 2, true, ScalarConversion::FromSnorm16);
             }
             Math::Unpack2x16unorm => {
-                return self.unpack_and_convert(a[0], 2, false, Conversion::FromUnorm16);
+                return self.unpack_and_convert(a[0], 2, false, ScalarConversion::FromUnorm16);
             }
             Math::Unpack2x16float => {
-                return self.unpack_and_convert(a[0], 2, false, Conversion::FromHalf);
+                return self.unpack_and_convert(a[0], 2, false, ScalarConversion::FromHalf);
             }
             _ => return Err(self.unknown(fun)),
         };
         Ok(vec![packed])
     }
 
-    fn convert_and_pack(&mut self, op: Conversion, a: &[Slot]) -> Outcome<Slot> {
+    fn convert_and_pack(&mut self, op: ScalarConversion, a: &[Slot]) -> Outcome<Slot> {
         let converted = self.map(a, |this, a| this.convert(op, a))?;
         self.pack(&converted)
     }
@@ -320,7 +321,7 @@ impl FunctionCompiler<'_> {
         a: Slot,
         parts: u32,
         signed: bool,
-        op: Conversion,
+        op: ScalarConversion,
     ) -> Outcome<Vec<Slot>> {
         let integers = self.unpack(a, parts, signed)?;
         self.map(&integers, |this, a| this.convert(op, a))

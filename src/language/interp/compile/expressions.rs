@@ -6,11 +6,11 @@ use naga::{DerivativeAxis, DerivativeControl, Expression, Handle, MathFunction, 
 
 use super::globals::no_stage;
 use super::images::SampleParts;
-use super::layout::{Problem, scalar_kind};
+use super::layout::{LayoutProblem, scalar_kind};
 use super::statements::FunctionCompiler;
 use super::unsupported::expression_name;
 use super::{Outcome, is_constant};
-use crate::interp::instruction::{Conversion, Derivative, FloatUnary, Instruction, Slot};
+use crate::interp::instruction::{Derivative, FloatUnary, Instruction, ScalarConversion, Slot};
 use crate::interp::{Derivatives, ScalarKind};
 
 /// Compiled form of an expression.
@@ -19,12 +19,12 @@ pub(super) enum Operand {
     /// Slots of the expression's scalars, which nothing changes while the expression is in scope.
     Value(Rc<[Slot]>),
     /// Pointer.
-    Place(Place),
+    Place(MemoryPlace),
 }
 
 /// Place in memory, or in a buffer.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct MemoryPlace {
     /// Number of the buffer; `None` for memory.
     pub(super) buffer: Option<u32>,
     /// Slot that holds the number of a slot; `None` for 0.
@@ -33,7 +33,7 @@ pub(super) struct Place {
     pub(super) offset: u32,
 }
 
-impl Place {
+impl MemoryPlace {
     /// Place that is known while compiling.
     pub(super) fn fixed(slot: Slot) -> Self {
         Self { buffer: None, pointer: None, offset: slot }
@@ -127,7 +127,7 @@ impl<'a> FunctionCompiler<'a> {
     fn rounded(&mut self, handle: Handle<Expression>, slots: Vec<Slot>) -> Outcome<Vec<Slot>> {
         let is_half = self.inner(handle).scalar() == Some(naga::Scalar::F16);
         if is_half {
-            self.map(&slots, |this, a| this.convert(Conversion::HalfInSingle, a))
+            self.map(&slots, |this, a| this.convert(ScalarConversion::HalfInSingle, a))
         } else {
             Ok(slots)
         }
@@ -140,7 +140,11 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    pub(super) fn define_place(&mut self, handle: Handle<Expression>, place: Place) -> Outcome<()> {
+    pub(super) fn define_place(
+        &mut self,
+        handle: Handle<Expression>,
+        place: MemoryPlace,
+    ) -> Outcome<()> {
         self.operands[handle.index()] = Some(Operand::Place(place));
         Ok(())
     }
@@ -176,7 +180,7 @@ impl<'a> FunctionCompiler<'a> {
     }
 
     /// Place that a pointer points to.
-    pub(super) fn place(&mut self, handle: Handle<Expression>) -> Outcome<Place> {
+    pub(super) fn place(&mut self, handle: Handle<Expression>) -> Outcome<MemoryPlace> {
         match self.operand(handle)? {
             Operand::Place(place) => Ok(place),
             Operand::Value(_) => Err(self.unsupported("a value as a pointer", self.span(handle))),
@@ -190,7 +194,7 @@ impl<'a> FunctionCompiler<'a> {
             return Err(self.unsupported_expression(handle));
         };
         if is_pointer(inner) {
-            return Ok(Operand::Place(Place::at(first)));
+            return Ok(Operand::Place(MemoryPlace::at(first)));
         }
         let count = self.slots_of(inner, self.span(handle))?;
         Ok(Operand::Value((first..first + count).collect()))
@@ -238,7 +242,7 @@ impl<'a> FunctionCompiler<'a> {
         let scalar = self
             .inner(handle)
             .scalar()
-            .ok_or(Problem::Unsupported("neither scalar, vector nor matrix"));
+            .ok_or(LayoutProblem::Unsupported("neither scalar, vector nor matrix"));
         self.checked(scalar.and_then(scalar_kind), handle)
     }
 
@@ -252,7 +256,7 @@ impl<'a> FunctionCompiler<'a> {
 
     pub(super) fn checked<T>(
         &self,
-        result: Result<T, Problem>,
+        result: Result<T, LayoutProblem>,
         handle: Handle<Expression>,
     ) -> Outcome<T> {
         result.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(handle)))

@@ -10,8 +10,8 @@ use naga::{ImageDimension, ScalarKind as Kind, Type, TypeInner};
 
 use super::Outcome;
 use super::assembler::Assembler;
-use super::expressions::{Operand, Place};
-use super::layout::{Layouts, Problem};
+use super::expressions::{MemoryPlace, Operand};
+use super::layout::{LayoutProblem, Layouts};
 use crate::diag::Diagnostic;
 use crate::interp::instruction::Slot;
 use crate::interp::resources::{Resource, ResourceKind, Texel};
@@ -74,12 +74,12 @@ impl Globals {
         layouts: &Layouts,
         assembler: &mut Assembler,
         handle: Handle<GlobalVariable>,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), LayoutProblem> {
         let variable = &module.global_variables[handle];
         let home = match variable.space {
             AddressSpace::Private => {
                 let count = layouts.slots(&module.types[variable.ty].inner)?;
-                let slot = assembler.reserve(count).map_err(|_| Problem::TooBig)?;
+                let slot = assembler.reserve(count).map_err(|_| LayoutProblem::TooBig)?;
                 self.private.push((handle, slot));
                 GlobalPlace::Private(slot)
             }
@@ -88,23 +88,27 @@ impl Globals {
                     variable.space,
                     AddressSpace::Storage { access } if access.contains(StorageAccess::STORE)
                 ) {
-                    return Err(Problem::Unsupported("a storage buffer that can be written"));
+                    return Err(LayoutProblem::Unsupported("a storage buffer that can be written"));
                 }
                 GlobalPlace::Buffer(self.resource(variable, buffer(module, layouts, variable.ty)?)?)
             }
             AddressSpace::Handle => GlobalPlace::Handle(
                 self.resource(variable, opaque(&module.types[variable.ty].inner)?)?,
             ),
-            AddressSpace::WorkGroup => return Err(Problem::Unsupported("workgroup memory")),
-            _ => return Err(Problem::Unsupported("in an address space of its own")),
+            AddressSpace::WorkGroup => return Err(LayoutProblem::Unsupported("workgroup memory")),
+            _ => return Err(LayoutProblem::Unsupported("in an address space of its own")),
         };
         self.homes.insert(handle, home);
         Ok(())
     }
 
-    fn resource(&mut self, variable: &GlobalVariable, kind: ResourceKind) -> Result<u32, Problem> {
+    fn resource(
+        &mut self,
+        variable: &GlobalVariable,
+        kind: ResourceKind,
+    ) -> Result<u32, LayoutProblem> {
         let binding =
-            variable.binding.ok_or(Problem::Unsupported("a resource without a binding"))?;
+            variable.binding.ok_or(LayoutProblem::Unsupported("a resource without a binding"))?;
         let name = variable.name.clone().unwrap_or_default();
         self.resources.push(Resource {
             group: binding.group,
@@ -123,9 +127,9 @@ impl Globals {
         assembler: &mut Assembler,
     ) -> Outcome<Option<Operand>> {
         Ok(Some(match self.homes.get(&handle) {
-            Some(GlobalPlace::Private(slot)) => Operand::Place(Place::fixed(*slot)),
+            Some(GlobalPlace::Private(slot)) => Operand::Place(MemoryPlace::fixed(*slot)),
             Some(GlobalPlace::Buffer(number)) => {
-                Operand::Place(Place { buffer: Some(*number), ..Place::fixed(0) })
+                Operand::Place(MemoryPlace { buffer: Some(*number), ..MemoryPlace::fixed(0) })
             }
             Some(GlobalPlace::Handle(number)) => {
                 let slot = assembler.constant(u64::from(*number))?;
@@ -137,7 +141,11 @@ impl Globals {
 }
 
 /// Resource kind of a buffer of a type.
-fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<ResourceKind, Problem> {
+fn buffer(
+    module: &Module,
+    layouts: &Layouts,
+    ty: Handle<Type>,
+) -> Result<ResourceKind, LayoutProblem> {
     let members = match &module.types[ty].inner {
         TypeInner::Array { base, size: ArraySize::Dynamic, .. } => {
             return Ok(ResourceKind::Unsized {
@@ -151,7 +159,7 @@ fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<Resour
     if let Some((last, before)) = members.split_last()
         && let TypeInner::Array { base, size: ArraySize::Dynamic, .. } = module.types[last.ty].inner
     {
-        let head: Result<Vec<(String, Shape)>, Problem> = before
+        let head: Result<Vec<(String, Shape)>, LayoutProblem> = before
             .iter()
             .map(|member| {
                 Ok((member.name.clone().unwrap_or_default(), layouts.shape(module, member.ty)?))
@@ -166,7 +174,7 @@ fn buffer(module: &Module, layouts: &Layouts, ty: Handle<Type>) -> Result<Resour
 }
 
 /// Resource kind of a texture or sampler variable.
-fn opaque(inner: &TypeInner) -> Result<ResourceKind, Problem> {
+fn opaque(inner: &TypeInner) -> Result<ResourceKind, LayoutProblem> {
     match *inner {
         TypeInner::Image { dim, arrayed, class } => Ok(ResourceKind::Texture {
             dimension: dimension(dim),
@@ -176,11 +184,11 @@ fn opaque(inner: &TypeInner) -> Result<ResourceKind, Problem> {
         TypeInner::Sampler { comparison } => {
             Ok(ResourceKind::Sampler { is_comparison: comparison })
         }
-        TypeInner::BindingArray { .. } => Err(Problem::Unsupported("an array of bindings")),
+        TypeInner::BindingArray { .. } => Err(LayoutProblem::Unsupported("an array of bindings")),
         TypeInner::AccelerationStructure { .. } => {
-            Err(Problem::Unsupported("an acceleration structure"))
+            Err(LayoutProblem::Unsupported("an acceleration structure"))
         }
-        _ => Err(Problem::Unsupported("an opaque type that is neither texture nor sampler")),
+        _ => Err(LayoutProblem::Unsupported("an opaque type that is neither texture nor sampler")),
     }
 }
 
@@ -194,17 +202,17 @@ fn dimension(dim: ImageDimension) -> TextureDimension {
 }
 
 /// Type that the texels of a class of textures are read as.
-pub(super) fn texel(class: ImageClass) -> Result<Texel, Problem> {
+pub(super) fn texel(class: ImageClass) -> Result<Texel, LayoutProblem> {
     match class {
         ImageClass::Sampled { multi: true, .. } | ImageClass::Depth { multi: true } => {
-            Err(Problem::Unsupported("a multisampled texture"))
+            Err(LayoutProblem::Unsupported("a multisampled texture"))
         }
         ImageClass::Sampled { kind: Kind::Sint, .. } => Ok(Texel::I32),
         ImageClass::Sampled { kind: Kind::Uint, .. } => Ok(Texel::U32),
         ImageClass::Sampled { .. } => Ok(Texel::Float),
         ImageClass::Depth { .. } => Ok(Texel::Depth),
-        ImageClass::External => Err(Problem::Unsupported("an external texture")),
-        ImageClass::Storage { .. } => Err(Problem::Unsupported("a storage texture")),
+        ImageClass::External => Err(LayoutProblem::Unsupported("an external texture")),
+        ImageClass::Storage { .. } => Err(LayoutProblem::Unsupported("a storage texture")),
     }
 }
 

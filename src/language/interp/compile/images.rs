@@ -4,11 +4,11 @@ use naga::{Expression, Handle, ImageQuery, SampleLevel, SwizzleComponent, TypeIn
 
 use super::Outcome;
 use super::globals::texel;
-use super::layout::Problem;
+use super::layout::LayoutProblem;
 use super::statements::FunctionCompiler;
 use crate::interp::ScalarKind;
 use crate::interp::image::{Detail, Operation, OperationKind, Sample};
-use crate::interp::instruction::{Conversion, Instruction, Slot};
+use crate::interp::instruction::{Instruction, ScalarConversion, Slot};
 use crate::interp::resources::Texel;
 
 /// Parts of `Expression::ImageSample`.
@@ -120,15 +120,15 @@ impl FunctionCompiler<'_> {
         let slot = self.scalar(handle)?;
         match self.kind(handle)? {
             ScalarKind::Float => Ok(slot),
-            ScalarKind::I32 => self.convert(Conversion::I32ToFloat, slot),
-            ScalarKind::U32 | ScalarKind::Bool => self.convert(Conversion::U32ToFloat, slot),
+            ScalarKind::I32 => self.convert(ScalarConversion::I32ToFloat, slot),
+            ScalarKind::U32 | ScalarKind::Bool => self.convert(ScalarConversion::U32ToFloat, slot),
         }
     }
 
     fn texel(&self, image: Handle<Expression>) -> Outcome<Texel> {
         let texel = match *self.inner(image) {
             TypeInner::Image { class, .. } => texel(class),
-            _ => Err(Problem::Unsupported("no texture")),
+            _ => Err(LayoutProblem::Unsupported("no texture")),
         };
         texel.map_err(|problem| self.locate(problem.diagnose(&self.subject()), self.span(image)))
     }

@@ -11,14 +11,14 @@ const MAX_DEPTH: u32 = 64;
 
 /// Reason why a type cannot be used.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Problem {
+pub(super) enum LayoutProblem {
     /// Type, here named, of which the interpreter has no values.
     Unsupported(&'static str),
     /// Type with too many scalars, or nested too deeply.
     TooBig,
 }
 
-impl Problem {
+impl LayoutProblem {
     /// Diagnostic of the problem; `subject` names the value that has the type.
     pub(super) fn diagnose(self, subject: &str) -> Diagnostic {
         match self {
@@ -47,7 +47,7 @@ struct Extent {
 }
 
 /// Extents of all types of a module.
-pub(super) struct Layouts(Vec<Result<Extent, Problem>>);
+pub(super) struct Layouts(Vec<Result<Extent, LayoutProblem>>);
 
 impl Layouts {
     /// Measures all types; naga orders them so that each comes after its parts.
@@ -61,13 +61,13 @@ impl Layouts {
     }
 
     /// Number of slots that a value takes.
-    pub(super) fn slots(&self, inner: &TypeInner) -> Result<u32, Problem> {
+    pub(super) fn slots(&self, inner: &TypeInner) -> Result<u32, LayoutProblem> {
         Ok(self.extent(inner)?.slots)
     }
 
-    fn extent(&self, inner: &TypeInner) -> Result<Extent, Problem> {
+    fn extent(&self, inner: &TypeInner) -> Result<Extent, LayoutProblem> {
         let known = |ty: Handle<Type>| {
-            self.0.get(ty.index()).copied().unwrap_or(Err(Problem::Unsupported("recursive")))
+            self.0.get(ty.index()).copied().unwrap_or(Err(LayoutProblem::Unsupported("recursive")))
         };
         let (slots, depth) = match inner {
             TypeInner::Scalar(scalar) => scalar_kind(*scalar).map(|_| (1, 0))?,
@@ -94,14 +94,14 @@ impl Layouts {
                 }
                 (slots, depth)
             }
-            other => return Err(Problem::Unsupported(type_name(other))),
+            other => return Err(LayoutProblem::Unsupported(type_name(other))),
         };
         let fits = slots <= u64::from(MAX_SLOTS) && depth <= MAX_DEPTH;
-        if fits { Ok(Extent { slots: slots as u32, depth }) } else { Err(Problem::TooBig) }
+        if fits { Ok(Extent { slots: slots as u32, depth }) } else { Err(LayoutProblem::TooBig) }
     }
 
     /// Shape of a type. Recursion is as deep as the type, which has been bounded.
-    pub(super) fn shape(&self, module: &Module, ty: Handle<Type>) -> Result<Shape, Problem> {
+    pub(super) fn shape(&self, module: &Module, ty: Handle<Type>) -> Result<Shape, LayoutProblem> {
         let Type { name, inner } = &module.types[ty];
         self.slots(inner)?;
         Ok(match inner {
@@ -128,7 +128,7 @@ impl Layouts {
                     .collect::<Result<_, _>>()?;
                 Shape::Struct { name: name.clone().unwrap_or_default(), members }
             }
-            other => return Err(Problem::Unsupported(type_name(other))),
+            other => return Err(LayoutProblem::Unsupported(type_name(other))),
         })
     }
 
@@ -138,7 +138,7 @@ impl Layouts {
         types: &UniqueArena<Type>,
         inner: &TypeInner,
         index: u32,
-    ) -> Result<u32, Problem> {
+    ) -> Result<u32, LayoutProblem> {
         let TypeInner::Struct { members, .. } = inner else {
             return Ok(self.part(types, inner, index)?.0);
         };
@@ -154,19 +154,19 @@ impl Layouts {
         types: &UniqueArena<Type>,
         inner: &TypeInner,
         index: u32,
-    ) -> Result<(u32, u32), Problem> {
+    ) -> Result<(u32, u32), LayoutProblem> {
         if let TypeInner::Struct { members, .. } = inner {
             let offset = self.offset(types, inner, index)?;
             let member = members
                 .get(index as usize)
-                .ok_or(Problem::Unsupported("a struct without that member"))?;
+                .ok_or(LayoutProblem::Unsupported("a struct without that member"))?;
             return Ok((offset, self.slots(&types[member.ty].inner)?));
         }
         let (count, stride) = self.elements(types, inner)?;
         if index < count {
             Ok((index * stride, stride))
         } else {
-            Err(Problem::Unsupported("shorter than its index"))
+            Err(LayoutProblem::Unsupported("shorter than its index"))
         }
     }
 
@@ -175,7 +175,7 @@ impl Layouts {
         &self,
         types: &UniqueArena<Type>,
         inner: &TypeInner,
-    ) -> Result<(u32, u32), Problem> {
+    ) -> Result<(u32, u32), LayoutProblem> {
         Ok(match inner {
             TypeInner::Vector { size, .. } | TypeInner::ValuePointer { size: Some(size), .. } => {
                 (*size as u32, 1)
@@ -188,27 +188,31 @@ impl Layouts {
             TypeInner::Array { base, size, .. } => {
                 (array_count(*size)?, self.slots(&types[*base].inner)?)
             }
-            other => return Err(Problem::Unsupported(type_name(other))),
+            other => return Err(LayoutProblem::Unsupported(type_name(other))),
         })
     }
 }
 
 /// Kind of a scalar in the interpreter.
-pub(super) fn scalar_kind(scalar: Scalar) -> Result<ScalarKind, Problem> {
+pub(super) fn scalar_kind(scalar: Scalar) -> Result<ScalarKind, LayoutProblem> {
     match (scalar.kind, scalar.width) {
         (Kind::Bool, _) => Ok(ScalarKind::Bool),
         (Kind::Sint, 4) | (Kind::AbstractInt, _) => Ok(ScalarKind::I32),
         (Kind::Uint, 4) => Ok(ScalarKind::U32),
         (Kind::Float, _) | (Kind::AbstractFloat, _) => Ok(ScalarKind::Float),
-        (Kind::Sint | Kind::Uint, _) => Err(Problem::Unsupported("an integer not of 32 bits")),
+        (Kind::Sint | Kind::Uint, _) => {
+            Err(LayoutProblem::Unsupported("an integer not of 32 bits"))
+        }
     }
 }
 
-fn array_count(size: ArraySize) -> Result<u32, Problem> {
+fn array_count(size: ArraySize) -> Result<u32, LayoutProblem> {
     match size {
         ArraySize::Constant(count) => Ok(count.get()),
-        ArraySize::Pending(_) => Err(Problem::Unsupported("an array whose size is an override")),
-        ArraySize::Dynamic => Err(Problem::Unsupported("an array without a fixed size")),
+        ArraySize::Pending(_) => {
+            Err(LayoutProblem::Unsupported("an array whose size is an override"))
+        }
+        ArraySize::Dynamic => Err(LayoutProblem::Unsupported("an array without a fixed size")),
     }
 }
 

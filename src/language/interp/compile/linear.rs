@@ -3,7 +3,7 @@
 use super::Outcome;
 use super::statements::FunctionCompiler;
 use crate::interp::instruction::{
-    Compare, Conversion, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, Slot,
+    Comparison, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, ScalarConversion, Slot,
 };
 
 /// Matrix as a list of columns.
@@ -36,7 +36,7 @@ impl FunctionCompiler<'_> {
         self.compute(|to| Instruction::FloatBinary { op, to, a, b })
     }
 
-    pub(super) fn compare(&mut self, op: Compare, a: Slot, b: Slot) -> Outcome<Slot> {
+    pub(super) fn compare(&mut self, op: Comparison, a: Slot, b: Slot) -> Outcome<Slot> {
         self.compute(|to| Instruction::FloatCompare { op, to, a, b })
     }
 
@@ -48,7 +48,7 @@ impl FunctionCompiler<'_> {
         self.compute(|to| Instruction::IntBinary { op, to, a, b })
     }
 
-    pub(super) fn convert(&mut self, op: Conversion, a: Slot) -> Outcome<Slot> {
+    pub(super) fn convert(&mut self, op: ScalarConversion, a: Slot) -> Outcome<Slot> {
         self.compute(|to| Instruction::Convert { op, to, a })
     }
 

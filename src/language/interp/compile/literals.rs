@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use naga::Span;
 
-use super::arithmetic::{Number, evaluate};
+use super::arithmetic::{ConstantNumber, evaluate};
 use crate::wgsl::{DeclarationKind, scan};
 
 /// Length of the longest text that is read again, in bytes.
@@ -21,7 +21,7 @@ const MAX_PASSES: usize = 32;
 /// Text of a module, and the values of its constants.
 pub(super) struct Literals<'s> {
     source: &'s str,
-    constants: HashMap<String, Number>,
+    constants: HashMap<String, ConstantNumber>,
 }
 
 impl<'s> Literals<'s> {
@@ -97,7 +97,7 @@ fn end_of_call(text: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wgsl::{PASSES, SHADER_LIBRARY, Source, link, parse, shipped_nodes};
+    use crate::wgsl::{NamedSource, PASSES, SHADER_LIBRARY, link, parse, shipped_nodes};
 
     /// Every f32 literal of a source: its text, naga's value of it, and the f64 that is read again.
     fn literals(source: &str) -> Vec<(String, f32, Option<f64>)> {
@@ -125,7 +125,7 @@ mod tests {
         let shaders = [PASSES, SHADER_LIBRARY].into_iter().flatten();
         let shaders = shaders.map(|&(name, text)| (name.to_owned(), text.to_owned()));
         for (name, text) in shaders.chain(shipped_nodes()) {
-            let linked = link(&[Source { name: &name, text: &text }])
+            let linked = link(&[NamedSource { name: &name, text: &text }])
                 .unwrap_or_else(|problems| panic!("{problems:?}"));
             for (text, single, wide) in literals(&linked.text) {
                 count += 1;

@@ -25,8 +25,8 @@ use naga::front::Typifier;
 use naga::proc::ResolveContext;
 use naga::{Block, Expression, Function, Handle, Module, Statement};
 
-use super::instruction::{Instruction, Slot, Target};
-use super::{Options, Parameter, Program, Shape};
+use super::instruction::{Instruction, JumpTarget, Slot};
+use super::{FunctionOptions, Program, ProgramParameter, Shape};
 use crate::diag::Diagnostic;
 use assembler::Assembler;
 use globals::Globals;
@@ -40,8 +40,8 @@ type Outcome<T> = Result<T, Box<Diagnostic>>;
 
 /// Frame of a function: the start of its code, and the places of its arguments, result and return
 /// address.
-struct Frame {
-    entry: Target,
+struct FunctionFrame {
+    entry: JumpTarget,
     link: Slot,
     /// First slot of each argument.
     arguments: Vec<Slot>,
@@ -53,18 +53,22 @@ struct Frame {
 }
 
 /// Context of the compilation of all functions of a program.
-struct Context<'a> {
+struct CompileContext<'a> {
     module: &'a Module,
     layouts: &'a Layouts,
-    options: Options<'a>,
+    options: FunctionOptions<'a>,
     globals: &'a Globals,
     literals: Option<&'a Literals<'a>>,
     /// Frames of all functions of the module that have been compiled.
-    frames: &'a [Option<Frame>],
+    frames: &'a [Option<FunctionFrame>],
 }
 
 /// Compiles the function of that name; see [`Program::compile`].
-pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outcome<Program> {
+pub(super) fn compile(
+    module: &Module,
+    name: &str,
+    options: FunctionOptions<'_>,
+) -> Outcome<Program> {
     let function = find(module, name)?;
     let layouts = Layouts::of(module);
     let (parameters, result) = signature(module, &layouts, name, function, options)?;
@@ -79,10 +83,10 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
     let literals = options.source.map(Literals::of);
     let literals = literals.as_ref();
     let mut purity = Purity::new(module);
-    let mut frames: Vec<Option<Frame>> = Vec::new();
+    let mut frames: Vec<Option<FunctionFrame>> = Vec::new();
     frames.resize_with(module.functions.len(), || None);
     for callee in callees {
-        let context = Context {
+        let context = CompileContext {
             module,
             layouts: &layouts,
             options,
@@ -99,7 +103,7 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
         }
         frames[callee.index()] = Some(frame);
     }
-    let context = Context {
+    let context = CompileContext {
         module,
         layouts: &layouts,
         options,
@@ -108,10 +112,10 @@ pub(super) fn compile(module: &Module, name: &str, options: Options<'_>) -> Outc
         frames: &frames,
     };
     let frame = compile_function(&context, &mut assembler, function, true)?;
-    let parameters: Vec<Parameter> = parameters
+    let parameters: Vec<ProgramParameter> = parameters
         .into_iter()
         .zip(&frame.arguments)
-        .map(|((name, shape), &slot)| Parameter { name, shape, slot })
+        .map(|((name, shape), &slot)| ProgramParameter { name, shape, slot })
         .collect();
     let linked = assembler.link(frame.entry);
     Ok(Program {
@@ -153,7 +157,7 @@ fn signature(
     layouts: &Layouts,
     name: &str,
     function: &Function,
-    options: Options<'_>,
+    options: FunctionOptions<'_>,
 ) -> Outcome<(Vec<(String, Shape)>, Shape)> {
     let shape = |ty, what: &str| {
         layouts
@@ -220,11 +224,11 @@ fn calls(body: &Block) -> Vec<Handle<Function>> {
 /// Appends the code of one function; the code of the entry begins with the values of private
 /// variables.
 fn compile_function(
-    context: &Context,
+    context: &CompileContext,
     assembler: &mut Assembler,
     function: &Function,
     is_entry: bool,
-) -> Outcome<Frame> {
+) -> Outcome<FunctionFrame> {
     let types = types(context.module, function)?;
     let frame = frame(context, assembler, function)?;
     assembler.place(frame.entry);
@@ -256,7 +260,11 @@ fn types(module: &Module, function: &Function) -> Outcome<Typifier> {
 }
 
 /// Reserves the slots that the callers of a function must know.
-fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> Outcome<Frame> {
+fn frame(
+    context: &CompileContext,
+    assembler: &mut Assembler,
+    function: &Function,
+) -> Outcome<FunctionFrame> {
     let name = function.name.as_deref().unwrap_or("");
     let slots = |ty, what: &str| {
         let inner = &context.module.types[ty].inner;
@@ -278,7 +286,7 @@ fn frame(context: &Context, assembler: &mut Assembler, function: &Function) -> O
     let result_slots =
         function.result.as_ref().map_or(Ok(0), |result| slots(result.ty, "the result"))?;
     let result = assembler.reserve(result_slots)?;
-    Ok(Frame { entry, link, arguments, result, result_slots, shared: Some(shared) })
+    Ok(FunctionFrame { entry, link, arguments, result, result_slots, shared: Some(shared) })
 }
 
 /// True for an expression that is a constant value, wherever it stands.

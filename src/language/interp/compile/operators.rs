@@ -10,16 +10,16 @@ use super::layout::scalar_kind;
 use super::statements::FunctionCompiler;
 use crate::interp::ScalarKind;
 use crate::interp::instruction::{
-    Compare, Conversion, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, Slot,
+    Comparison, FloatBinary, FloatUnary, Instruction, IntBinary, IntUnary, ScalarConversion, Slot,
 };
 
 /// Binary operator on scalars of one kind.
 enum Operation {
     Float(FloatBinary),
-    Compare(Compare),
+    Compare(Comparison),
     Int(IntBinary),
     /// Comparison with left and right exchanged.
-    CompareSwapped(Compare),
+    CompareSwapped(Comparison),
     IntSwapped(IntBinary),
 }
 
@@ -107,10 +107,10 @@ impl FunctionCompiler<'_> {
                 Ok(vec![self.fold(&slots, |this, a, b| this.int2(IntBinary::Or, a, b))?])
             }
             RelationalFunction::IsNan => {
-                self.map(&slots, |this, a| this.convert(Conversion::IsNan, a))
+                self.map(&slots, |this, a| this.convert(ScalarConversion::IsNan, a))
             }
             RelationalFunction::IsInf => {
-                self.map(&slots, |this, a| this.convert(Conversion::IsInf, a))
+                self.map(&slots, |this, a| this.convert(ScalarConversion::IsInf, a))
             }
         }
     }
@@ -141,18 +141,18 @@ impl FunctionCompiler<'_> {
 }
 
 /// Conversion from the slot of one kind to that of another; `None` if the bits are the same.
-fn conversion(from: ScalarKind, to: ScalarKind, by_value: bool) -> Option<Conversion> {
+fn conversion(from: ScalarKind, to: ScalarKind, by_value: bool) -> Option<ScalarConversion> {
     use ScalarKind::{Bool, Float, I32, U32};
     match (from, to) {
         (Float, Float) | (Bool | I32 | U32, I32 | U32) | (Bool, Bool) => None,
-        (Float, I32 | U32) if !by_value => Some(Conversion::FloatToBits),
-        (_, Float) if !by_value => Some(Conversion::BitsToFloat),
-        (Float, I32) => Some(Conversion::FloatToI32),
-        (Float, U32) => Some(Conversion::FloatToU32),
-        (Float, Bool) => Some(Conversion::FloatToBool),
-        (I32 | U32, Bool) => Some(Conversion::IntToBool),
-        (I32, Float) => Some(Conversion::I32ToFloat),
-        (Bool | U32, Float) => Some(Conversion::U32ToFloat),
+        (Float, I32 | U32) if !by_value => Some(ScalarConversion::FloatToBits),
+        (_, Float) if !by_value => Some(ScalarConversion::BitsToFloat),
+        (Float, I32) => Some(ScalarConversion::FloatToI32),
+        (Float, U32) => Some(ScalarConversion::FloatToU32),
+        (Float, Bool) => Some(ScalarConversion::FloatToBool),
+        (I32 | U32, Bool) => Some(ScalarConversion::IntToBool),
+        (I32, Float) => Some(ScalarConversion::I32ToFloat),
+        (Bool | U32, Float) => Some(ScalarConversion::U32ToFloat),
     }
 }
 
@@ -172,12 +172,12 @@ fn float_operation(op: BinaryOperator) -> Option<Operation> {
         BinaryOperator::Multiply => Operation::Float(FloatBinary::Multiply),
         BinaryOperator::Divide => Operation::Float(FloatBinary::Divide),
         BinaryOperator::Modulo => Operation::Float(FloatBinary::Remainder),
-        BinaryOperator::Equal => Operation::Compare(Compare::Equal),
-        BinaryOperator::NotEqual => Operation::Compare(Compare::NotEqual),
-        BinaryOperator::Less => Operation::Compare(Compare::Less),
-        BinaryOperator::LessEqual => Operation::Compare(Compare::LessEqual),
-        BinaryOperator::Greater => Operation::CompareSwapped(Compare::Less),
-        BinaryOperator::GreaterEqual => Operation::CompareSwapped(Compare::LessEqual),
+        BinaryOperator::Equal => Operation::Compare(Comparison::Equal),
+        BinaryOperator::NotEqual => Operation::Compare(Comparison::NotEqual),
+        BinaryOperator::Less => Operation::Compare(Comparison::Less),
+        BinaryOperator::LessEqual => Operation::Compare(Comparison::LessEqual),
+        BinaryOperator::Greater => Operation::CompareSwapped(Comparison::Less),
+        BinaryOperator::GreaterEqual => Operation::CompareSwapped(Comparison::LessEqual),
         _ => return None,
     })
 }

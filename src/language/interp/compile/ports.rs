@@ -3,13 +3,17 @@
 use naga::{Binding, Function, Handle, Module, Type, TypeInner};
 
 use crate::interp::instruction::Slot;
-use crate::interp::{Parameter, Port, Shape};
+use crate::interp::{LanePort, ProgramParameter, Shape};
 
 /// Ports of the arguments.
-pub(super) fn inputs(module: &Module, function: &Function, parameters: &[Parameter]) -> Vec<Port> {
+pub(super) fn inputs(
+    module: &Module,
+    function: &Function,
+    parameters: &[ProgramParameter],
+) -> Vec<LanePort> {
     let mut ports = Vec::new();
     for (argument, parameter) in function.arguments.iter().zip(parameters) {
-        let Parameter { name, shape, slot } = parameter;
+        let ProgramParameter { name, shape, slot } = parameter;
         add(&mut ports, module, argument.ty, argument.binding.as_ref(), name, shape, *slot);
     }
     ports
@@ -21,7 +25,7 @@ pub(super) fn outputs(
     function: &Function,
     shape: &Shape,
     slot: Slot,
-) -> Vec<Port> {
+) -> Vec<LanePort> {
     let mut ports = Vec::new();
     if let Some(result) = &function.result {
         add(&mut ports, module, result.ty, result.binding.as_ref(), "", shape, slot);
@@ -30,7 +34,7 @@ pub(super) fn outputs(
 }
 
 fn add(
-    ports: &mut Vec<Port>,
+    ports: &mut Vec<LanePort>,
     module: &Module,
     ty: Handle<Type>,
     binding: Option<&Binding>,
@@ -56,11 +60,11 @@ fn add(
     }
 }
 
-fn port(name: String, binding: Option<&Binding>, shape: &Shape, slot: Slot) -> Option<Port> {
+fn port(name: String, binding: Option<&Binding>, shape: &Shape, slot: Slot) -> Option<LanePort> {
     let (kind, size) = match shape {
         Shape::Scalar(kind) => (*kind, 1),
         Shape::Vector { kind, size } => (*kind, *size),
         _ => return None,
     };
-    Some(Port { name, binding: binding.cloned(), kind, size, slot })
+    Some(LanePort { name, binding: binding.cloned(), kind, size, slot })
 }

@@ -3,7 +3,7 @@
 
 use naga::{AddressSpace, Block, Expression, Function, Handle, Module, Statement, TypeInner};
 
-use super::{Context, calls};
+use super::{CompileContext, calls};
 
 /// Least number of instructions, callees included, for which arguments are compared; a shorter
 /// function is run again.
@@ -29,7 +29,7 @@ impl Purity {
     /// Adds a function of `length` instructions.
     pub(super) fn add(
         &mut self,
-        context: &Context,
+        context: &CompileContext,
         handle: Handle<Function>,
         function: &Function,
         length: usize,

@@ -7,22 +7,22 @@ use naga::{
 };
 
 use super::assembler::Assembler;
-use super::expressions::{Operand, Place};
+use super::expressions::{MemoryPlace, Operand};
 use super::layout::scalar_kind;
 use super::unsupported::statement_name;
-use super::{Context, Frame, Outcome};
+use super::{CompileContext, FunctionFrame, Outcome};
 use crate::diag::Diagnostic;
-use crate::interp::Observed;
-use crate::interp::instruction::{Instruction, PureCall, Slot, Switch, Target};
+use crate::interp::ObservedValue;
+use crate::interp::instruction::{Instruction, JumpTarget, PureCall, Slot, Switch};
 use crate::interp::observed::kinds;
 
 /// Compiler of one function.
 pub(super) struct FunctionCompiler<'a> {
-    pub(super) context: &'a Context<'a>,
+    pub(super) context: &'a CompileContext<'a>,
     pub(super) assembler: &'a mut Assembler,
     pub(super) function: &'a Function,
     pub(super) types: &'a Typifier,
-    pub(super) frame: &'a Frame,
+    pub(super) frame: &'a FunctionFrame,
     /// Compiled forms of the expressions.
     pub(super) operands: Vec<Option<Operand>>,
     /// First slot of each local variable.
@@ -38,29 +38,29 @@ enum Task<'a> {
     /// Statements of a block from an index on.
     Block(&'a Block, usize),
     /// Placing of this label before the next instruction.
-    Label(Target),
+    Label(JumpTarget),
     /// Jump to the label.
-    Jump(Target),
+    Jump(JumpTarget),
     /// Jump to the label if the condition is false.
-    JumpUnless(Handle<Expression>, Target),
+    JumpUnless(Handle<Expression>, JumpTarget),
     /// End of a loop or switch.
     Leave,
 }
 
 #[derive(Clone, Copy)]
 struct Exit {
-    on_break: Target,
+    on_break: JumpTarget,
     /// Target of `continue`; `None` outside of any loop.
-    on_continue: Option<Target>,
+    on_continue: Option<JumpTarget>,
 }
 
 impl<'a> FunctionCompiler<'a> {
     pub(super) fn new(
-        context: &'a Context<'a>,
+        context: &'a CompileContext<'a>,
         assembler: &'a mut Assembler,
         function: &'a Function,
         types: &'a Typifier,
-        frame: &'a Frame,
+        frame: &'a FunctionFrame,
     ) -> Outcome<Self> {
         let mut compiler = Self {
             context,
@@ -90,7 +90,7 @@ impl<'a> FunctionCompiler<'a> {
             let operand = match *expression {
                 Expression::FunctionArgument(index) => self.argument(index, handle)?,
                 Expression::LocalVariable(local) => {
-                    Operand::Place(Place::fixed(self.locals[local.index()]))
+                    Operand::Place(MemoryPlace::fixed(self.locals[local.index()]))
                 }
                 _ => continue,
             };
@@ -154,7 +154,7 @@ impl<'a> FunctionCompiler<'a> {
                     );
                 }
             }
-            self.assembler.observed.push(Observed {
+            self.assembler.observed.push(ObservedValue {
                 name: name.clone(),
                 function: self.function.name.clone().unwrap_or_default(),
                 span: self.function.expressions.get_span(handle).to_range().unwrap_or_default(),
@@ -217,7 +217,7 @@ impl<'a> FunctionCompiler<'a> {
         &mut self,
         condition: Handle<Expression>,
         when: bool,
-        target: Target,
+        target: JumpTarget,
     ) -> Outcome<()> {
         let condition = self.scalar(condition)?;
         self.assembler.emit(Instruction::JumpIf { condition, when, target })
@@ -319,7 +319,7 @@ impl<'a> FunctionCompiler<'a> {
         let instruction = match &frame.shared {
             // A remembered call leaves no values to observe.
             Some(arguments) if !self.context.options.observe => {
-                let Frame { result, result_slots, .. } = *frame;
+                let FunctionFrame { result, result_slots, .. } = *frame;
                 let call = PureCall { arguments: arguments.clone(), result, result_slots };
                 Instruction::CallPure { target, link, call: self.assembler.pure_call(call) }
             }
@@ -372,7 +372,7 @@ impl<'a> FunctionCompiler<'a> {
         Ok(())
     }
 
-    fn store(&mut self, place: Place, from: &[Slot]) -> Outcome<()> {
+    fn store(&mut self, place: MemoryPlace, from: &[Slot]) -> Outcome<()> {
         if place.buffer.is_some() {
             return Err(self.unsupported("a store to a buffer (Store)", Span::UNDEFINED));
         }

@@ -1,7 +1,7 @@
 //! Faces of cubes (Vulkan 1.3, "Cube map face selection"), and texels across their edges.
 
 use super::Vec3;
-use crate::interp::resources::Level;
+use crate::interp::resources::TextureLevel;
 
 /// Number of the face that a direction meets: +x, -x, +y, -y, +z, -z; of equal axes z goes before y
 /// before x.
@@ -56,7 +56,7 @@ pub(super) fn gradient(face: usize, place: Vec3, gradient: Vec3) -> Vec3 {
 
 /// Texel of a face; beyond an edge one of the neighboring face, beyond a corner the mean of the
 /// three that meet there.
-pub(super) fn texel(level: &Level, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] {
+pub(super) fn texel(level: &TextureLevel, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] {
     let size = i64::from(level.size()[0]);
     // A linear filter reaches one texel beyond the edge. The texel for a direction that is NaN does
     // not matter.
@@ -77,12 +77,12 @@ pub(super) fn texel(level: &Level, [x, y, _]: [i64; 3], layer: u32) -> [f64; 4] 
 /// Texel of the neighboring face that lies next to the edge. The plane of a face, extended by half
 /// a texel, leads to a direction within that texel: along the edge it shrinks by N / (N + 1), less
 /// than half a texel.
-fn across(level: &Level, place: [i64; 2], layer: u32) -> [f64; 4] {
+fn across(level: &TextureLevel, place: [i64; 2], layer: u32) -> [f64; 4] {
     let size = level.size()[0];
     let [right, down] = place.map(|i| (2 * i + 1) as f64 / f64::from(size) - 1.0);
     let outward = direction((layer % 6) as usize, [right, down, 1.0]);
-    let neighbour = face(outward);
-    let [u, v, _] = on_face(neighbour, outward);
+    let neighbor = face(outward);
+    let [u, v, _] = on_face(neighbor, outward);
     let index = |x: f64| ((x * f64::from(size)).floor().max(0.0) as u32).min(size - 1);
-    level.texel([index(u), index(v), layer - layer % 6 + neighbour as u32])
+    level.texel([index(u), index(v), layer - layer % 6 + neighbor as u32])
 }

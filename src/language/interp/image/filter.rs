@@ -2,7 +2,9 @@
 //! 1/2) / n`.
 
 use super::{Vec3, cube};
-use crate::interp::resources::{Address, Filter, Level, Sampler, Texture, TextureDimension};
+use crate::interp::resources::{
+    AddressMode, Filter, Sampler, Texture, TextureDimension, TextureLevel,
+};
 
 /// Read of a texture.
 pub(super) struct Taps<'t> {
@@ -50,11 +52,11 @@ impl Taps<'_> {
             .map(|(x, y)| self.read(level, [u.first + x, v.first + y, 0])[component])
     }
 
-    fn nearest(&self, level: &Level) -> [i64; 3] {
+    fn nearest(&self, level: &TextureLevel) -> [i64; 3] {
         self.scaled(level).map(|x| x.floor() as i64)
     }
 
-    fn pairs(&self, level: &Level) -> [Pair; 3] {
+    fn pairs(&self, level: &TextureLevel) -> [Pair; 3] {
         self.scaled(level).map(|x| {
             let floor = (x - 0.5).floor();
             // A NaN coordinate gives some texel; and the second texel's number must not overflow.
@@ -64,7 +66,7 @@ impl Taps<'_> {
         })
     }
 
-    fn linear(&self, level: &Level) -> [f64; 4] {
+    fn linear(&self, level: &TextureLevel) -> [f64; 4] {
         let pairs = self.pairs(level);
         let axes = if self.texture.dimension() == TextureDimension::Cube { 2 } else { self.axes() };
         let mut sum = [0.0; 4];
@@ -91,7 +93,7 @@ impl Taps<'_> {
     }
 
     /// Coordinates in texels of a level.
-    fn scaled(&self, level: &Level) -> Vec3 {
+    fn scaled(&self, level: &TextureLevel) -> Vec3 {
         let size = level.size().map(f64::from);
         std::array::from_fn(|axis| {
             let x = self.place[axis] * size[axis];
@@ -100,7 +102,7 @@ impl Taps<'_> {
     }
 
     /// Texel at a place that may lie beyond the edge, compared if there is a reference.
-    fn read(&self, level: &Level, place: [i64; 3]) -> [f64; 4] {
+    fn read(&self, level: &TextureLevel, place: [i64; 3]) -> [f64; 4] {
         let texel = if self.texture.dimension() == TextureDimension::Cube {
             cube::texel(level, place, self.layer)
         } else {
@@ -113,11 +115,14 @@ impl Taps<'_> {
         }
     }
 
-    fn inside(&self, level: &Level, place: [i64; 3]) -> [u32; 3] {
+    fn inside(&self, level: &TextureLevel, place: [i64; 3]) -> [u32; 3] {
         let size = level.size();
         let wrapped = |axis: usize| {
-            let address =
-                if self.clamp_to_edge { Address::ClampToEdge } else { self.sampler.address[axis] };
+            let address = if self.clamp_to_edge {
+                AddressMode::ClampToEdge
+            } else {
+                self.sampler.address[axis]
+            };
             address.wrap(place[axis].saturating_add(self.offset[axis]), size[axis])
         };
         let depth =

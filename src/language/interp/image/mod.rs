@@ -7,7 +7,7 @@ mod level;
 use super::instruction::Slot;
 use super::math::Rounding;
 use super::memory::{Mask, Memory};
-use super::resources::{Texel, Texture, TextureDimension, World};
+use super::resources::{BoundResources, Texel, Texture, TextureDimension};
 use filter::Taps;
 use level::Levels;
 
@@ -82,7 +82,7 @@ pub(super) fn execute<R: Rounding, const W: usize>(
     operation: u32,
     memory: &Memory<W>,
     mask: Mask,
-    world: &World,
+    world: &BoundResources,
 ) {
     let operation = &world.operations[operation as usize];
     for lane in mask.lanes(W) {
@@ -180,7 +180,7 @@ fn sample_lane<const W: usize>(
     texture: &Texture,
     memory: &Memory<W>,
     lane: usize,
-    world: &World,
+    world: &BoundResources,
     texel: Texel,
 ) -> [f64; 4] {
     let Some(sampler) = world.sampler(memory.bits(sample.sampler, lane)) else { return [0.0; 4] };

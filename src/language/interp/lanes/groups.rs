@@ -2,7 +2,7 @@
 
 /// Lanes that stand at the same instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Group {
+pub(super) struct LaneGroup {
     pub(super) counter: usize,
     pub(super) lanes: u64,
 }
@@ -12,16 +12,16 @@ pub(super) struct Group {
 /// A construct's code lies between its entry and its exit, and callees before their callers, so the
 /// lanes ahead wait where those behind will pass, and join them there.
 #[derive(Debug)]
-pub(super) struct Groups {
-    pub(super) current: Group,
+pub(super) struct LaneGroups {
+    pub(super) current: LaneGroup,
     /// Waiting groups, the next to be met last. No two stand at the same instruction.
-    waiting: Vec<Group>,
+    waiting: Vec<LaneGroup>,
     /// Counter of the next waiting group.
     limit: usize,
 }
 
-impl Groups {
-    pub(super) fn new(start: Group) -> Self {
+impl LaneGroups {
+    pub(super) fn new(start: LaneGroup) -> Self {
         Self { current: start, waiting: Vec::new(), limit: usize::MAX }
     }
 
@@ -61,7 +61,7 @@ impl Groups {
                 lanes |= u64::from(target(lane) == counter) << lane;
             }
             rest &= !lanes;
-            let group = Group { counter, lanes };
+            let group = LaneGroup { counter, lanes };
             if is_first {
                 self.current = group;
             } else {
@@ -78,11 +78,11 @@ impl Groups {
             self.current.counter = target;
         } else if lanes != 0 {
             self.current.lanes &= !lanes;
-            self.wait(Group { counter: target, lanes });
+            self.wait(LaneGroup { counter: target, lanes });
         }
     }
 
-    fn wait(&mut self, group: Group) {
+    fn wait(&mut self, group: LaneGroup) {
         match self.waiting.binary_search_by(|other| group.counter.cmp(&other.counter)) {
             Ok(index) => self.waiting[index].lanes |= group.lanes,
             Err(index) => self.waiting.insert(index, group),
@@ -101,32 +101,32 @@ mod tests {
 
     #[test]
     fn the_hindmost_move_and_meet_the_rest() {
-        let mut groups = Groups::new(Group { counter: 5, lanes: 0b1111 });
+        let mut groups = LaneGroups::new(LaneGroup { counter: 5, lanes: 0b1111 });
         groups.branch(0b0011, 9);
         groups.settle();
-        assert_eq!(groups.current, Group { counter: 5, lanes: 0b1100 });
+        assert_eq!(groups.current, LaneGroup { counter: 5, lanes: 0b1100 });
         groups.branch(0b0100, 2);
         groups.settle();
-        assert_eq!(groups.current, Group { counter: 2, lanes: 0b0100 });
+        assert_eq!(groups.current, LaneGroup { counter: 2, lanes: 0b0100 });
         groups.current.counter = 9;
         groups.settle();
-        assert_eq!(groups.current, Group { counter: 5, lanes: 0b1000 });
+        assert_eq!(groups.current, LaneGroup { counter: 5, lanes: 0b1000 });
         groups.current.counter = 9;
         groups.settle();
-        assert_eq!(groups.current, Group { counter: 9, lanes: 0b1111 });
+        assert_eq!(groups.current, LaneGroup { counter: 9, lanes: 0b1111 });
         assert!(!groups.finish());
     }
 
     #[test]
     fn lanes_scatter_and_end_one_group_after_the_other() {
-        let mut groups = Groups::new(Group { counter: 5, lanes: 0b10_1101 });
+        let mut groups = LaneGroups::new(LaneGroup { counter: 5, lanes: 0b10_1101 });
         groups.scatter(|lane| [7, 0, 7, 3, 0, 20][lane]);
         groups.settle();
-        assert_eq!(groups.current, Group { counter: 3, lanes: 0b1000 });
+        assert_eq!(groups.current, LaneGroup { counter: 3, lanes: 0b1000 });
         assert!(groups.finish());
-        assert_eq!(groups.current, Group { counter: 7, lanes: 0b101 });
+        assert_eq!(groups.current, LaneGroup { counter: 7, lanes: 0b101 });
         assert!(groups.finish());
-        assert_eq!(groups.current, Group { counter: 20, lanes: 0b10_0000 });
+        assert_eq!(groups.current, LaneGroup { counter: 20, lanes: 0b10_0000 });
         assert!(!groups.finish());
     }
 }

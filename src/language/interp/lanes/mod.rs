@@ -13,15 +13,15 @@ mod groups;
 mod shared;
 
 use super::instruction::Instruction;
-use super::machine::{Endless, write_arguments};
+use super::machine::{TimeLimitError, write_arguments};
 use super::math::{Double, Rounding, Single};
 use super::memory::{Mask, Memory};
-use super::resources::{Bound, World};
+use super::resources::{BoundProgram, BoundResources};
 use super::step::step;
-use super::{Port, Precision, Program, Value};
+use super::{LanePort, Precision, Program, Value};
 use crate::diag::Diagnostic;
-use groups::{Group, Groups};
-use shared::Shared;
+use groups::{LaneGroup, LaneGroups};
+use shared::SharedCalls;
 
 /// Number of lanes that run at once: 16 quads. In a quad lane 0 is at (0, 0), 1 at (1, 0), 2 at (0,
 /// 1), 3 at (1, 1); y points down.
@@ -58,9 +58,9 @@ const MAX_SLOTS: usize = 1 << 20;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Lanes<'b> {
-    bound: &'b Bound<'b>,
+    bound: &'b BoundProgram<'b>,
     pub(super) memory: Memory<LANES>,
-    shared: Shared,
+    shared: SharedCalls,
 }
 
 /// Result of a batch.
@@ -74,7 +74,7 @@ pub struct Batch {
 }
 
 impl<'b> Lanes<'b> {
-    pub(super) fn new(bound: &'b Bound<'b>) -> Result<Self, Diagnostic> {
+    pub(super) fn new(bound: &'b BoundProgram<'b>) -> Result<Self, Diagnostic> {
         let program = bound.program();
         if program.image.len() > MAX_SLOTS {
             let message = format!(
@@ -87,7 +87,7 @@ impl<'b> Lanes<'b> {
                 .hint("use smaller arrays or fewer of them"));
         }
         let (precision, world) = (bound.precision(), bound.world());
-        let shared = Shared::new(program, precision, &world);
+        let shared = SharedCalls::new(program, precision, &world);
         Ok(Self { bound, memory: Memory::new(program, precision, &world), shared })
     }
 
@@ -96,7 +96,7 @@ impl<'b> Lanes<'b> {
     ///
     /// # Panics
     /// There are more values than lanes, or the port has not that component.
-    pub fn write(&mut self, input: &Port, component: usize, values: &[f64]) {
+    pub fn write(&mut self, input: &LanePort, component: usize, values: &[f64]) {
         let row = self.memory.row(input.slot_of(component));
         for (cell, &x) in row[..values.len()].iter().zip(values) {
             cell.set(input.kind.bits_of(x, self.bound.precision()));
@@ -107,7 +107,7 @@ impl<'b> Lanes<'b> {
     ///
     /// # Panics
     /// There are more values than lanes, or the port has not that component.
-    pub fn read(&self, output: &Port, component: usize, values: &mut [f64]) {
+    pub fn read(&self, output: &LanePort, component: usize, values: &mut [f64]) {
         let row = self.memory.row(output.slot_of(component));
         let width = values.len();
         for (x, cell) in values.iter_mut().zip(&row[..width]) {
@@ -149,7 +149,7 @@ impl<'b> Lanes<'b> {
     ///
     /// # Errors
     /// `interp-endless`: the lanes together took more instructions than
-    /// [`Options::step_limit`](super::Options).
+    /// [`FunctionOptions::step_limit`](super::FunctionOptions).
     ///
     /// # Panics
     /// There are fewer lanes.
@@ -172,19 +172,19 @@ impl<'b> Lanes<'b> {
 fn run<R: Rounding>(
     program: &Program,
     memory: &Memory<LANES>,
-    shared: &mut Shared,
+    shared: &mut SharedCalls,
     live: u64,
-    world: &World,
-) -> Result<Batch, Endless> {
+    world: &BoundResources,
+) -> Result<Batch, TimeLimitError> {
     let code = program.code.as_slice();
-    let mut groups = Groups::new(Group { counter: program.entry as usize, lanes: live });
+    let mut groups = LaneGroups::new(LaneGroup { counter: program.entry as usize, lanes: live });
     let mut steps = program.step_limit;
     let mut discarded = 0;
     loop {
-        let Group { counter, lanes } = groups.current;
+        let LaneGroup { counter, lanes } = groups.current;
         let instruction = code[counter];
         groups.current.counter = counter + 1;
-        steps = steps.checked_sub(instruction.cost()).ok_or(Endless)?;
+        steps = steps.checked_sub(instruction.cost()).ok_or(TimeLimitError)?;
         match instruction {
             Instruction::Halt => {
                 if !groups.finish() {

@@ -1,29 +1,29 @@
 //! Calls that all lanes make alike: run once, on one lane, and remembered.
 
-use super::super::instruction::{PureCall, Slot, Target};
-use super::super::machine::{Endless, run};
+use super::super::instruction::{JumpTarget, PureCall, Slot};
+use super::super::machine::{TimeLimitError, run};
 use super::super::math::Rounding;
 use super::super::memory::{Mask, Memory};
-use super::super::resources::World;
+use super::super::resources::BoundResources;
 use super::super::{Precision, Program};
 use super::LANES;
 
 /// Remembered result of each pure call of a program, and memory to run the calls in.
 #[derive(Clone, Debug)]
-pub(super) struct Shared {
+pub(super) struct SharedCalls {
     memory: Memory<1>,
-    last: Vec<Option<Last>>,
+    last: Vec<Option<LastCall>>,
 }
 
 /// Arguments of the last shared run of a call, and its result.
 #[derive(Clone, Debug)]
-struct Last {
+struct LastCall {
     arguments: Vec<u64>,
     result: Vec<u64>,
 }
 
-impl Shared {
-    pub(super) fn new(program: &Program, precision: Precision, world: &World) -> Self {
+impl SharedCalls {
+    pub(super) fn new(program: &Program, precision: Precision, world: &BoundResources) -> Self {
         // A program without shared calls needs no memory here.
         let memory = if program.pure_calls.is_empty() {
             Memory::empty()
@@ -37,12 +37,12 @@ impl Shared {
     /// mask, if their arguments are the same; returns whether they are.
     pub(super) fn call<R: Rounding>(
         &mut self,
-        (number, target, link): (u32, Target, Slot),
-        (program, world): (&Program, &World),
+        (number, target, link): (u32, JumpTarget, Slot),
+        (program, world): (&Program, &BoundResources),
         memory: &Memory<LANES>,
         mask: Mask,
         steps: &mut u64,
-    ) -> Result<bool, Endless> {
+    ) -> Result<bool, TimeLimitError> {
         let call = &program.pure_calls[number as usize];
         let last = &mut self.last[number as usize];
         if !is_alike(call, memory, mask.lanes) {
@@ -63,7 +63,7 @@ impl Shared {
                 run::<R>(program, &self.memory, world, target, steps)?;
                 let result = (call.result..).take(call.result_slots as usize);
                 let result = result.map(|slot| self.memory.bits(slot, 0)).collect();
-                last.insert(Last { arguments, result })
+                last.insert(LastCall { arguments, result })
             }
         };
         (call.result..).zip(&known.result).for_each(|(slot, &bits)| memory.fill(slot, bits, mask));

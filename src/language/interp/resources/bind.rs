@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{Held, Resource, ResourceKind, Sampler, Texture, TextureDimension, World};
+use super::{
+    BoundContent, BoundResources, Resource, ResourceKind, Sampler, Texture, TextureDimension,
+};
 use crate::diag::Diagnostic;
 use crate::interp::lanes::Lanes;
 use crate::interp::{Machine, Precision, Program, Shape, Value};
@@ -11,7 +13,7 @@ use crate::interp::{Machine, Precision, Program, Shape, Value};
 const MAX_SCALARS: u64 = 1 << 26;
 
 #[derive(Clone, Debug)]
-enum Content {
+enum ResourceContent {
     Value(Value),
     Texture(Texture),
     Sampler(Sampler),
@@ -20,7 +22,7 @@ enum Content {
 /// Resources to bind, by group and binding. Resources that a program does not ask for do no harm.
 #[derive(Clone, Debug, Default)]
 pub struct Bindings {
-    contents: BTreeMap<(u32, u32), Content>,
+    contents: BTreeMap<(u32, u32), ResourceContent>,
 }
 
 impl Bindings {
@@ -32,19 +34,19 @@ impl Bindings {
     /// Binds the whole value of a uniform or storage buffer; an array of any length is the last
     /// part of the value.
     pub fn buffer(&mut self, group: u32, binding: u32, value: Value) -> &mut Self {
-        self.contents.insert((group, binding), Content::Value(value));
+        self.contents.insert((group, binding), ResourceContent::Value(value));
         self
     }
 
     /// Binds a texture.
     pub fn texture(&mut self, group: u32, binding: u32, texture: Texture) -> &mut Self {
-        self.contents.insert((group, binding), Content::Texture(texture));
+        self.contents.insert((group, binding), ResourceContent::Texture(texture));
         self
     }
 
     /// Binds a sampler.
     pub fn sampler(&mut self, group: u32, binding: u32, sampler: Sampler) -> &mut Self {
-        self.contents.insert((group, binding), Content::Sampler(sampler));
+        self.contents.insert((group, binding), ResourceContent::Sampler(sampler));
         self
     }
 }
@@ -52,13 +54,13 @@ impl Bindings {
 /// Program with all resources that it reads, from which machines are made, on any number of
 /// threads.
 #[derive(Clone, Debug)]
-pub struct Bound<'p> {
+pub struct BoundProgram<'p> {
     program: &'p Program,
     precision: Precision,
-    held: Vec<Held>,
+    held: Vec<BoundContent>,
 }
 
-impl<'p> Bound<'p> {
+impl<'p> BoundProgram<'p> {
     pub(in crate::interp) fn new(
         program: &'p Program,
         bindings: &Bindings,
@@ -102,17 +104,17 @@ impl<'p> Bound<'p> {
         Lanes::new(self)
     }
 
-    pub(in crate::interp) fn world(&self) -> World<'_> {
-        World { held: &self.held, operations: &self.program.operations }
+    pub(in crate::interp) fn world(&self) -> BoundResources<'_> {
+        BoundResources { held: &self.held, operations: &self.program.operations }
     }
 }
 
 /// Held form of one resource, if it fits.
 fn hold(
     resource: &Resource,
-    content: Option<&Content>,
+    content: Option<&ResourceContent>,
     precision: Precision,
-) -> Result<Held, Diagnostic> {
+) -> Result<BoundContent, Diagnostic> {
     let Resource { group, binding, name, kind } = resource;
     let wrong = |message: String| {
         let message = format!("`{name}` (@group({group}) @binding({binding})) {message}");
@@ -122,16 +124,21 @@ fn hold(
         return Err(wrong(format!("is {}, and nothing is bound", describe(kind))));
     };
     let held = match (kind, content) {
-        (ResourceKind::Buffer(shape), Content::Value(value)) => fixed(shape, value, precision),
-        (ResourceKind::Unsized { head, element }, Content::Value(value)) => {
+        (ResourceKind::Buffer(shape), ResourceContent::Value(value)) => {
+            fixed(shape, value, precision)
+        }
+        (ResourceKind::Unsized { head, element }, ResourceContent::Value(value)) => {
             runtime_sized(head.as_deref(), element, value, precision)
         }
-        (ResourceKind::Texture { dimension, is_arrayed, .. }, Content::Texture(texture)) => {
+        (
+            ResourceKind::Texture { dimension, is_arrayed, .. },
+            ResourceContent::Texture(texture),
+        ) => {
             let fits = texture.dimension() == *dimension && (*is_arrayed || texture.layers() == 1);
-            fits.then(|| Held::Texture(texture.clone()))
+            fits.then(|| BoundContent::Texture(texture.clone()))
         }
-        (ResourceKind::Sampler { is_comparison }, Content::Sampler(sampler)) => {
-            (sampler.compare.is_some() == *is_comparison).then_some(Held::Sampler(*sampler))
+        (ResourceKind::Sampler { is_comparison }, ResourceContent::Sampler(sampler)) => {
+            (sampler.compare.is_some() == *is_comparison).then_some(BoundContent::Sampler(*sampler))
         }
         _ => None,
     };
@@ -140,10 +147,10 @@ fn hold(
     })
 }
 
-fn fixed(shape: &Shape, value: &Value, precision: Precision) -> Option<Held> {
+fn fixed(shape: &Shape, value: &Value, precision: Precision) -> Option<BoundContent> {
     let mut scalars = vec![0; shape.slots() as usize];
     shape.write(value, precision, &mut scalars)?;
-    Some(Held::Buffer { scalars, length: 0 })
+    Some(BoundContent::Buffer { scalars, length: 0 })
 }
 
 fn runtime_sized(
@@ -151,7 +158,7 @@ fn runtime_sized(
     element: &Shape,
     value: &Value,
     precision: Precision,
-) -> Option<Held> {
+) -> Option<BoundContent> {
     let (before, elements) = match (head, value) {
         (None, Value::Array(elements)) => (&[][..], elements),
         (Some(head), Value::Struct(members)) if members.len() == head.len() + 1 => {
@@ -176,7 +183,7 @@ fn runtime_sized(
     for value in elements {
         slots = element.write(value, precision, slots)?;
     }
-    Some(Held::Buffer { scalars, length: count as u32 })
+    Some(BoundContent::Buffer { scalars, length: count as u32 })
 }
 
 fn describe(kind: &ResourceKind) -> String {
@@ -197,12 +204,16 @@ fn describe(kind: &ResourceKind) -> String {
     }
 }
 
-fn describe_content(content: &Content) -> String {
+fn describe_content(content: &ResourceContent) -> String {
     match content {
-        Content::Value(value) => value.describe(),
-        Content::Texture(texture) => describe_texture(texture.dimension(), texture.layers() > 1),
-        Content::Sampler(Sampler { compare: Some(_), .. }) => "a comparison sampler".to_owned(),
-        Content::Sampler(_) => "a sampler".to_owned(),
+        ResourceContent::Value(value) => value.describe(),
+        ResourceContent::Texture(texture) => {
+            describe_texture(texture.dimension(), texture.layers() > 1)
+        }
+        ResourceContent::Sampler(Sampler { compare: Some(_), .. }) => {
+            "a comparison sampler".to_owned()
+        }
+        ResourceContent::Sampler(_) => "a sampler".to_owned(),
     }
 }
 

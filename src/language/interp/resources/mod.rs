@@ -6,10 +6,10 @@ mod sampler;
 mod texture;
 mod world;
 
-pub use bind::{Bindings, Bound};
-pub use sampler::{Address, Filter, Sampler, SamplerCompare};
-pub use texture::{Level, Texture, TextureDimension};
-pub(super) use world::{Held, Source, World};
+pub use bind::{Bindings, BoundProgram};
+pub use sampler::{AddressMode, Filter, Sampler, SamplerCompare};
+pub use texture::{Texture, TextureDimension, TextureLevel};
+pub(super) use world::{BoundContent, BoundResources, SlotSource};
 
 use super::Shape;
 

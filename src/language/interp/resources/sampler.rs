@@ -2,7 +2,7 @@
 
 /// Address mode: the content beyond the edge of a texture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Address {
+pub enum AddressMode {
     /// Continuation of the edge.
     #[default]
     ClampToEdge,
@@ -12,7 +12,7 @@ pub enum Address {
     MirrorRepeat,
 }
 
-impl Address {
+impl AddressMode {
     /// Texel that stands at `index` in a row of `size`, which is at least 1.
     pub(in crate::interp) fn wrap(self, index: i64, size: u32) -> u32 {
         let size = i64::from(size);
@@ -80,7 +80,7 @@ impl SamplerCompare {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampler {
     /// Address modes along u, v and w.
-    pub address: [Address; 3],
+    pub address: [AddressMode; 3],
     /// Filter where texels are larger than the footprint.
     pub mag: Filter,
     /// Filter where texels are smaller than the footprint.
@@ -99,7 +99,7 @@ impl Default for Sampler {
     /// Sampler with clamped coordinates, nearest filters and all levels, as WebGPU's default.
     fn default() -> Self {
         Self {
-            address: [Address::ClampToEdge; 3],
+            address: [AddressMode::ClampToEdge; 3],
             mag: Filter::Nearest,
             min: Filter::Nearest,
             mip: Filter::Nearest,
@@ -112,7 +112,7 @@ impl Default for Sampler {
 
 impl Sampler {
     /// Sampler with one address mode for all axes, and one filter for all uses.
-    pub fn new(address: Address, filter: Filter) -> Self {
+    pub fn new(address: AddressMode, filter: Filter) -> Self {
         Self { address: [address; 3], mag: filter, min: filter, mip: filter, ..Self::default() }
     }
 }

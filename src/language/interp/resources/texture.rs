@@ -42,12 +42,12 @@ enum Texels {
 /// Mip level: width, height, and depth or number of layers; texels by rows from the top, layer
 /// after layer.
 #[derive(Clone, Debug)]
-pub struct Level {
+pub struct TextureLevel {
     size: [u32; 3],
     texels: Texels,
 }
 
-impl Level {
+impl TextureLevel {
     /// Level of RGBA texels in f32; textures of fewer channels have 0, 0 and 1 in the rest,
     /// integers their values.
     pub fn f32(size: [u32; 3], texels: Vec<[f32; 4]>) -> Self {
@@ -95,7 +95,7 @@ impl Level {
 #[derive(Clone)]
 pub struct Texture {
     dimension: TextureDimension,
-    levels: Arc<[Level]>,
+    levels: Arc<[TextureLevel]>,
 }
 
 impl fmt::Debug for Texture {
@@ -111,7 +111,7 @@ impl Texture {
     /// # Errors
     /// `interp-texture`: there is no level, or a level of another size or number of texels than it
     /// must have.
-    pub fn new(dimension: TextureDimension, levels: Vec<Level>) -> Result<Self, Diagnostic> {
+    pub fn new(dimension: TextureDimension, levels: Vec<TextureLevel>) -> Result<Self, Diagnostic> {
         let wrong = |message: String| Err(Diagnostic::error("interp-texture", message));
         let Some(first) = levels.first() else {
             return wrong("a texture needs at least one level".to_owned());
@@ -153,7 +153,7 @@ impl Texture {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn flat(size: [u32; 2], texels: Vec<[f32; 4]>) -> Result<Self, Diagnostic> {
-        Self::new(TextureDimension::D2, vec![Level::f32([size[0], size[1], 1], texels)])
+        Self::new(TextureDimension::D2, vec![TextureLevel::f32([size[0], size[1], 1], texels)])
     }
 
     /// Dimension of the texture.
@@ -162,7 +162,7 @@ impl Texture {
     }
 
     /// Mip levels, the largest first; at least one.
-    pub fn levels(&self) -> &[Level] {
+    pub fn levels(&self) -> &[TextureLevel] {
         &self.levels
     }
 

@@ -5,7 +5,7 @@ use crate::interp::image::Operation;
 
 /// Content bound to one resource.
 #[derive(Clone, Debug)]
-pub(in crate::interp) enum Held {
+pub(in crate::interp) enum BoundContent {
     Buffer {
         /// Scalars of the buffer, at least one.
         scalars: Vec<u64>,
@@ -18,7 +18,7 @@ pub(in crate::interp) enum Held {
 
 /// Source of a slot that is filled when resources are bound.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(in crate::interp) enum Source {
+pub(in crate::interp) enum SlotSource {
     /// Scalar of a buffer.
     Scalar { buffer: u32, offset: u32 },
     /// Number of elements of the array at a buffer's end.
@@ -30,23 +30,23 @@ pub(in crate::interp) enum Source {
 /// Resources of a program, by their number in
 /// [`Program::resources`](crate::interp::Program::resources).
 #[derive(Clone, Copy, Debug)]
-pub(in crate::interp) struct World<'w> {
-    pub(in crate::interp) held: &'w [Held],
+pub(in crate::interp) struct BoundResources<'w> {
+    pub(in crate::interp) held: &'w [BoundContent],
     pub(in crate::interp) operations: &'w [Operation],
 }
 
-impl<'w> World<'w> {
+impl<'w> BoundResources<'w> {
     /// Bits that a slot is filled with.
-    pub(in crate::interp) fn scalar(&self, source: Source) -> u64 {
+    pub(in crate::interp) fn scalar(&self, source: SlotSource) -> u64 {
         match source {
-            Source::Scalar { buffer, offset } => self.load(buffer, u64::from(offset)),
-            Source::Length { buffer } => self.length(buffer).into(),
-            Source::Last { buffer } => self.length(buffer).saturating_sub(1).into(),
+            SlotSource::Scalar { buffer, offset } => self.load(buffer, u64::from(offset)),
+            SlotSource::Length { buffer } => self.length(buffer).into(),
+            SlotSource::Last { buffer } => self.length(buffer).saturating_sub(1).into(),
         }
     }
 
     fn length(&self, buffer: u32) -> u32 {
-        if let Some(Held::Buffer { length, .. }) = self.held.get(buffer as usize) {
+        if let Some(BoundContent::Buffer { length, .. }) = self.held.get(buffer as usize) {
             *length
         } else {
             0
@@ -55,12 +55,14 @@ impl<'w> World<'w> {
 
     /// Scalar of a buffer; beyond the end the last.
     pub(in crate::interp) fn load(&self, buffer: u32, at: u64) -> u64 {
-        let Some(Held::Buffer { scalars, .. }) = self.held.get(buffer as usize) else { return 0 };
+        let Some(BoundContent::Buffer { scalars, .. }) = self.held.get(buffer as usize) else {
+            return 0;
+        };
         scalars.get(at as usize).or(scalars.last()).copied().unwrap_or(0)
     }
 
     pub(in crate::interp) fn texture(&self, number: u64) -> Option<&'w Texture> {
-        if let Some(Held::Texture(texture)) = self.held.get(number as usize) {
+        if let Some(BoundContent::Texture(texture)) = self.held.get(number as usize) {
             Some(texture)
         } else {
             None
@@ -68,7 +70,7 @@ impl<'w> World<'w> {
     }
 
     pub(in crate::interp) fn sampler(&self, number: u64) -> Option<&'w Sampler> {
-        if let Some(Held::Sampler(sampler)) = self.held.get(number as usize) {
+        if let Some(BoundContent::Sampler(sampler)) = self.held.get(number as usize) {
             Some(sampler)
         } else {
             None

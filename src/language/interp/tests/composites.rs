@@ -143,12 +143,14 @@ fn a_machine_starts_afresh() {
 #[test]
 fn entry_points_run_too() {
     let source = "
-        struct Out { @location(0) color: vec4<f32> }
-        @fragment fn shade(@location(0) uv: vec2<f32>) -> Out { return Out(vec4(uv, 0.0, 1.0)); }";
-    let program = Program::compile(&module(source), "shade", Options::default()).unwrap();
+        struct Output { @location(0) color: vec4<f32> }
+        @fragment fn shade(@location(0) uv: vec2<f32>) -> Output {
+            return Output(vec4(uv, 0.0, 1.0));
+        }";
+    let program = Program::compile(&module(source), "shade", FunctionOptions::default()).unwrap();
     assert_eq!(program.parameters()[0].name, "uv");
     assert_eq!(program.parameters()[0].shape.to_string(), "vec2<f32>");
-    assert_eq!(program.result().to_string(), "Out");
+    assert_eq!(program.result().to_string(), "Output");
     let value = program.call(&[[0.25, 0.5].into()], Precision::F64).unwrap();
     assert_eq!(value.parts().unwrap()[0].as_vec(), Some([0.25, 0.5, 0.0, 1.0]));
     assert_eq!(value.to_string(), "{(0.25, 0.5, 0, 1)}");

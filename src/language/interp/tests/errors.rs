@@ -23,9 +23,11 @@ fn calls_without_loops_are_counted_too() {
         source +=
             &format!("fn level{i}(x: f32) -> f32 {{ return level{0}(level{0}(x)); }}\n", i - 1);
     }
-    let program = Program::compile(&module(&source), "level39", Options::default()).unwrap();
+    let program =
+        Program::compile(&module(&source), "level39", FunctionOptions::default()).unwrap();
     assert_eq!(program.call(&[0.0.into()], Precision::F64).unwrap_err().code, "interp-endless");
-    let program = Program::compile(&module(&source), "level10", Options::default()).unwrap();
+    let program =
+        Program::compile(&module(&source), "level10", FunctionOptions::default()).unwrap();
     assert_eq!(program.call(&[0.0.into()], Precision::F64).unwrap(), 1024.0.into());
 }
 
@@ -47,7 +49,7 @@ fn unknown_functions_are_suggested() {
     let error = Program::compile(
         &module("fn profile_angle() -> f32 { return 1.0; }"),
         "profile_angel",
-        Options::default(),
+        FunctionOptions::default(),
     )
     .expect_err("no such function");
     assert_eq!(error.code, "interp-unknown-function");
@@ -94,7 +96,7 @@ fn derivatives_are_refused_or_zero() {
     );
     assert_eq!(&source[error.place.wgsl.clone().unwrap()], "fwidth");
     assert_eq!(error.hints.len(), 1);
-    let options = Options { derivatives: Derivatives::Zero, ..Options::default() };
+    let options = FunctionOptions { derivatives: Derivatives::Zero, ..FunctionOptions::default() };
     let program = Program::compile(&module(source), "f", options).unwrap();
     assert_eq!(program.call(&[[1.0, 2.0].into()], Precision::F64).unwrap(), [0.0, 0.0].into());
 }

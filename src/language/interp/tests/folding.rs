@@ -15,7 +15,7 @@ fn folded(kind: &str, expression: &str, literals: &[String]) -> Option<Value> {
         format!("{constants} fn f() -> {kind} {{ const folded = {expression}; return folded; }}");
     #[expect(clippy::disallowed_methods, reason = "naga may refuse it")]
     let module = naga::front::wgsl::parse_str(&source).ok()?;
-    let program = Program::compile(&module, "f", Options::default()).unwrap();
+    let program = Program::compile(&module, "f", FunctionOptions::default()).unwrap();
     Some(program.call(&[], Precision::F32).unwrap())
 }
 

@@ -1,10 +1,10 @@
 //! Many lanes at once, against closed forms and against one call after the other.
 
-use super::super::{Bindings, Bound, LANES, Lanes};
+use super::super::{Bindings, BoundProgram, LANES, Lanes};
 use super::*;
 
 pub(super) fn stage(source: &str, function: &str) -> Program {
-    Program::compile(&module(source), function, Options::stage(source))
+    Program::compile(&module(source), function, FunctionOptions::stage(source))
         .unwrap_or_else(|e| panic!("{e}"))
 }
 
@@ -12,7 +12,7 @@ pub(super) fn bind<'p>(
     program: &'p Program,
     bindings: &Bindings,
     precision: Precision,
-) -> Bound<'p> {
+) -> BoundProgram<'p> {
     program.bind(bindings, precision).unwrap_or_else(|problems| panic!("{}", problems[0]))
 }
 
@@ -228,12 +228,12 @@ fn lanes_take_a_bounded_memory() {
 #[test]
 fn ports_of_stages_tell_what_they_are() {
     let source = "
-        struct In \
+        struct Input \
         { @builtin(position) at: vec4f, @location(2) @interpolate(flat) id: u32, @location(0) uv: \
         vec2f }
-        struct Out { @location(1) color: vec4f, @builtin(frag_depth) depth: f32 }
-        @fragment fn f(in: In, @builtin(front_facing) front: bool) -> Out {
-            return Out(vec4f(in.uv, f32(in.id), select(0.0, 1.0, front)), in.at.z);
+        struct Output { @location(1) color: vec4f, @builtin(frag_depth) depth: f32 }
+        @fragment fn f(in: Input, @builtin(front_facing) front: bool) -> Output {
+            return Output(vec4f(in.uv, f32(in.id), select(0.0, 1.0, front)), in.at.z);
         }";
     let program = stage(source, "f");
     let told: Vec<_> = program

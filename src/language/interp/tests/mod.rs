@@ -17,7 +17,7 @@ mod shared;
 mod textures;
 mod vectors;
 
-use super::{Options, Precision, Program, Value};
+use super::{FunctionOptions, Precision, Program, Value};
 use crate::diag::Diagnostic;
 
 /// Module that naga's validator accepts.
@@ -41,7 +41,7 @@ fn module(source: &str) -> naga::Module {
 
 /// Compiles `f` of the source.
 fn compile(source: &str) -> Result<Program, Diagnostic> {
-    Program::compile(&module(source), "f", Options::default())
+    Program::compile(&module(source), "f", FunctionOptions::default())
 }
 
 /// Runs `f` of the source in f64.

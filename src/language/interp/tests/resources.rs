@@ -152,8 +152,8 @@ fn what_only_compute_has_is_refused_in_stages_too() {
         ),
     ];
     for (source, message) in cases {
-        let error =
-            Program::compile(&module(source), "f", Options::stage(source)).expect_err("refused");
+        let error = Program::compile(&module(source), "f", FunctionOptions::stage(source))
+            .expect_err("refused");
         assert_eq!(error.code, "interp-unsupported");
         assert!(error.message.starts_with(message), "{error}");
         assert!(error.place.wgsl.is_some(), "{error}");

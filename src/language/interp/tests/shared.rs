@@ -57,7 +57,7 @@ fn lanes_that_share_a_call_get_what_single_calls_get() {
 }
 
 #[test]
-fn what_remembers_or_asks_its_neighbours_is_not_shared() {
+fn what_remembers_or_asks_its_neighbors_is_not_shared() {
     let source = "
         var<private> count: i32;
         fn grow(n: i32) -> i32 {

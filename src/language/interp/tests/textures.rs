@@ -1,7 +1,7 @@
 //! Texture reads against filters written by hand.
 
 use super::super::{
-    Address, Bindings, Filter, Level, Sampler, SamplerCompare, Texture, TextureDimension,
+    AddressMode, Bindings, Filter, Sampler, SamplerCompare, Texture, TextureDimension, TextureLevel,
 };
 use super::lanes::{bind, stage};
 use super::*;
@@ -15,7 +15,7 @@ fn flat(width: u32, height: u32, levels: u32) -> Texture {
     let level = |index: u32| {
         let (w, h) = ((width >> index).max(1), (height >> index).max(1));
         let texels = (0..w * h).map(|i| texel(i % w, i / w, index)).collect();
-        Level::f32([w, h, 1], texels)
+        TextureLevel::f32([w, h, 1], texels)
     };
     Texture::new(TextureDimension::D2, (0..levels).map(level).collect()).unwrap()
 }
@@ -60,11 +60,11 @@ fn at<const N: usize>(
 const LEVEL_0: &str = "textureSampleLevel(t, s, p, 0.0)";
 
 /// Index that an address mode leads to, found by walking there.
-fn walk(address: Address, index: i64, size: i64) -> u32 {
+fn walk(address: AddressMode, index: i64, size: i64) -> u32 {
     let mut at = 0;
     let mut step = 1;
     for _ in 0..index.abs() {
-        if index < 0 && address == Address::ClampToEdge {
+        if index < 0 && address == AddressMode::ClampToEdge {
             break;
         }
         let direction = if index < 0 { -step } else { step };
@@ -73,10 +73,10 @@ fn walk(address: Address, index: i64, size: i64) -> u32 {
             at = next;
         } else {
             match address {
-                Address::ClampToEdge => {}
-                Address::Repeat => at = if next < 0 { size - 1 } else { 0 },
+                AddressMode::ClampToEdge => {}
+                AddressMode::Repeat => at = if next < 0 { size - 1 } else { 0 },
                 // The walk meets the edge twice: once on the way there and once on the way back.
-                Address::MirrorRepeat => step = -step,
+                AddressMode::MirrorRepeat => step = -step,
             }
         }
     }
@@ -86,7 +86,7 @@ fn walk(address: Address, index: i64, size: i64) -> u32 {
 #[test]
 fn linear_filters_weigh_four_texels() {
     let texture = flat(5, 3, 1);
-    for address in [Address::ClampToEdge, Address::Repeat, Address::MirrorRepeat] {
+    for address in [AddressMode::ClampToEdge, AddressMode::Repeat, AddressMode::MirrorRepeat] {
         for (u, v) in [(0.37, 0.61), (0.02, 0.98), (-0.7, 1.4), (2.3, -1.9), (0.1, 0.5), (1.0, 0.0)]
         {
             let sampler = Sampler::new(address, Filter::Linear);
@@ -113,7 +113,7 @@ fn linear_filters_weigh_four_texels() {
 #[test]
 fn nearest_filters_take_the_texel_under_the_place() {
     let texture = flat(4, 4, 1);
-    for address in [Address::ClampToEdge, Address::Repeat, Address::MirrorRepeat] {
+    for address in [AddressMode::ClampToEdge, AddressMode::Repeat, AddressMode::MirrorRepeat] {
         for i in -9..13 {
             let place = [(f64::from(i) + 0.75) / 4.0, 0.3];
             let actual = at(
@@ -190,8 +190,9 @@ fn offsets_layers_and_clamping() {
     for layer in 0..3 {
         texels.extend((0..16).map(|i| [f64::from(i % 4), f64::from(i / 4), f64::from(layer), 0.1]));
     }
-    let texture = Texture::new(TextureDimension::D2, vec![Level::f64([4, 4, 3], texels)]).unwrap();
-    let sampler = Sampler::new(Address::Repeat, Filter::Nearest);
+    let texture =
+        Texture::new(TextureDimension::D2, vec![TextureLevel::f64([4, 4, 3], texels)]).unwrap();
+    let sampler = Sampler::new(AddressMode::Repeat, Filter::Nearest);
     let read = |read: &str| at("texture_2d_array<f32>", read, &texture, sampler, [0.9, 0.1]);
     assert_eq!(read("textureSampleLevel(t, s, p, 1, 0.0)"), [3.0, 0.0, 1.0, 0.1]);
     assert_eq!(read("textureSampleLevel(t, s, p, 7, 0.0, vec2i(2, -1))"), [1.0, 3.0, 2.0, 0.1]);
@@ -203,7 +204,7 @@ fn offsets_layers_and_clamping() {
         [4.0, 4.0, 3.0, 1.0]
     );
     let flat = flat(4, 4, 1);
-    let linear = Sampler::new(Address::Repeat, Filter::Linear);
+    let linear = Sampler::new(AddressMode::Repeat, Filter::Linear);
     let clamped =
         at("texture_2d<f32>", "textureSampleBaseClampToEdge(t, s, p)", &flat, linear, [1.7, 0.375]);
     assert_eq!(clamped[0], f64::from(texel(3, 1, 0)[0]));
@@ -235,7 +236,7 @@ fn loads_take_one_texel_and_nothing_outside() {
     );
     let integers = Texture::new(
         TextureDimension::D2,
-        vec![Level::f64([1, 1, 1], vec![[4_294_967_295.0, 2.0, 0.0, 1.0]])],
+        vec![TextureLevel::f64([1, 1, 1], vec![[4_294_967_295.0, 2.0, 0.0, 1.0]])],
     );
     let load = "vec4f(textureLoad(t, vec2i(p), 0) >> vec4u(1u))";
     let halved = at("texture_2d<u32>", load, &integers.unwrap(), Sampler::default(), [0.0, 0.0]);
@@ -263,7 +264,7 @@ fn depths_are_compared_before_they_are_filtered() {
     let read = |compare, read: &str, u| {
         let sampler = Sampler {
             compare: Some(compare),
-            ..Sampler::new(Address::ClampToEdge, Filter::Linear)
+            ..Sampler::new(AddressMode::ClampToEdge, Filter::Linear)
         };
         at("texture_depth_2d", &format!("vec4f({read})"), &texture, sampler, [u, 0.5])[0]
     };
@@ -295,8 +296,9 @@ fn volumes_weigh_eight_texels() {
     let texels = (0..60)
         .map(|i| [value(f64::from(i % 3), f64::from(i / 3 % 4), f64::from(i / 12)), 0.0, 0.0, 0.0]);
     let texture =
-        Texture::new(TextureDimension::D3, vec![Level::f64([3, 4, 5], texels.collect())]).unwrap();
-    let sampler = Sampler::new(Address::ClampToEdge, Filter::Linear);
+        Texture::new(TextureDimension::D3, vec![TextureLevel::f64([3, 4, 5], texels.collect())])
+            .unwrap();
+    let sampler = Sampler::new(AddressMode::ClampToEdge, Filter::Linear);
     let actual = at("texture_3d<f32>", LEVEL_0, &texture, sampler, [0.4, 0.6, 0.45])[0];
     let expected = value(0.4 * 3.0 - 0.5, 0.6 * 4.0 - 0.5, 0.45 * 5.0 - 0.5);
     assert!((actual - expected).abs() < 1e-12, "{actual} is not {expected}");
@@ -326,13 +328,14 @@ fn faces_of_cubes_join_without_a_seam() {
         .map(|i| direction(i / (SIZE * SIZE), i % SIZE, i / SIZE % SIZE))
         .collect();
     let texture =
-        Texture::new(TextureDimension::Cube, vec![Level::f64([SIZE, SIZE, 6], texels)]).unwrap();
+        Texture::new(TextureDimension::Cube, vec![TextureLevel::f64([SIZE, SIZE, 6], texels)])
+            .unwrap();
     let read = |filter, place| {
         at(
             "texture_cube<f32>",
             LEVEL_0,
             &texture,
-            Sampler::new(Address::ClampToEdge, filter),
+            Sampler::new(AddressMode::ClampToEdge, filter),
             place,
         )
     };
@@ -380,7 +383,10 @@ fn faces_of_cubes_join_without_a_seam() {
 fn cubes_have_levels_by_their_footprint() {
     let level = |index: u32| {
         let size = 32 >> index;
-        Level::f32([size, size, 6], vec![[index as f32, 0.0, 0.0, 0.0]; (6 * size * size) as usize])
+        TextureLevel::f32(
+            [size, size, 6],
+            vec![[index as f32, 0.0, 0.0, 0.0]; (6 * size * size) as usize],
+        )
     };
     let texture = Texture::new(TextureDimension::Cube, (0..6).map(level).collect()).unwrap();
     let sampler = Sampler { mip: Filter::Linear, ..Sampler::default() };
@@ -398,7 +404,7 @@ fn cubes_have_levels_by_their_footprint() {
 #[test]
 fn places_that_are_no_numbers_read_some_texel() {
     for filter in [Filter::Nearest, Filter::Linear] {
-        for address in [Address::ClampToEdge, Address::Repeat, Address::MirrorRepeat] {
+        for address in [AddressMode::ClampToEdge, AddressMode::Repeat, AddressMode::MirrorRepeat] {
             for place in [[f64::NAN, 0.5], [f64::INFINITY, f64::NEG_INFINITY], [1e300, -1e300]] {
                 let read = at(
                     "texture_2d<f32>",
@@ -410,15 +416,17 @@ fn places_that_are_no_numbers_read_some_texel() {
                 assert!(read.iter().all(|x| x.is_finite()), "{place:?} gives {read:?}");
             }
         }
-        let cube =
-            Texture::new(TextureDimension::Cube, vec![Level::f32([2, 2, 6], vec![[1.0; 4]; 24])])
-                .unwrap();
+        let cube = Texture::new(
+            TextureDimension::Cube,
+            vec![TextureLevel::f32([2, 2, 6], vec![[1.0; 4]; 24])],
+        )
+        .unwrap();
         for place in [[f64::NAN; 3], [0.0; 3], [f64::INFINITY; 3]] {
             let read = at(
                 "texture_cube<f32>",
                 LEVEL_0,
                 &cube,
-                Sampler::new(Address::Repeat, filter),
+                Sampler::new(AddressMode::Repeat, filter),
                 place,
             );
             assert_eq!(read, [1.0; 4]);
@@ -455,7 +463,7 @@ fn textures_are_functions_arguments() {
 
 #[test]
 fn textures_of_a_wrong_size_are_refused() {
-    let level = |size: [u32; 3], count: usize| Level::f32(size, vec![[0.0; 4]; count]);
+    let level = |size: [u32; 3], count: usize| TextureLevel::f32(size, vec![[0.0; 4]; count]);
     let refused = |dimension, levels| Texture::new(dimension, levels).map(|_| ()).unwrap_err().code;
     for (dimension, levels) in [
         (TextureDimension::D2, vec![]),

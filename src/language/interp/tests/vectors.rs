@@ -165,7 +165,7 @@ fn run_with(source: &str, change: impl Fn(&mut Expression), argument: &Value) ->
             change(expression);
         }
     }
-    let program = Program::compile(&module, "f", Options::default()).unwrap();
+    let program = Program::compile(&module, "f", FunctionOptions::default()).unwrap();
     program.call(std::slice::from_ref(argument), Precision::F64).unwrap()
 }
 

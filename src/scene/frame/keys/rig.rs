@@ -12,7 +12,7 @@ use super::params::ParamTable;
 use super::time::at_time;
 use super::{KeyedValues, ObjectValues, RigInputs};
 use crate::compile::{HostInputs, LightValues, Param};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::directions::KeyWeights;
 use crate::document::{
     ColorSpace, DirectionKeys, KeyDirection, Light, Look, Target, TimeKeys, Value,
@@ -25,21 +25,21 @@ pub struct Rig {
     lights: IndexMap<LightId, Light>,
     exposed: Vec<(PortName, Target)>,
     time: Vec<TimeKeys>,
-    directions: Vec<(DirectionKeys, Warned<KeyWeights>)>,
+    directions: Vec<(DirectionKeys, WithWarnings<KeyWeights>)>,
     space: ColorSpace,
 }
 
 impl Rig {
     /// Solves the direction keys of `look`. Diagnostics warn of keys that are merged or lie too
     /// close.
-    pub fn new(look: &Look) -> Warned<Self> {
+    pub fn new(look: &Look) -> WithWarnings<Self> {
         Self::with(look, &solve)
     }
 
     fn with(
         look: &Look,
-        weights_of: &dyn Fn(&DirectionKeys) -> Warned<KeyWeights>,
-    ) -> Warned<Self> {
+        weights_of: &dyn Fn(&DirectionKeys) -> WithWarnings<KeyWeights>,
+    ) -> WithWarnings<Self> {
         let mut directions: Vec<_> =
             look.direction_keys.iter().map(|keys| (keys.clone(), weights_of(keys))).collect();
         let warnings = directions.iter().enumerate().flat_map(|(index, (_, weights))| {
@@ -62,11 +62,11 @@ impl Rig {
         time.iter_mut().flat_map(|track| &mut track.keys).for_each(|key| in_space(&mut key.value));
         let keys = directions.iter_mut().flat_map(|(keys, _)| &mut keys.keys);
         keys.flat_map(|key| key.values.values_mut()).for_each(in_space);
-        Warned::new(Self { lights, exposed, time, directions, space }, warnings)
+        WithWarnings::new(Self { lights, exposed, time, directions, space }, warnings)
     }
 
     /// The rig of another state of the look. Weights are solved anew only where keys moved.
-    pub fn renewed(&self, look: &Look) -> Warned<Self> {
+    pub fn renewed(&self, look: &Look) -> WithWarnings<Self> {
         let places = |keys: &DirectionKeys| -> Vec<[f64; 3]> {
             keys.keys.iter().map(|key| key.direction).collect()
         };
@@ -145,7 +145,7 @@ impl Rig {
         set_lights(&mut lights, &values);
         let mut decided = vec![(DVec3::ZERO, Vec::new()); self.directions.len()];
         for set in self.order(wires) {
-            let (keys, Warned { value: weights, .. }) = &self.directions[set];
+            let (keys, WithWarnings { value: weights, .. }) = &self.directions[set];
             let mut direction = self.direction(&keys.by, &lights, inputs);
             if let (Some(wires), Some(_)) = (wires, keys.by.outputs().next()) {
                 self.drive(&keys.by, wires, (&values, &lights, base), inputs, &mut direction)?;
@@ -179,7 +179,7 @@ impl Rig {
         &self,
         by: &KeyDirection,
         wires: Wires<'_>,
-        (values, lights, base): Known<'_>,
+        (values, lights, base): DrivenValues<'_>,
         inputs: &RigInputs<'_>,
         direction: &mut DVec3,
     ) -> Result<(), Diagnostic> {
@@ -240,13 +240,13 @@ impl Rig {
 
 /// State while a set is driven: values that are set, lights, and a function that gives the values
 /// of inputs without keys.
-type Known<'a> = (
+type DrivenValues<'a> = (
     &'a HashMap<Target, Value>,
     &'a IndexMap<LightId, Light>,
     &'a dyn Fn(&NodePath, &PortName) -> Option<Value>,
 );
 
-fn solve(keys: &DirectionKeys) -> Warned<KeyWeights> {
+fn solve(keys: &DirectionKeys) -> WithWarnings<KeyWeights> {
     let places: Vec<DVec3> = keys.keys.iter().map(|key| DVec3::from(key.direction)).collect();
     match keys.by {
         KeyDirection::Drivers(_) => KeyWeights::at_places(&places),
@@ -259,7 +259,7 @@ mod tests {
     use glam::{DMat3, DQuat};
 
     use super::*;
-    use crate::document::{Unknown, Values};
+    use crate::document::{UnknownFields, Values};
 
     #[test]
     fn a_rig_that_is_renewed_is_a_new_one() {
@@ -268,12 +268,17 @@ mod tests {
             let key = |(i, &direction): (usize, &[f64; 3])| crate::document::DirectionKey {
                 direction,
                 values: [(target.clone(), Value::Number(scale * i as f64))].into_iter().collect(),
-                unknown: Unknown::new(),
+                unknown: UnknownFields::new(),
             };
             let keys = places.iter().enumerate().map(key).collect();
             let (by, scheme) = (KeyDirection::View, Default::default());
-            let set =
-                DirectionKeys { name: String::new(), by, scheme, keys, unknown: Unknown::new() };
+            let set = DirectionKeys {
+                name: String::new(),
+                by,
+                scheme,
+                keys,
+                unknown: UnknownFields::new(),
+            };
             Look { direction_keys: vec![set], ..Look::default() }
         };
         let inputs = RigInputs {

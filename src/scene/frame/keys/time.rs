@@ -56,7 +56,7 @@ pub fn structural_look<'l>(look: &'l Look, time: f64, exposed: &Values) -> Cow<'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Unknown;
+    use crate::document::UnknownFields;
 
     fn track(interpolation: Interpolation) -> Vec<TimeKey> {
         [(1.0, 10.0), (3.0, 20.0)]
@@ -64,7 +64,7 @@ mod tests {
                 time,
                 value: Value::Number(value),
                 interpolation,
-                unknown: Unknown::new(),
+                unknown: UnknownFields::new(),
             })
             .to_vec()
     }

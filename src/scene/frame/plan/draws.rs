@@ -18,7 +18,7 @@ use crate::frame::assets::{Assets, Image};
 use crate::frame::camera::object_uniform;
 use crate::frame::keys::{RigInputs, Wires, structural_look};
 use crate::frame::setup::SetupLook;
-use crate::geometry::Part;
+use crate::geometry::MeshPart;
 use crate::ids::{LightId, ObjectId};
 use crate::library::Stage;
 
@@ -26,7 +26,7 @@ use crate::library::Stage;
 struct PartDraw<'a> {
     scene: &'a PlacedScene<'a>,
     visible: VisibleObject<'a>,
-    part: &'a Part,
+    part: &'a MeshPart,
     setup: &'a SetupLook,
     /// The look with the words that it has at the time of the picture.
     look: &'a Look,

@@ -60,7 +60,7 @@ pub struct Pass {
 
 /// An effect that the plan does without.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Dropped {
+pub struct DroppedEffect {
     /// Name of the effect.
     pub what: String,
     /// Reason why the effect is not needed.
@@ -148,7 +148,7 @@ pub struct FramePlan {
     /// Passes, in the order in which they run.
     pub passes: Vec<Pass>,
     /// Effects that were left out.
-    pub dropped: Vec<Dropped>,
+    pub dropped: Vec<DroppedEffect>,
 }
 
 impl FramePlan {
@@ -190,7 +190,7 @@ impl FramePlan {
     /// The distance around a pixel within which the plan's passes read the result of `pass`, which
     /// must be known there for the picture to be whole at that pixel. In pixels.
     ///
-    /// Quads are whole, and at an outline a pass may take a neighbour for its pixel, so that each
+    /// Quads are whole, and at an outline a pass may take a neighbor for its pixel, so that each
     /// reads one more.
     pub fn margin(&self, pass: PassId) -> u32 {
         let readers = self.passes.iter().filter(|reader| reader.id.reads(pass));

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::Dropped;
+use super::DroppedEffect;
 use super::variants::{DarkLights, LookShaders, Variants};
 use crate::compile::Proof;
 use crate::document::Look;
@@ -13,7 +13,7 @@ use crate::ids::LightId;
 
 /// Lists the lights of a look that its module does not read, and the lights that are dark.
 pub(super) fn push_lights(
-    dropped: &mut Vec<Dropped>,
+    dropped: &mut Vec<DroppedEffect>,
     look: &Look,
     shaders: &LookShaders,
     dark: &DarkLights,
@@ -26,7 +26,7 @@ pub(super) fn push_lights(
             None if is_read(id) => continue,
             None => ("no live node reads it, so that it has no uniforms", Proof::Unreachable),
         };
-        let one = Dropped {
+        let one = DroppedEffect {
             what: format!("light `{id}`"),
             why: why.to_owned(),
             kind: EffectKind::Light,
@@ -41,7 +41,11 @@ pub(super) fn push_lights(
 }
 
 /// Lists the looks that are compiled together with an equal look.
-pub(super) fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, variants: &Variants) {
+pub(super) fn push_equal_looks(
+    dropped: &mut Vec<DroppedEffect>,
+    setup: &Setup,
+    variants: &Variants,
+) {
     let mut known: HashMap<u64, usize> = HashMap::new();
     let mut sorted: Vec<_> =
         variants.iter().map(|((_, look), variant)| (*look, variant.key)).collect();
@@ -51,7 +55,7 @@ pub(super) fn push_equal_looks(dropped: &mut Vec<Dropped>, setup: &Setup, varian
         let first = *known.entry(key).or_insert(look);
         if first != look {
             let name = &setup.looks[look].look.name;
-            dropped.push(Dropped {
+            dropped.push(DroppedEffect {
                 what: quoted(name),
                 why: "another look says the same: both are compiled once and share their pipelines"
                     .to_owned(),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::omissions::quoted;
 use super::placement::{PlacedScene, VisibleObject};
 use super::variants::{LookShaders, Variants};
-use super::{Draw, Dropped, Pass, PlanOptions};
+use super::{Draw, DroppedEffect, Pass, PlanOptions};
 use crate::compile::Proof;
 use crate::frame::camera::View;
 use crate::frame::cost::{self, EffectCost};
@@ -79,9 +79,9 @@ impl WantedPasses {
 
     /// Lists the passes over meshes that are not wanted, with everything that would be made from
     /// them.
-    pub(super) fn push_unwanted(&self, dropped: &mut Vec<Dropped>, options: &PlanOptions) {
+    pub(super) fn push_unwanted(&self, dropped: &mut Vec<DroppedEffect>, options: &PlanOptions) {
         let unwanted = PassId::all().filter(|pass| !pass.is_screen() && !self.0.contains_key(pass));
-        dropped.extend(unwanted.map(|pass| Dropped {
+        dropped.extend(unwanted.map(|pass| DroppedEffect {
             what: pass.row().purpose.to_owned(),
             why: "no live node of a visible object reads it".to_owned(),
             kind: EffectKind::Pass,

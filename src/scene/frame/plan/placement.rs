@@ -6,7 +6,7 @@ use glam::DVec3;
 use indexmap::IndexMap;
 
 use super::planner::Planner;
-use super::{Dropped, PlanOptions};
+use super::{DroppedEffect, PlanOptions};
 use crate::compile::Live;
 use crate::document::Light;
 use crate::frame::camera::View;
@@ -15,7 +15,7 @@ use crate::frame::effects::EffectKind;
 use crate::frame::nearest::nearest_surface;
 use crate::frame::setup::{Setup, SetupObject};
 use crate::frame::values::live_for_values;
-use crate::frame::visibility::{Cull, Placed, hidden};
+use crate::frame::visibility::{CullMode, ObjectPlacement, hidden};
 use crate::ids::LightId;
 use crate::library::Library;
 
@@ -27,7 +27,7 @@ pub(super) struct PlacedScene<'a> {
     /// Kind of liveness of each look.
     pub(super) lives: Vec<Live>,
     /// Placement of each object.
-    pub(super) placed: Vec<Placed>,
+    pub(super) placed: Vec<ObjectPlacement>,
     pub(super) view: View,
 }
 
@@ -77,13 +77,13 @@ impl Planner {
     pub(super) fn visible<'a>(
         &self,
         scene: &PlacedScene<'a>,
-        dropped: &mut Vec<Dropped>,
+        dropped: &mut Vec<DroppedEffect>,
     ) -> Vec<VisibleObject<'a>> {
         let mut visible = Vec::new();
         for (number, object) in scene.setup.objects.iter().enumerate() {
             let hidden = hidden(object, &scene.placed[number], &scene.view);
-            match hidden.filter(|_| self.cull != Cull::Nothing) {
-                Some((proof, why)) => dropped.push(Dropped {
+            match hidden.filter(|_| self.cull != CullMode::Nothing) {
+                Some((proof, why)) => dropped.push(DroppedEffect {
                     what: format!("object `{}`", object.id),
                     why: why.to_owned(),
                     kind: EffectKind::Object,
@@ -114,7 +114,7 @@ fn lives(setup: &Setup, live: &Live) -> Vec<Live> {
     (0..setup.looks.len()).map(|look| live_for_values(asked(look), sets_values(look))).collect()
 }
 
-fn bounds(objects: &[Placed]) -> (DVec3, f64) {
+fn bounds(objects: &[ObjectPlacement]) -> (DVec3, f64) {
     let mut min = DVec3::INFINITY;
     let mut max = DVec3::NEG_INFINITY;
     for object in objects {

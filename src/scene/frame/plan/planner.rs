@@ -10,12 +10,12 @@ use super::style::PlanStyle;
 use super::variants::LookShaders;
 use super::{FramePlan, PlanOptions};
 use crate::compile::{CompiledShader, Live};
-use crate::diag::{Diagnostic, Warned};
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::Look;
 use crate::frame::assets::Assets;
 use crate::frame::keys::Rig;
 use crate::frame::setup::Setup;
-use crate::frame::visibility::{Cull, KnownBounds};
+use crate::frame::visibility::{CullMode, KnownBounds};
 use crate::ids::NodePath;
 use crate::library::Library;
 
@@ -25,7 +25,7 @@ pub struct Planner {
     /// Reader of meshes and images.
     pub assets: Assets,
     /// Parts that are left out because they are not seen.
-    pub cull: Cull,
+    pub cull: CullMode,
     pub(super) bounds: KnownBounds,
     /// Compiled looks, by the hash of what they were compiled from.
     pub(super) shaders: HashMap<u64, LookShaders>,
@@ -51,7 +51,7 @@ impl Planner {
 
     /// The planner, changed to leave out `cull`.
     #[must_use]
-    pub fn culling(self, cull: Cull) -> Self {
+    pub fn culling(self, cull: CullMode) -> Self {
         Self { cull, ..self }
     }
 
@@ -87,7 +87,7 @@ impl Planner {
         library: &Library,
         live: &Live,
         options: &PlanOptions,
-    ) -> Result<Warned<FramePlan>, Vec<Diagnostic>> {
+    ) -> Result<WithWarnings<FramePlan>, Vec<Diagnostic>> {
         self.assets.share(&setup.assets);
         let mut dropped = Vec::new();
         let scene = self.place(setup, library, live, options);
@@ -116,6 +116,6 @@ impl Planner {
             passes,
             dropped,
         };
-        Ok(Warned::new(plan, warnings))
+        Ok(WithWarnings::new(plan, warnings))
     }
 }

@@ -3,7 +3,7 @@
 use super::planner::Planner;
 use crate::compile::Live;
 use crate::frame::assets::Assets;
-use crate::frame::visibility::Cull;
+use crate::frame::visibility::CullMode;
 
 /// Style of the plans that an executor wants.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,7 +21,7 @@ impl PlanStyle {
         match self {
             Self::Specialized => Planner::new(assets),
             Self::AsWritten => {
-                Planner { unspecialized: true, cull: Cull::Objects, ..Planner::new(assets) }
+                Planner { unspecialized: true, cull: CullMode::Objects, ..Planner::new(assets) }
             }
         }
     }

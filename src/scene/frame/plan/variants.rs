@@ -6,17 +6,17 @@
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
-use super::Dropped;
+use super::DroppedEffect;
 use super::key::look_key;
 use super::omissions::push_lights;
 use super::placement::{PlacedScene, VisibleObject};
 use super::planner::Planner;
-use crate::compile::{CompiledShader, Live, Options, compile};
+use crate::compile::{CompileOptions, CompiledShader, Live, compile};
 use crate::diag::Diagnostic;
 use crate::document::{LightField, Look};
 use crate::frame::keys::{ParamTable, Rig, structural_look};
 use crate::frame::setup::{SetupLook, SetupObject};
-use crate::frame::visibility::{Cull, dark_lights, fields};
+use crate::frame::visibility::{CullMode, dark_lights, fields};
 use crate::ids::LightId;
 use crate::library::{Library, Stage};
 
@@ -63,7 +63,7 @@ impl Planner {
         &mut self,
         scene: &PlacedScene<'_>,
         visible: &[VisibleObject<'_>],
-        dropped: &mut Vec<Dropped>,
+        dropped: &mut Vec<DroppedEffect>,
     ) -> Result<Variants, Vec<Diagnostic>> {
         let mut problems = Vec::new();
         let mut variants = Variants::new();
@@ -113,7 +113,8 @@ impl Planner {
                 let look = &scene.setup.looks[index];
                 let now = structural_look(&look.look, scene.options.time, &object.values);
                 for &stage in stages {
-                    let options = Options { stage, ..self.options(&scene.lives[index], variant) };
+                    let options =
+                        CompileOptions { stage, ..self.options(&scene.lives[index], variant) };
                     let Some(shaders) = self.shaders.get_mut(&variant.key) else { continue };
                     if shaders.before.contains_key(&stage) {
                         continue;
@@ -134,7 +135,7 @@ impl Planner {
 
     fn dark(&self, scene: &PlacedScene<'_>, look: &Look, live: &Live, number: usize) -> DarkLights {
         // Values that may be edited at any time are never assumed to stay as they are.
-        if self.cull != Cull::All || !matches!(live, Live::Keyed | Live::Exposed) {
+        if self.cull != CullMode::All || !matches!(live, Live::Keyed | Live::Exposed) {
             return Vec::new();
         }
         dark_lights(scene.setup, look, &scene.placed[number], &scene.view)
@@ -147,20 +148,20 @@ impl Planner {
         library: &Library,
         (live, variant): (&Live, &LookVariant),
     ) -> Result<LookShaders, Vec<Diagnostic>> {
-        let options = Options { display: true, ..self.options(live, variant) };
+        let options = CompileOptions { display: true, ..self.options(live, variant) };
         let compiled = compile(look, library, &options).map_err(|found| located(setup, found))?;
         let (rig, mut warnings) = Rig::new(look).into_parts();
         let draw = compiled.tell(&mut warnings);
         Ok(LookShaders::new(Arc::new(draw), rig, located(setup, warnings)))
     }
 
-    fn options(&self, live: &Live, variant: &LookVariant) -> Options {
-        Options {
+    fn options(&self, live: &Live, variant: &LookVariant) -> CompileOptions {
+        CompileOptions {
             live: live.clone(),
             cutout: variant.cutout,
             dark: variant.dark.clone(),
             unspecialized: self.unspecialized,
-            ..Options::default()
+            ..CompileOptions::default()
         }
     }
 }

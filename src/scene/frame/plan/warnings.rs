@@ -8,7 +8,7 @@ use super::variants::{LookShaders, Variants};
 use crate::diag::Diagnostic;
 use crate::document::{Driver, KeyDirection};
 use crate::frame::setup::{Setup, SetupLook};
-use crate::frame::uvs::{self, Lack};
+use crate::frame::uvs::{self, MissingInput};
 use crate::ids::ObjectId;
 
 impl Planner {
@@ -59,7 +59,7 @@ impl Planner {
                 let Some(LookShaders { draw, .. }) = self.shaders.get(&variant.key) else {
                     continue;
                 };
-                let Some(lack) = Lack::of(draw) else { continue };
+                let Some(lack) = MissingInput::of(draw) else { continue };
                 let readers = self
                     .uv_readers
                     .entry(variant.key)

@@ -29,7 +29,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// The next number, of type `kind`.
-    pub(super) fn number(&mut self, kind: Number) -> Option<f64> {
+    pub(super) fn number(&mut self, kind: NumberType) -> Option<f64> {
         let mut bytes = [0; 8];
         let taken = self.take(kind.size())?;
         bytes[..taken.len()].copy_from_slice(taken);
@@ -38,32 +38,32 @@ impl<'a> Cursor<'a> {
         }
         let [a, b, c, d, ..] = bytes;
         Some(match kind {
-            Number::I8 => f64::from(a as i8),
-            Number::U8 => f64::from(a),
-            Number::I16 => f64::from(i16::from_le_bytes([a, b])),
-            Number::U16 => f64::from(u16::from_le_bytes([a, b])),
-            Number::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
-            Number::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
-            Number::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
-            Number::F64 => f64::from_le_bytes(bytes),
+            NumberType::I8 => f64::from(a as i8),
+            NumberType::U8 => f64::from(a),
+            NumberType::I16 => f64::from(i16::from_le_bytes([a, b])),
+            NumberType::U16 => f64::from(u16::from_le_bytes([a, b])),
+            NumberType::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+            NumberType::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+            NumberType::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+            NumberType::F64 => f64::from_le_bytes(bytes),
         })
     }
 
     /// The next `u32`.
     pub(super) fn u32(&mut self) -> Option<u32> {
-        self.number(Number::U32).map(|n| n as u32)
+        self.number(NumberType::U32).map(|n| n as u32)
     }
 
     /// The next three `f32`.
     pub(super) fn vec3(&mut self) -> Option<[f32; 3]> {
-        let mut next = || self.number(Number::F32).map(|n| n as f32);
+        let mut next = || self.number(NumberType::F32).map(|n| n as f32);
         Some([next()?, next()?, next()?])
     }
 }
 
 /// Types of the numbers in mesh files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Number {
+pub(super) enum NumberType {
     I8,
     U8,
     I16,
@@ -74,7 +74,7 @@ pub(super) enum Number {
     F64,
 }
 
-impl Number {
+impl NumberType {
     /// Size of a number, in bytes.
     pub(super) fn size(self) -> usize {
         match self {

@@ -1,9 +1,9 @@
 //! Import of mesh files: [`import`] takes bytes and a name, so that it also works where there are
 //! no paths; [`load`] reads the bytes of a path from [`Files`].
 //!
-//! Each format has one reader, which gives a [`Soup`]. All readers check lengths against
+//! Each format has one reader, which gives a [`TriangleSoup`]. All readers check lengths against
 //! [`MAX_FILE_BYTES`], [`MAX_VERTICES`], [`MAX_TRIANGLES`] and the bytes left in the file before
-//! they allocate, and report through [`Report`].
+//! they allocate, and report through [`ImportReport`].
 
 mod cursor;
 mod gltf;
@@ -14,12 +14,12 @@ mod stl;
 
 use std::path::Path;
 
-use self::report::Report;
+use self::report::ImportReport;
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
-use super::soup::Soup;
-use crate::diag::{Diagnostic, Warned};
+use super::soup::TriangleSoup;
+use crate::diag::{Diagnostic, WithWarnings};
 use crate::files::{self, Files};
 
 /// Greatest length of a file (or of a buffer beside a glTF) that is read, in bytes; longer ones are
@@ -54,20 +54,20 @@ pub fn import(
     name: &str,
     bytes: &[u8],
     siblings: Siblings,
-) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
-    let mut report = Report::new(name);
+) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
+    let mut report = ImportReport::new(name);
     let soup = read(name, bytes, siblings, &mut report);
     report.stop_on_errors()?;
     let mesh = finish(soup, &mut report);
     report.stop_on_errors()?;
-    Ok(Warned::new(mesh, report.into_list()))
+    Ok(WithWarnings::new(mesh, report.into_list()))
 }
 
 /// [`import`]s the file at `path`; files that a glTF names are read from the same folder.
 ///
 /// # Errors
 /// As [`import`], and where the file cannot be read.
-pub fn load(files: &dyn Files, path: &Path) -> Result<Warned<Mesh>, Vec<Diagnostic>> {
+pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Mesh>, Vec<Diagnostic>> {
     let name = path.display().to_string();
     let bytes = files.read(path, MAX_FILE_BYTES).map_err(|why| {
         let hint = if files.metadata(path).is_some() {
@@ -84,18 +84,18 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<Warned<Mesh>, Vec<Diagnost
     })
 }
 
-fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {
+fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut ImportReport) -> TriangleSoup {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         let message =
             format!("the file has {} bytes, more than the {MAX_FILE_BYTES} allowed", bytes.len());
         report.error("mesh-too-large", message);
-        return Soup::default();
+        return TriangleSoup::default();
     }
     let file_name = name.rsplit(['/', '\\']).next().unwrap_or(name);
     let (stem, ending) = file_name.rsplit_once('.').unwrap_or((file_name, ""));
     if let Some(problem) = foreign(bytes, ending) {
         report.add(problem);
-        return Soup::default();
+        return TriangleSoup::default();
     }
     let mut soup = match ending.to_ascii_lowercase().as_str() {
         "obj" => obj::read(bytes, report),
@@ -110,7 +110,7 @@ fn read(name: &str, bytes: &[u8], siblings: Siblings, report: &mut Report) -> So
                 Diagnostic::error("mesh-format", message)
                     .hint("use an OBJ, PLY, STL, glTF or GLB file"),
             );
-            Soup::default()
+            TriangleSoup::default()
         }
     };
     if soup.name.is_empty() {
@@ -135,7 +135,7 @@ fn foreign(bytes: &[u8], ending: &str) -> Option<Diagnostic> {
 }
 
 /// Builds the mesh and reports what was missing or dropped.
-fn finish(soup: Soup, report: &mut Report) -> Mesh {
+fn finish(soup: TriangleSoup, report: &mut ImportReport) -> Mesh {
     let count = soup.triangles.len();
     if count == 0 {
         let message = if soup.points.is_empty() {

@@ -5,17 +5,17 @@
 //! name a point that comes later. Smoothing groups are left to the crease angle; material
 //! libraries, lines, points and groups say nothing that Chiaro uses.
 
-use super::report::Report;
+use super::report::ImportReport;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::diag::Diagnostic;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, NONE, Polygon, Soup};
+use crate::geometry::soup::{Corner, NONE, Polygon, TriangleSoup};
 
 /// Reads the text of an OBJ file; text that is no UTF-8 is read with replacement characters in
 /// names.
-pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
+pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> TriangleSoup {
     let text = String::from_utf8_lossy(bytes);
-    let mut reader = Reader { text: &text, soup: Soup::default(), colored: 0, report };
+    let mut reader = Reader { text: &text, soup: TriangleSoup::default(), colored: 0, report };
     let mut names = Vec::new();
     let mut statements = Statements::new(&text);
     let mut tokens = Vec::new();
@@ -35,7 +35,7 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
             "mesh-too-large",
             format!("the file has more than {MAX_VERTICES} points, normals or UVs"),
         );
-        return Soup::default();
+        return TriangleSoup::default();
     }
     reader.faces();
     let Reader { mut soup, colored, .. } = reader;
@@ -91,10 +91,10 @@ impl<'a> Statements<'a> {
 
 struct Reader<'a, 'r> {
     text: &'a str,
-    soup: Soup,
+    soup: TriangleSoup,
     /// Number of points that have a color.
     colored: usize,
-    report: &'r mut Report,
+    report: &'r mut ImportReport,
 }
 
 impl Reader<'_, '_> {

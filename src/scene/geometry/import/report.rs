@@ -6,16 +6,16 @@ use crate::diag::{Diagnostic, LineColumn, has_errors};
 const MAX_TOLD: usize = 20;
 
 /// Error type of a reader's functions; boxed, because a diagnostic is big and results are many.
-pub(super) type Problem = Box<Diagnostic>;
+pub(super) type ImportProblem = Box<Diagnostic>;
 
 /// The diagnostics of one file.
-pub(super) struct Report {
+pub(super) struct ImportReport {
     file: String,
     list: Vec<Diagnostic>,
     untold: usize,
 }
 
-impl Report {
+impl ImportReport {
     pub(super) fn new(file: &str) -> Self {
         Self { file: file.to_owned(), list: Vec::new(), untold: 0 }
     }

@@ -2,11 +2,11 @@
 //! Points repeat for every facet; [`super::super::build`] welds them.
 
 use super::cursor::Cursor;
-use super::report::Report;
+use super::report::ImportReport;
 use super::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::geometry::mesh::DEFAULT_MATERIAL;
 use crate::geometry::normals::weld;
-use crate::geometry::soup::{Corner, NONE, Soup};
+use crate::geometry::soup::{Corner, NONE, TriangleSoup};
 
 /// Length of a binary file's comment and count, in bytes.
 const HEADER: usize = 84;
@@ -26,7 +26,7 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 }
 
 /// Reads an STL file, text or binary.
-pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
+pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> TriangleSoup {
     let looks_like_text = bytes.trim_ascii_start().starts_with(b"solid");
     let points = if looks_like_text && !is_binary(bytes) {
         text(&String::from_utf8_lossy(bytes), report)
@@ -34,16 +34,16 @@ pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
         binary(bytes, declared(bytes), report)
     };
     if report.has_errors() {
-        return Soup::default();
+        return TriangleSoup::default();
     }
     joined(&points)
 }
 
 /// The soup of these points, with coinciding points joined, so that the vertices are as few as they
 /// can be.
-fn joined(points: &[[f32; 3]]) -> Soup {
+fn joined(points: &[[f32; 3]]) -> TriangleSoup {
     let welded = weld(points);
-    let mut soup = Soup::default();
+    let mut soup = TriangleSoup::default();
     let material = soup.material(DEFAULT_MATERIAL);
     let mut index_of = vec![NONE; points.len()];
     for (i, &first) in welded.iter().enumerate() {
@@ -60,7 +60,7 @@ fn joined(points: &[[f32; 3]]) -> Soup {
     soup
 }
 
-fn binary(bytes: &[u8], declared: Option<u64>, report: &mut Report) -> Vec<[f32; 3]> {
+fn binary(bytes: &[u8], declared: Option<u64>, report: &mut ImportReport) -> Vec<[f32; 3]> {
     let Some(count) = declared else {
         report.error(
             "mesh-truncated",
@@ -95,7 +95,7 @@ fn binary(bytes: &[u8], declared: Option<u64>, report: &mut Report) -> Vec<[f32;
     points
 }
 
-fn too_many(facets: u64, report: &mut Report) -> bool {
+fn too_many(facets: u64, report: &mut ImportReport) -> bool {
     let most = MAX_TRIANGLES.min(MAX_VERTICES) as u64;
     if facets > most {
         report.error(
@@ -106,7 +106,7 @@ fn too_many(facets: u64, report: &mut Report) -> bool {
     facets > most
 }
 
-fn text(text: &str, report: &mut Report) -> Vec<[f32; 3]> {
+fn text(text: &str, report: &mut ImportReport) -> Vec<[f32; 3]> {
     let mut points: Vec<[f32; 3]> = Vec::new();
     let mut open = false;
     let mut facet_start = 0;
@@ -146,7 +146,7 @@ fn vertex<'a>(
     text: &str,
     keyword: &str,
     words: impl Iterator<Item = &'a str>,
-    report: &mut Report,
+    report: &mut ImportReport,
 ) -> [f32; 3] {
     let mut point = [0.0; 3];
     let mut count = 0;

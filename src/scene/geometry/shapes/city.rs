@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, Soup};
+use crate::geometry::soup::{Corner, TriangleSoup};
 
 /// Number of lots along each side.
 const LOTS: u32 = 53;
@@ -20,10 +20,10 @@ const BAYS: f64 = 2.0;
 
 /// The city: a square of houses on the ground, from -1 to 1 along x and z, y up. Walls have whole
 /// repeats of the paint, u to the right and v up; roofs and ground have repeats of the same size.
-pub(super) fn city() -> Soup {
+pub(super) fn city() -> TriangleSoup {
     let whole = along(LOTS);
     let scale = 2.0 / whole;
-    let mut builder = Builder { soup: Soup::default(), bay: scale / BAYS };
+    let mut builder = Builder { soup: TriangleSoup::default(), bay: scale / BAYS };
     builder.ground();
     let empty = empty();
     for index in (0..LOTS * LOTS).filter(|index| !empty.contains(index)) {
@@ -77,7 +77,7 @@ fn chance(of: u32, which: u32) -> f64 {
 }
 
 struct Builder {
-    soup: Soup,
+    soup: TriangleSoup,
     /// Length of a repeat of the paint.
     bay: f64,
 }

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use glam::DVec3;
 
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, Soup};
+use crate::geometry::soup::{Corner, TriangleSoup};
 
 /// Radius of the rounded edges; the cube reaches from -0.8 to 0.8.
 const ROUNDING: f64 = 0.16;
@@ -13,14 +13,14 @@ const HALF: f64 = 0.8;
 
 /// The cube: six faces; between them a quarter of a cylinder along each edge and an eighth of a
 /// sphere at each corner.
-pub(super) fn cube() -> Soup {
+pub(super) fn cube() -> TriangleSoup {
     let flat = HALF - ROUNDING;
     // Coordinates across a face: the rounding's half in even angles, the flat part in even steps.
     let bends = (1..=12).map(|i| flat + ROUNDING * (f64::from(i) / 12.0 * FRAC_PI_4).tan());
     let upper: Vec<f64> = (1..=8).map(|i| flat * f64::from(i) / 8.0).chain(bends).collect();
     let across: Vec<f64> =
         upper.iter().rev().map(|x| -x).chain([0.0]).chain(upper.iter().copied()).collect();
-    let mut soup = Soup::default();
+    let mut soup = TriangleSoup::default();
     // The directions to the right and up on each face; their cross product points out of the cube.
     let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
     for (right, up) in [(x, y), (-x, y), (-z, y), (z, y), (x, -z), (x, z)] {
@@ -36,19 +36,19 @@ pub(super) fn cube() -> Soup {
 }
 
 /// A square in the xy plane, from -1 to 1, facing the front.
-pub(super) fn plane() -> Soup {
+pub(super) fn plane() -> TriangleSoup {
     let across: Vec<f64> = (-16..=16).map(|i| f64::from(i) / 16.0).collect();
-    let mut soup = Soup::default();
+    let mut soup = TriangleSoup::default();
     face(&mut soup, &across, |u, v| (DVec3::new(u, v, 0.0), DVec3::Z));
     soup
 }
 
 /// The square of `plane` in waves, of 5,000 triangles, as the thesis's test scene has it.
-pub(super) fn waves() -> Soup {
+pub(super) fn waves() -> TriangleSoup {
     const HEIGHT: f64 = 0.13;
     const PER_UNIT: f64 = 1.5 * std::f64::consts::PI;
     let across: Vec<f64> = (-25..=25).map(|i| f64::from(i) / 25.0).collect();
-    let mut soup = Soup::default();
+    let mut soup = TriangleSoup::default();
     face(&mut soup, &across, |u, v| {
         let (a, b) = (PER_UNIT * u, PER_UNIT * v + 1.0);
         let height = HEIGHT * (a.sin() + 0.5 * b.sin());
@@ -59,7 +59,7 @@ pub(super) fn waves() -> Soup {
 }
 
 /// Appends a grid over `across` times `across`; UVs are 0 to 1 over the whole grid.
-fn face(soup: &mut Soup, across: &[f64], place: impl Fn(f64, f64) -> (DVec3, DVec3)) {
+fn face(soup: &mut TriangleSoup, across: &[f64], place: impl Fn(f64, f64) -> (DVec3, DVec3)) {
     let material = soup.material(DEFAULT_MATERIAL);
     let (n, base) = (across.len(), soup.points.len());
     let span = across[n - 1] - across[0];

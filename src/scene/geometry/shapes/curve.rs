@@ -10,14 +10,14 @@ const REFINEMENTS: usize = 3;
 /// A tube through points `[x, y, z, radius]`: the natural cubic spline, whose curvature is
 /// continuous.
 #[derive(Clone, Debug)]
-pub(super) struct Curve {
+pub(super) struct Tube {
     /// Coefficients of each span between two points: the value is
     /// `s[0] + s[1] t + s[2] t² + s[3] t³`, t from 0 to 1.
     spans: Vec<[DVec4; 4]>,
     samples: Vec<DVec3>,
 }
 
-impl Curve {
+impl Tube {
     /// The tube through at least two points.
     pub(super) fn through(points: &[[f64; 4]]) -> Self {
         let points: Vec<DVec4> = points.iter().copied().map(DVec4::from).collect();
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn a_straight_tube_is_a_capsule() {
         let tube =
-            Curve::through(&[[0.0, 0.0, 0.0, 0.5], [1.0, 0.0, 0.0, 0.5], [3.0, 0.0, 0.0, 0.5]]);
+            Tube::through(&[[0.0, 0.0, 0.0, 0.5], [1.0, 0.0, 0.0, 0.5], [3.0, 0.0, 0.0, 0.5]]);
         for (p, d) in
             [([2.0, 1.0, 0.0], 0.5), ([-2.0, 0.0, 0.0], 1.5), ([4.0, 0.0, 1.0], 2f64.sqrt() - 0.5)]
         {
@@ -143,7 +143,7 @@ mod tests {
             [2.0, 0.0, 1.0, 0.3],
             [4.0, 0.0, 0.0, 0.1],
         ];
-        let curve = Curve::through(&points);
+        let curve = Tube::through(&points);
         for (i, p) in points.iter().enumerate() {
             assert!(curve.at(i as f64).distance(DVec4::from(*p)) < 1e-12);
         }

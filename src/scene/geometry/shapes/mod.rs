@@ -20,11 +20,11 @@ use std::sync::OnceLock;
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
-use super::soup::Soup;
+use super::soup::TriangleSoup;
 
 /// A built-in shape.
 #[derive(Clone, Copy, Debug)]
-pub struct Shape {
+pub struct OwnShape {
     /// Name of the shape in documents, after `shape:`.
     pub name: &'static str,
     /// Name of the shape for people.
@@ -32,74 +32,74 @@ pub struct Shape {
     /// Use of the shape, in a sentence.
     pub help: &'static str,
     /// Function that makes the shape.
-    make: fn() -> Soup,
+    make: fn() -> TriangleSoup,
 }
 
 /// All built-in shapes, in the order of menus.
-pub const SHAPES: &[Shape] = &[
-    Shape {
+pub const SHAPES: &[OwnShape] = &[
+    OwnShape {
         name: "sphere",
         label: "Sphere",
         help: "Every direction once and one curvature: the plainest view of a look.",
         make: revolve::sphere,
     },
-    Shape {
+    OwnShape {
         name: "torus",
         label: "Torus",
         help: "Curved outwards outside and like a saddle inside.",
         make: revolve::torus,
     },
-    Shape {
+    OwnShape {
         name: "blob",
         label: "Blob",
         help: "Balls run together: convex lobes with soft hollows between them.",
         make: || uv::spherical(&nets::polygonize(&blob::sculpture(), blob::CELLS)),
     },
-    Shape {
+    OwnShape {
         name: "knot",
         label: "Knot",
         help: "A trefoil tube that passes over and under itself.",
         make: sweep::knot,
     },
-    Shape {
+    OwnShape {
         name: "creature",
         label: "Creature",
         help: "A seated cub with brows, eyes, mouth, ears and folds: a character with real \
                hollows.",
         make: || uv::boxed(&nets::polygonize(&creature::sculpture(), creature::CELLS)),
     },
-    Shape {
+    OwnShape {
         name: "cube",
         label: "Rounded cube",
         help: "Flat faces between rounded edges: where curvature is nothing, or high.",
         make: cube::cube,
     },
-    Shape {
+    OwnShape {
         name: "vase",
         label: "Vase",
         help: "A thin wall, hollow inside, with a lip and a foot.",
         make: revolve::vase,
     },
-    Shape {
+    OwnShape {
         name: "plane",
         label: "Plane",
         help: "A flat square, for textures and thresholds.",
         make: cube::plane,
     },
-    Shape {
+    OwnShape {
         name: "waves",
         label: "Waves",
         help: "A flat square in waves, for painted surfaces: every tile is lit and seen from \
                somewhere else.",
         make: cube::waves,
     },
-    Shape {
+    OwnShape {
         name: "ball",
         label: "Ball",
         help: "A sphere of 400 triangles, beside the waves in the thesis's test scene.",
         make: revolve::ball,
     },
-    Shape {
+    OwnShape {
         name: "city",
         label: "City",
         help: "2,785 houses between streets, with whole repeats of a tile on every wall: 27,860 \

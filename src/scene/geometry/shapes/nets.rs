@@ -2,7 +2,7 @@
 //! surface.
 //!
 //! Each sheet of the surface in a cell of the grid gets a vertex, each edge that the surface
-//! crosses a quad. Then every vertex moves, a few times, to the middle of its neighbours and by
+//! crosses a quad. Then every vertex moves, a few times, to the middle of its neighbors and by
 //! Newton's method back to where the field is 0, which makes even triangles; and the normal is the
 //! field's gradient, so the shading is as smooth as the field.
 

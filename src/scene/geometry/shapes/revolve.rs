@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::curve::Curve;
+use super::curve::Tube;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, Soup};
+use crate::geometry::soup::{Corner, TriangleSoup};
 
 /// Number of steps in a full turn.
 const SEGMENTS: usize = 160;
@@ -23,8 +23,8 @@ struct Ring {
 
 /// Turns a profile about the axis. The profile runs from below upwards with the outside to its
 /// right; a ring on the axis is one point.
-fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
-    let mut soup = Soup::default();
+fn revolve(profile: &[Ring], closed: bool, segments: usize) -> TriangleSoup {
+    let mut soup = TriangleSoup::default();
     let material = soup.material(DEFAULT_MATERIAL);
     let rings = if closed { profile.len() - 1 } else { profile.len() };
     for ring in &profile[..rings] {
@@ -37,7 +37,7 @@ fn revolve(profile: &[Ring], closed: bool, segments: usize) -> Soup {
     }
     for (j, pair) in profile.windows(2).enumerate() {
         for i in 0..segments {
-            let corner = |soup: &mut Soup, di: usize, dj: usize| {
+            let corner = |soup: &mut TriangleSoup, di: usize, dj: usize| {
                 let point = (((j + dj) % rings) * segments + (i + di) % segments) as u32;
                 // A triangle at a point on the axis has the u of its middle there.
                 let on_axis = pair[dj].at.x == 0.0;
@@ -75,16 +75,16 @@ fn arc(
 }
 
 /// The sphere, of radius 1, with exactly one point at each pole.
-pub(super) fn sphere() -> Soup {
+pub(super) fn sphere() -> TriangleSoup {
     ball_of(SEGMENTS / 2, SEGMENTS)
 }
 
 /// A sphere of 400 triangles, as the thesis's test scene has it.
-pub(super) fn ball() -> Soup {
+pub(super) fn ball() -> TriangleSoup {
     ball_of(11, 20)
 }
 
-fn ball_of(steps: usize, segments: usize) -> Soup {
+fn ball_of(steps: usize, segments: usize) -> TriangleSoup {
     let mut profile: Vec<Ring> = arc(DVec2::ZERO, 1.0, -PI / 2.0, PI / 2.0, steps)
         .enumerate()
         .map(|(i, (at, normal))| Ring { at, normal, v: i as f64 / steps as f64 })
@@ -96,7 +96,7 @@ fn ball_of(steps: usize, segments: usize) -> Soup {
 }
 
 /// The torus, of radii 0.7 and 0.3, standing up, so that one sees through it from the front.
-pub(super) fn torus() -> Soup {
+pub(super) fn torus() -> TriangleSoup {
     let steps = 80;
     let profile: Vec<Ring> = arc(DVec2::new(0.7, 0.0), 0.3, -PI, PI, steps)
         .enumerate()
@@ -112,7 +112,7 @@ pub(super) fn torus() -> Soup {
 
 /// The vase: an amphora without handles, with foot, belly, neck and lip, then the same wall from
 /// inside.
-pub(super) fn vase() -> Soup {
+pub(super) fn vase() -> TriangleSoup {
     // Distances from the axis at heights, between which the profile bends smoothly.
     let outside = [
         (0.0, -1.0),
@@ -183,7 +183,7 @@ fn spline(points: &[DVec2], steps: usize) -> Vec<(DVec2, DVec2)> {
     let after = points.iter().rev().skip(1).take(2).map(mirrored);
     let all: Vec<[f64; 4]> =
         before.chain(points.iter().copied()).chain(after).map(|p| [p.x, p.y, 0.0, 0.0]).collect();
-    let curve = Curve::through(&all);
+    let curve = Tube::through(&all);
     let count = (points.len() - 1) * steps;
     let at = |i: usize| curve.at(2.0 + i as f64 / steps as f64).truncate().truncate();
     let tangent = |i: usize| curve.slope(2.0 + i as f64 / steps as f64).truncate();

@@ -1,4 +1,4 @@
-//! Soft modelling clay: a signed distance field made of rounded pieces, each added to or cut from
+//! Soft modeling clay: a signed distance field made of rounded pieces, each added to or cut from
 //! what came before with a smooth seam.
 //!
 //! The seam is the cubic smooth minimum, whose second derivatives are continuous, so that curvature
@@ -8,16 +8,16 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::curve::Curve;
+use super::curve::Tube;
 
 /// A sculpture: its pieces, in the order in which they are applied.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sculpture {
-    pieces: Vec<Piece>,
+    pieces: Vec<SolidPiece>,
 }
 
 #[derive(Clone, Debug)]
-struct Piece {
+struct SolidPiece {
     solid: Solid,
     cut: bool,
     /// Width of the seam.
@@ -33,7 +33,7 @@ pub(super) enum Solid {
     /// An ellipsoid; `local` turns space to its axes.
     Ellipsoid { center: DVec3, radii: DVec3, local: DMat3 },
     /// A tube.
-    Stroke(Curve),
+    Stroke(Tube),
 }
 
 /// A solid ball.
@@ -52,7 +52,7 @@ pub(super) fn ellipsoid(center: [f64; 3], radii: [f64; 3], turn: DQuat) -> Solid
 
 /// A round tube through points `[x, y, z, radius]`, bent smoothly.
 pub(super) fn stroke(points: &[[f64; 4]]) -> Solid {
-    Solid::Stroke(Curve::through(points))
+    Solid::Stroke(Tube::through(points))
 }
 
 impl Solid {
@@ -104,7 +104,7 @@ impl Sculpture {
 
     fn piece(&mut self, k: f64, solid: Solid, cut: bool) {
         let (center, reach) = solid.hull();
-        self.pieces.push(Piece { solid, cut, k, center, reach });
+        self.pieces.push(SolidPiece { solid, cut, k, center, reach });
     }
 
     /// The least and greatest coordinates of anything added.
@@ -177,7 +177,7 @@ impl Sculpture {
     }
 }
 
-impl Piece {
+impl SolidPiece {
     /// The least margin by which the field `d` outweighs the piece at `p`; with a margin of `k` or
     /// more the piece changes nothing.
     fn gap(&self, d: f64, p: DVec3) -> f64 {

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, Soup};
+use crate::geometry::soup::{Corner, TriangleSoup};
 
 const ALONG: usize = 480;
 const AROUND: usize = 48;
@@ -20,8 +20,8 @@ fn trefoil(t: f64) -> DVec3 {
 
 /// The knot: a trefoil tube. Around the curve the frame is the Frenet frame (the curve bends
 /// everywhere), so normals are exact.
-pub(super) fn knot() -> Soup {
-    let mut soup = Soup::default();
+pub(super) fn knot() -> TriangleSoup {
+    let mut soup = TriangleSoup::default();
     let material = soup.material(DEFAULT_MATERIAL);
     const STEP: f64 = 1e-4;
     for i in 0..ALONG {
@@ -39,7 +39,7 @@ pub(super) fn knot() -> Soup {
     }
     for i in 0..ALONG {
         for j in 0..AROUND {
-            let corner = |soup: &mut Soup, di: usize, dj: usize| {
+            let corner = |soup: &mut TriangleSoup, di: usize, dj: usize| {
                 let point = ((i + di) % ALONG * AROUND + (j + dj) % AROUND) as u32;
                 // Along the tube the texture repeats 12 times, which keeps it about square.
                 let uv = [12.0 * (i + di) as f32 / ALONG as f32, (j + dj) as f32 / AROUND as f32];

@@ -4,15 +4,15 @@ use glam::{DVec2, DVec3};
 
 use super::nets::Net;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, Soup};
+use crate::geometry::soup::{Corner, TriangleSoup};
 
 /// The soup of a net: quads are cut along their shorter diagonals; corners get the points' normals,
 /// and UVs from `uvs`, which takes a triangle's points.
-fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> Soup {
-    let mut soup = Soup {
+fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> TriangleSoup {
+    let mut soup = TriangleSoup {
         points: net.points.iter().map(|p| p.as_vec3().to_array()).collect(),
         normals: net.normals.iter().map(|n| n.as_vec3().to_array()).collect(),
-        ..Soup::default()
+        ..TriangleSoup::default()
     };
     let material = soup.material(DEFAULT_MATERIAL);
     for quad in &net.quads {
@@ -35,7 +35,7 @@ fn soup(net: &Net, uvs: impl Fn([usize; 3]) -> [DVec2; 3]) -> Soup {
 
 /// UVs of longitude and latitude seen from the origin: u grows to the right seen from the front,
 /// with the seam behind.
-pub(super) fn spherical(net: &Net) -> Soup {
+pub(super) fn spherical(net: &Net) -> TriangleSoup {
     let turns: Vec<DVec2> = net.points.iter().map(|&p| turn(p)).collect();
     soup(net, |points| {
         let mut uvs = points.map(|p| turns[p]);
@@ -57,7 +57,7 @@ fn turn(p: DVec3) -> DVec2 {
 /// UVs from six views along the axes: each triangle is seen along the axis that it faces most, each
 /// view in a field of its own: three columns (x, y, z), two rows (from above 0, from below). Even
 /// scale, nothing mirrored, seams where the views meet.
-pub(super) fn boxed(net: &Net) -> Soup {
+pub(super) fn boxed(net: &Net) -> TriangleSoup {
     let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let (min, max) = net.points.iter().fold(ends, |(min, max), &p| (min.min(p), max.max(p)));
     let (center, scale) = ((min + max) / 2.0, 1.0 / (max - min).max_element());

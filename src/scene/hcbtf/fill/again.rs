@@ -13,7 +13,7 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::bake::{self, Mapping};
-use super::plan::{Plan, Recipe, Source};
+use super::plan::{FillPlan, Recipe, TileSource};
 use super::{FilledSamples, NotFilled, blend, fill};
 use crate::document::{Hcbtf, Rule, Tile};
 use crate::progress::Progress;
@@ -23,7 +23,7 @@ use crate::progress::Progress;
 const MOST_CHANGED: usize = 4;
 
 /// A part of a tile: x, y, width and height in texels.
-type Part = [u32; 4];
+type TileRegion = [u32; 4];
 
 /// Runs the rules for every sample, as [`fill`] does, with the help of the result `before` of an
 /// earlier state of the HCBTF: equal tiles are not made again. Tiles that have become equal may
@@ -42,14 +42,14 @@ pub fn refill(
     let changed =
         changed(hcbtf, old).filter(|_| filled.grid == hcbtf.grid && old.grid == hcbtf.grid);
     let Some(changed) = changed else { return fill(hcbtf, progress) };
-    let plan = Plan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
+    let plan = FillPlan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
     // Samples of one recipe had one tile before, so any of them gives the recipe's old tile.
     let mut old_tiles = vec![0; plan.recipes.len()];
     for ([recipe, _], [tile, _]) in plan.samples.iter().zip(&filled.samples) {
         old_tiles[*recipe as usize] = *tile;
     }
     let again = Refill { plan: &plan, filled, changed: &changed, progress };
-    let wanted: Vec<(usize, Part)> = (0..plan.recipes.len())
+    let wanted: Vec<(usize, TileRegion)> = (0..plan.recipes.len())
         .into_par_iter()
         .filter_map(|recipe| Some((recipe, again.part(&plan.recipes[recipe])?)))
         .collect();
@@ -69,12 +69,12 @@ enum RefilledTile {
     /// A new tile.
     Other(Arc<Tile>),
     /// The tile from before, with these texels in a part of it.
-    Patched(Part, Vec<u8>),
+    Patched(TileRegion, Vec<u8>),
 }
 
 /// The paintings that changed, by number, each with its changed part; `None` if anything else has
 /// changed, or too many of them.
-fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, Part>> {
+fn changed(now: &Hcbtf, old: &Hcbtf) -> Option<HashMap<u32, TileRegion>> {
     let is_alike = now.grid == old.grid && now.is_tiling == old.is_tiling && now.rules == old.rules;
     if !is_alike || !now.painted.keys().eq(old.painted.keys()) {
         return None;
@@ -118,28 +118,28 @@ fn is_opaque(tile: &Tile) -> bool {
 
 /// Inputs of refilling tiles.
 struct Refill<'a> {
-    plan: &'a Plan<'a>,
+    plan: &'a FillPlan<'a>,
     filled: &'a FilledSamples,
-    changed: &'a HashMap<u32, Part>,
+    changed: &'a HashMap<u32, TileRegion>,
     progress: &'a Progress,
 }
 
 impl Refill<'_> {
     /// The part of a recipe's tile that may have changed.
-    fn part(&self, recipe: &Recipe) -> Option<Part> {
+    fn part(&self, recipe: &Recipe) -> Option<TileRegion> {
         let part = match recipe.source {
-            Source::Painted(number) => self.changed.get(&number).copied(),
-            Source::Blend { .. } => {
+            TileSource::Painted(number) => self.changed.get(&number).copied(),
+            TileSource::Blend { .. } => {
                 let weights = self.weights(recipe);
                 weights
                     .iter()
                     .filter_map(|(number, _)| self.changed.get(number).copied())
                     .reduce(around)
             }
-            Source::Empty
-            | Source::Uniform(_)
-            | Source::Morph { .. }
-            | Source::Generated { .. } => None,
+            TileSource::Empty
+            | TileSource::Uniform(_)
+            | TileSource::Morph { .. }
+            | TileSource::Generated { .. } => None,
         };
         let whole = |_| [0, 0, self.plan.grid.size[0], self.plan.grid.size[1]];
         if is_whole(recipe) { part.map(whole) } else { part }
@@ -147,7 +147,7 @@ impl Refill<'_> {
 
     fn weights(&self, recipe: &Recipe) -> Vec<(u32, f32)> {
         match recipe.source {
-            Source::Blend { address, sharpness } => {
+            TileSource::Blend { address, sharpness } => {
                 blend::weights(address, sharpness.get(), &self.plan.grid, &self.plan.painted)
             }
             _ => Vec::new(),
@@ -155,7 +155,7 @@ impl Refill<'_> {
     }
 
     /// The tile of a recipe; `None` if the work is stopped.
-    fn tile(&self, recipe: &Recipe, old: u32, part: Part) -> Option<RefilledTile> {
+    fn tile(&self, recipe: &Recipe, old: u32, part: TileRegion) -> Option<RefilledTile> {
         if self.progress.is_stopped() {
             return None;
         }
@@ -174,7 +174,7 @@ impl Refill<'_> {
             let from = y * width + left;
             let begin = texels.len();
             match recipe.source {
-                Source::Painted(number) => {
+                TileSource::Painted(number) => {
                     let painted = self
                         .plan
                         .painted
@@ -201,11 +201,11 @@ impl Refill<'_> {
 /// and a painted tile is there already.
 fn is_whole(recipe: &Recipe) -> bool {
     recipe.turn.get() != 0.0
-        || matches!(recipe.source, Source::Painted(_)) && !recipe.is_recolored()
+        || matches!(recipe.source, TileSource::Painted(_)) && !recipe.is_recolored()
 }
 
 /// The smallest part that contains both.
-fn around(one: Part, other: Part) -> Part {
+fn around(one: TileRegion, other: TileRegion) -> TileRegion {
     let [x, y] = [0, 1].map(|axis| one[axis].min(other[axis]));
     let [right, bottom] =
         [0, 1].map(|axis| (one[axis] + one[axis + 2]).max(other[axis] + other[axis + 2]));
@@ -214,12 +214,12 @@ fn around(one: Part, other: Part) -> Part {
 
 /// All tiles; equal patches of the same tile are made once.
 fn together(
-    plan: &Plan<'_>,
+    plan: &FillPlan<'_>,
     filled: &FilledSamples,
     old_tiles: &[u32],
     mut made: HashMap<usize, RefilledTile>,
 ) -> FilledSamples {
-    let mut patched: HashMap<(u32, Part, Vec<u8>), Arc<Tile>> = HashMap::new();
+    let mut patched: HashMap<(u32, TileRegion, Vec<u8>), Arc<Tile>> = HashMap::new();
     let mut known: HashMap<*const Tile, u32> = HashMap::new();
     let mut tiles: Vec<Arc<Tile>> = Vec::new();
     let mut place = Vec::with_capacity(plan.recipes.len());
@@ -229,7 +229,7 @@ fn together(
             None | Some(RefilledTile::AsBefore) => before.clone(),
             Some(RefilledTile::Other(tile)) => tile,
             Some(RefilledTile::Patched(part, texels)) => {
-                let patch = |(_, part, texels): &(u32, Part, Vec<u8>)| {
+                let patch = |(_, part, texels): &(u32, TileRegion, Vec<u8>)| {
                     Arc::new(with(before, *part, texels))
                 };
                 let key = (*old, part, texels);
@@ -252,7 +252,7 @@ fn together(
 }
 
 /// A tile with other texels in a part of it.
-fn with(tile: &Tile, [left, top, wide, _]: Part, texels: &[u8]) -> Tile {
+fn with(tile: &Tile, [left, top, wide, _]: TileRegion, texels: &[u8]) -> Tile {
     let mut tile = tile.clone();
     let stride = 4 * tile.size()[0] as usize;
     let (left, wide) = (4 * left as usize, 4 * wide as usize);

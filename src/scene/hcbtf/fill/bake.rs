@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use super::blend;
-use super::plan::{Plan, Recipe, Source};
-use super::turn::{Color, Turned};
+use super::plan::{FillPlan, Recipe, TileSource};
+use super::turn::{Color, TurnedTile};
 use crate::document::Tile;
 use crate::progress::Progress;
 
 /// The tile of a recipe; `None` if the work is stopped.
-pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Option<Arc<Tile>> {
+pub(super) fn tile(plan: &FillPlan<'_>, recipe: &Recipe, progress: &Progress) -> Option<Arc<Tile>> {
     if progress.is_stopped() {
         return None;
     }
@@ -20,12 +20,12 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
         Some(tile)
     };
     match recipe.source {
-        Source::Empty => at_once(Arc::new(Tile::filled(size, [0; 4]))),
-        Source::Uniform(color) => {
+        TileSource::Empty => at_once(Arc::new(Tile::filled(size, [0; 4]))),
+        TileSource::Uniform(color) => {
             let mapped = Mapping::new(recipe).of(color.map(f32::from));
             at_once(Arc::new(Tile::filled(size, mapped)))
         }
-        Source::Painted(number) => {
+        TileSource::Painted(number) => {
             let painted = plan.painted.get(number as usize)?.tile;
             match (recipe.turn.get() == 0.0, recipe.is_recolored()) {
                 (true, false) => at_once(painted.clone()),
@@ -36,7 +36,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
                 }),
             }
         }
-        Source::Blend { address, sharpness } => {
+        TileSource::Blend { address, sharpness } => {
             let weights = blend::weights(address, sharpness.get(), &plan.grid, &plan.painted);
             let width = size[0] as usize;
             let blend =
@@ -54,7 +54,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
             }
             rows.turned(plan.is_tiling, |x, y| blended[y * width + x])
         }
-        Source::Morph { address, sharpness } => {
+        TileSource::Morph { address, sharpness } => {
             let morph = plan.flows.morph(
                 address,
                 sharpness.get(),
@@ -69,7 +69,7 @@ pub(super) fn tile(plan: &Plan<'_>, recipe: &Recipe, progress: &Progress) -> Opt
                 false => rows.turned(plan.is_tiling, |x, y| morph.at(x, y)),
             }
         }
-        Source::Generated { rule, address } => {
+        TileSource::Generated { rule, address } => {
             let drawn = plan.generators.get(rule as usize)?.as_ref()?.tile(address, progress)?;
             let width = size[0] as usize;
             match recipe.turn.get() == 0.0 {
@@ -143,7 +143,7 @@ impl Rows<'_> {
     }
 
     fn turned(&self, is_tiling: bool, texel: impl Fn(usize, usize) -> Color) -> Option<Arc<Tile>> {
-        let turned = Turned::new(self.size, is_tiling, self.recipe.turn.get(), texel);
+        let turned = TurnedTile::new(self.size, is_tiling, self.recipe.turn.get(), texel);
         self.each(|y, row| {
             row.iter_mut().enumerate().for_each(|(x, color)| *color = turned.at(x, y));
         })

@@ -9,7 +9,7 @@
 //! around it, and none is needed.
 
 use super::lock::squared_distance;
-use super::plan::Painted;
+use super::plan::PaintedSample;
 use crate::document::{Address, Grid};
 
 /// Least weight of samples that are blended, times the number of painted samples: the others
@@ -21,7 +21,7 @@ pub(super) fn weights(
     address: Address,
     sharpness: f64,
     grid: &Grid,
-    painted: &[Painted<'_>],
+    painted: &[PaintedSample<'_>],
 ) -> Vec<(u32, f32)> {
     let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
     // Weights are computed in logarithms: powers of small distances overflow, those of large ones
@@ -45,7 +45,7 @@ pub(super) fn weights(
 /// weighted by alpha as well.
 pub(super) fn row(
     weights: &[(u32, f32)],
-    painted: &[Painted<'_>],
+    painted: &[PaintedSample<'_>],
     from: usize,
     blended: &mut [[f32; 4]],
 ) {

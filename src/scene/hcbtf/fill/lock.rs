@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::plan::{Painted, SAME_ANGLE};
+use super::plan::{PaintedSample, SAME_ANGLE};
 use crate::document::{Address, Direction, Grid, HcbtfAngle as Angle};
 
 /// The angle between unit vectors, in radians: relatively exact for near vectors, and to 1e-8 for
@@ -14,18 +14,18 @@ pub(super) fn angle(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// The square of the distance between two samples on the product of the two spheres.
-pub(super) fn squared_distance(light: DVec3, view: DVec3, other: &Painted<'_>) -> f64 {
+pub(super) fn squared_distance(light: DVec3, view: DVec3, other: &PaintedSample<'_>) -> f64 {
     angle(light, other.light).powi(2) + angle(view, other.view).powi(2)
 }
 
 /// Angles of a direction that are locked, and so do not matter.
 #[derive(Clone, Copy)]
-struct Locked {
+struct LockedAngles {
     theta: bool,
     phi: bool,
 }
 
-impl Locked {
+impl LockedAngles {
     /// The key that agreeing directions have in common; the step around the normal only if the ring
     /// is known, because at the normal every step agrees.
     fn key(self, direction: Direction) -> [u32; 2] {
@@ -45,19 +45,19 @@ impl Locked {
 
 /// A [`crate::document::Rule::Lock`], ready to look samples up.
 pub(super) struct Lock {
-    light: Locked,
-    view: Locked,
+    light: LockedAngles,
+    view: LockedAngles,
     /// Numbers of the painted samples that may agree, by their common key.
     groups: HashMap<[[u32; 2]; 2], Vec<u32>>,
 }
 
 impl Lock {
-    pub(super) fn new(angles: &[Angle], painted: &[Painted<'_>]) -> Self {
-        let light = Locked {
+    pub(super) fn new(angles: &[Angle], painted: &[PaintedSample<'_>]) -> Self {
+        let light = LockedAngles {
             theta: angles.contains(&Angle::LightTheta),
             phi: angles.contains(&Angle::LightPhi),
         };
-        let view = Locked {
+        let view = LockedAngles {
             theta: angles.contains(&Angle::ViewTheta),
             phi: angles.contains(&Angle::ViewPhi),
         };
@@ -78,7 +78,7 @@ impl Lock {
         &self,
         address: Address,
         grid: &Grid,
-        painted: &[Painted<'_>],
+        painted: &[PaintedSample<'_>],
     ) -> Option<u32> {
         let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
         let mut best: Option<(f64, u32)> = None;

@@ -26,7 +26,7 @@ use rayon::iter::{IntoParallelRefIterator as _, ParallelIterator as _};
 use thiserror::Error;
 
 pub use self::again::refill;
-use self::plan::Plan;
+use self::plan::FillPlan;
 use crate::diag::Diagnostic;
 use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
 use crate::progress::Progress;
@@ -75,7 +75,7 @@ impl SampleChoice {
 
 /// Estimate of the cost of filling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Estimate {
+pub struct FillEstimate {
     /// Number of samples of the grid.
     pub samples: u64,
     /// Number of different tiles among the samples, as far as known before they are made; painted
@@ -212,19 +212,22 @@ pub fn filled_at_most(grid: &Grid) -> u64 {
 ///
 /// # Errors
 /// As [`fill`], except for being stopped.
-pub fn estimate(hcbtf: &Hcbtf) -> Result<Estimate, NotFilled> {
+pub fn estimate(hcbtf: &Hcbtf) -> Result<FillEstimate, NotFilled> {
     laid_out(hcbtf, &Progress::new()).map(|(_, estimate)| estimate)
 }
 
-fn laid_out<'a>(hcbtf: &'a Hcbtf, progress: &Progress) -> Result<(Plan<'a>, Estimate), NotFilled> {
+fn laid_out<'a>(
+    hcbtf: &'a Hcbtf,
+    progress: &Progress,
+) -> Result<(FillPlan<'a>, FillEstimate), NotFilled> {
     hcbtf.grid.check().map_err(|why| NotFilled::BadGrid { why })?;
     let samples = hcbtf.grid.sample_count();
     if samples > MAX_SAMPLES {
         return Err(NotFilled::TooMany { samples });
     }
-    let plan = Plan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
+    let plan = FillPlan::new(hcbtf, progress).ok_or(NotFilled::Stopped)?;
     let tiles = plan.recipes.len() as u64;
-    let estimate = Estimate { samples, tiles, bytes: bytes(hcbtf.grid, tiles) };
+    let estimate = FillEstimate { samples, tiles, bytes: bytes(hcbtf.grid, tiles) };
     if estimate.bytes > MAX_FILLED_BYTES {
         return Err(NotFilled::TooLarge { bytes: estimate.bytes });
     }
@@ -271,7 +274,7 @@ pub fn sample(
         return Ok(None);
     }
     let mut plan =
-        Plan::of(hcbtf, vec![address.canonical()], progress).ok_or(NotFilled::Stopped)?;
+        FillPlan::of(hcbtf, vec![address.canonical()], progress).ok_or(NotFilled::Stopped)?;
     plan.prepare(hcbtf, progress).ok_or(NotFilled::Stopped)?;
     let tile = plan
         .recipes

@@ -22,7 +22,7 @@ use crate::progress::Progress;
 pub(super) const SAME_ANGLE: f64 = 1e-9;
 
 /// A painted sample with the vectors that distances need.
-pub(super) struct Painted<'a> {
+pub(super) struct PaintedSample<'a> {
     pub(super) address: Address,
     pub(super) light: DVec3,
     pub(super) view: DVec3,
@@ -33,7 +33,7 @@ pub(super) struct Painted<'a> {
 
 /// Start of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Source {
+pub(super) enum TileSource {
     /// Transparent black.
     Empty,
     /// A painted sample, by its number in the plan.
@@ -64,20 +64,20 @@ impl Bits {
 }
 
 /// Change of a channel, a byte as a number from 0 to 255: factor, then offset.
-pub(super) type Map = [Bits; 2];
+pub(super) type ChannelMap = [Bits; 2];
 
 /// Recipe of a tile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Recipe {
-    pub(super) source: Source,
+    pub(super) source: TileSource,
     /// Turn of the content, in turns in [0, 1), from v toward u.
     pub(super) turn: Bits,
     /// Changes of red, green and blue.
-    pub(super) maps: [Map; 3],
+    pub(super) maps: [ChannelMap; 3],
 }
 
 impl Recipe {
-    fn of(source: Source) -> Self {
+    fn of(source: TileSource) -> Self {
         Self { source, turn: Bits::new(0.0), maps: [[Bits::new(1.0), Bits::new(0.0)]; 3] }
     }
 
@@ -95,10 +95,10 @@ impl Recipe {
 }
 
 /// All recipes, and the recipe of each sample.
-pub(super) struct Plan<'a> {
+pub(super) struct FillPlan<'a> {
     pub(super) grid: Grid,
     pub(super) is_tiling: bool,
-    pub(super) painted: Vec<Painted<'a>>,
+    pub(super) painted: Vec<PaintedSample<'a>>,
     pub(super) recipes: Vec<Recipe>,
     pub(super) provenances: Vec<Provenance>,
     /// Generator of each rule, where one is needed and prepared.
@@ -110,7 +110,7 @@ pub(super) struct Plan<'a> {
     pub(super) samples: Vec<[u32; 2]>,
 }
 
-impl<'a> Plan<'a> {
+impl<'a> FillPlan<'a> {
     /// Walks the rules for every sample; `None` if the work is stopped.
     pub(super) fn new(hcbtf: &'a Hcbtf, progress: &Progress) -> Option<Self> {
         Self::of(hcbtf, hcbtf.grid.addresses().collect(), progress)
@@ -122,7 +122,7 @@ impl<'a> Plan<'a> {
         addresses: Vec<Address>,
         progress: &Progress,
     ) -> Option<Self> {
-        let planner = Planner::new(hcbtf);
+        let planner = FillPlanner::new(hcbtf);
         let walk = |address| (!progress.is_stopped()).then(|| planner.sample(address));
         let walked: Vec<(Recipe, Provenance)> =
             addresses.into_par_iter().map(walk).collect::<Option<_>>()?;
@@ -151,12 +151,12 @@ impl<'a> Plan<'a> {
         let rules = &hcbtf.rules;
         let mut generated: Vec<Vec<Address>> = vec![Vec::new(); rules.len()];
         for recipe in &self.recipes {
-            if let Source::Generated { rule, address } = recipe.source {
+            if let TileSource::Generated { rule, address } = recipe.source {
                 generated[rule as usize].push(address);
             }
         }
         let morphed = self.recipes.iter().filter_map(|recipe| match recipe.source {
-            Source::Morph { address, sharpness } => Some((address, sharpness.get())),
+            TileSource::Morph { address, sharpness } => Some((address, sharpness.get())),
             _ => None,
         });
         let pairs = Flows::pairs(morphed, &self.grid, &self.painted, progress)?;
@@ -180,16 +180,16 @@ impl<'a> Plan<'a> {
 }
 
 /// Inputs of walking the rules.
-struct Planner<'a> {
+struct FillPlanner<'a> {
     grid: Grid,
     rules: &'a [Rule],
-    painted: Vec<Painted<'a>>,
+    painted: Vec<PaintedSample<'a>>,
     numbers: HashMap<Address, u32>,
     /// Look-up of each rule that is a [`Rule::Lock`].
     locks: Vec<Option<Lock>>,
 }
 
-impl<'a> Planner<'a> {
+impl<'a> FillPlanner<'a> {
     fn new(hcbtf: &'a Hcbtf) -> Self {
         let grid = hcbtf.grid;
         let fits = |(address, tile): &(&Address, &Arc<Tile>)| {
@@ -198,9 +198,9 @@ impl<'a> Planner<'a> {
         let painted = hcbtf.painted.iter().filter(fits).map(|(address, tile)| {
             let (light, view) = (grid.light.vector(address.light), grid.view.vector(address.view));
             let is_opaque = tile.bytes().iter().skip(3).step_by(4).all(|alpha| *alpha == 255);
-            Painted { address: address.canonical(), light, view, tile, is_opaque }
+            PaintedSample { address: address.canonical(), light, view, tile, is_opaque }
         });
-        let painted: Vec<Painted<'_>> = painted.collect();
+        let painted: Vec<PaintedSample<'_>> = painted.collect();
         let numbers = painted
             .iter()
             .enumerate()
@@ -216,7 +216,7 @@ impl<'a> Planner<'a> {
 
     fn sample(&self, address: Address) -> (Recipe, Provenance) {
         if let Some(number) = self.numbers.get(&address) {
-            return (Recipe::of(Source::Painted(*number)), Provenance::Painted);
+            return (Recipe::of(TileSource::Painted(*number)), Provenance::Painted);
         }
         let mut filled: Option<(Recipe, usize, Vec<usize>)> = None;
         for (number, rule) in self.rules.iter().enumerate() {
@@ -236,34 +236,35 @@ impl<'a> Planner<'a> {
         }
         match filled {
             Some((recipe, by, changed_by)) => (recipe, Provenance::Filled { by, changed_by }),
-            None => (Recipe::of(Source::Empty), Provenance::Empty),
+            None => (Recipe::of(TileSource::Empty), Provenance::Empty),
         }
     }
 
     /// The start of a tile that a rule fills; `None` if the rule does not fill the sample.
-    fn source(&self, rule: &Rule, number: usize, address: Address) -> Option<Source> {
+    fn source(&self, rule: &Rule, number: usize, address: Address) -> Option<TileSource> {
         let painted =
-            |from: &Address| self.numbers.get(&from.canonical()).copied().map(Source::Painted);
+            |from: &Address| self.numbers.get(&from.canonical()).copied().map(TileSource::Painted);
         match rule {
             Rule::Copy { from } => painted(from),
             Rule::Lock { .. } => {
                 let lock = self.locks.get(number)?.as_ref()?;
-                lock.nearest(address, &self.grid, &self.painted).map(Source::Painted)
+                lock.nearest(address, &self.grid, &self.painted).map(TileSource::Painted)
             }
             Rule::Blend { .. } | Rule::Morph { .. } if self.painted.is_empty() => None,
             Rule::Blend { sharpness } => {
                 let sharpness = Bits::new(finite(*sharpness).clamp(0.0, Rule::MAX_SHARPNESS));
-                Some(Source::Blend { address, sharpness })
+                Some(TileSource::Blend { address, sharpness })
             }
             Rule::Morph { sharpness } => {
                 let sharpness = Bits::new(finite(*sharpness).clamp(0.0, Rule::MAX_SHARPNESS));
-                Some(Source::Morph { address, sharpness })
+                Some(TileSource::Morph { address, sharpness })
             }
             Rule::Mirror { color: [r, g, b, a], width } => {
                 let off = self.off_mirrored(address);
                 let fade = || 0.5 + 0.5 * (PI * off / width).cos();
-                (off < *width)
-                    .then(|| Source::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8]))
+                (off < *width).then(|| {
+                    TileSource::Uniform([*r, *g, *b, (f64::from(*a) * fade()).round() as u8])
+                })
             }
             Rule::Specular { from, width } => {
                 if self.off_mirrored(address) <= width + SAME_ANGLE {
@@ -272,11 +273,11 @@ impl<'a> Planner<'a> {
                     None
                 }
             }
-            Rule::Color { color } => Some(Source::Uniform(*color)),
-            Rule::Strokes(_) => Some(Source::Generated { rule: number as u32, address }),
+            Rule::Color { color } => Some(TileSource::Uniform(*color)),
+            Rule::Strokes(_) => Some(TileSource::Generated { rule: number as u32, address }),
             Rule::Relief(relief) => {
                 let is_painted = relief.painted().all(|from| painted(&from).is_some());
-                is_painted.then_some(Source::Generated { rule: number as u32, address })
+                is_painted.then_some(TileSource::Generated { rule: number as u32, address })
             }
             Rule::Lambert { .. } | Rule::Rotate { .. } | Rule::Recolor { .. } => None,
         }
@@ -299,7 +300,7 @@ fn change(rule: &Rule, recipe: &mut Recipe, address: Address, grid: &Grid) {
         }
         // A single color has nothing that could be turned, and at the normal the angle is 0.
         Rule::Rotate { turns }
-            if address.view.theta > 0 && !matches!(recipe.source, Source::Uniform(_)) =>
+            if address.view.theta > 0 && !matches!(recipe.source, TileSource::Uniform(_)) =>
         {
             let share = f64::from(address.view.phi) / f64::from(grid.view.phi.max(1));
             recipe.turn = Bits::new(snapped(recipe.turn.get() + finite(*turns) * share));

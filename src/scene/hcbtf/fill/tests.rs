@@ -414,7 +414,7 @@ fn turning_keeps_flat_colors_and_ramps_and_makes_no_halo() {
             assert!((got - wanted).abs() <= 0.51, "{step} {x} {y}: {got} {wanted}");
         }
     }
-    // A hard edge between two greys stays within them, and transparent texels do not darken it.
+    // A hard edge between two grays stays within them, and transparent texels do not darken it.
     let edge = (0..16).flat_map(|_| {
         (0..16).flat_map(|x| if x < 8 { [80, 80, 80, 255] } else { [160, 160, 160, 255] })
     });

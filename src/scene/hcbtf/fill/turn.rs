@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 pub(super) type Color = [f32; 4];
 
 /// Look-up in a tile that is turned.
-pub(super) struct Turned<F> {
+pub(super) struct TurnedTile<F> {
     pub(super) size: [u32; 2],
     /// True if the tile repeats beyond its edges; false if it is transparent there.
     pub(super) is_tiling: bool,
@@ -21,7 +21,7 @@ pub(super) struct Turned<F> {
     texel: F,
 }
 
-impl<F: Fn(usize, usize) -> Color> Turned<F> {
+impl<F: Fn(usize, usize) -> Color> TurnedTile<F> {
     /// A tile of the given size, whose texels `texel` gives by x and y, turned by `turns` in [0,
     /// 1).
     pub(super) fn new(size: [u32; 2], is_tiling: bool, turns: f64, texel: F) -> Self {

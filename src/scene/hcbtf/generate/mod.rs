@@ -17,9 +17,9 @@ pub(in crate::hcbtf) type Color = [f32; 4];
 /// A generator that is prepared and makes tiles.
 pub(super) enum Generator {
     /// Generator of [`Rule::Strokes`].
-    Strokes(strokes::Ready),
+    Strokes(strokes::PreparedStrokes),
     /// Generator of [`Rule::Relief`].
-    Relief(Box<relief::Ready>),
+    Relief(Box<relief::PreparedRelief>),
 }
 
 impl Generator {
@@ -28,10 +28,10 @@ impl Generator {
     pub(super) fn new(rule: &Rule, hcbtf: &Hcbtf, progress: &Progress) -> Option<Self> {
         match rule {
             Rule::Strokes(strokes) => {
-                strokes::Ready::new(strokes, &hcbtf.grid, hcbtf.is_tiling, progress)
+                strokes::PreparedStrokes::new(strokes, &hcbtf.grid, hcbtf.is_tiling, progress)
                     .map(Self::Strokes)
             }
-            Rule::Relief(relief) => relief::Ready::new(relief, hcbtf, progress)
+            Rule::Relief(relief) => relief::PreparedRelief::new(relief, hcbtf, progress)
                 .map(|ready| Self::Relief(Box::new(ready))),
             _ => None,
         }

@@ -61,11 +61,11 @@ impl Brush {
     pub const MAX_SIZE: f64 = 8192.0;
 
     /// The brush with all numbers in their ranges; `None` if it can paint nothing.
-    pub(super) fn settled(&self) -> Option<Settled> {
+    pub(super) fn settled(&self) -> Option<ClampedBrush> {
         let Self { size, hardness, opacity, flow, spacing, .. } = *self;
         let are_numbers =
             [size, hardness, opacity, flow, spacing].iter().all(|number| number.is_finite());
-        (are_numbers && size > 0.0 && size <= Self::MAX_SIZE).then(|| Settled {
+        (are_numbers && size > 0.0 && size <= Self::MAX_SIZE).then(|| ClampedBrush {
             size,
             hardness: hardness.clamp(0.0, 1.0),
             opacity: opacity.clamp(0.0, 1.0),
@@ -83,7 +83,7 @@ const MIN_STEP: f64 = 0.25;
 
 /// A brush with all numbers in their ranges.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Settled {
+pub(super) struct ClampedBrush {
     pub(super) size: f64,
     pub(super) hardness: f64,
     opacity: f64,
@@ -92,7 +92,7 @@ pub(super) struct Settled {
     pressure: Pressure,
 }
 
-impl Settled {
+impl ClampedBrush {
     /// The diameter at a pressure, in texels.
     pub(super) fn size_at(&self, pressure: f64) -> f64 {
         if matches!(self.pressure, Pressure::Size | Pressure::Both) {

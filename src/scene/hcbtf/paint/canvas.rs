@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::stroke::Changed;
+use super::stroke::ChangedRect;
 
 /// Side of the squares by which changed texels are recorded, in texels.
 const BLOCK: usize = 32;
@@ -19,12 +19,12 @@ pub(super) struct Span {
 
 /// The extent of a tile.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Canvas {
+pub(super) struct TileExtent {
     pub(super) size: [usize; 2],
     pub(super) wraps: bool,
 }
 
-impl Canvas {
+impl TileExtent {
     /// The parts of `from..to` that lie on the tile, along an axis.
     pub(super) fn spans(self, axis: usize, [from, to]: [i64; 2]) -> impl Iterator<Item = Span> {
         let side = self.size[axis] as i64;
@@ -53,7 +53,7 @@ impl Canvas {
 
 /// Record of the blocks that changed since the last call of `take`.
 #[derive(Clone, Debug)]
-pub(super) struct Dirty {
+pub(super) struct ChangedBlocks {
     size: [usize; 2],
     /// Number of blocks along x and along y.
     count: [usize; 2],
@@ -61,7 +61,7 @@ pub(super) struct Dirty {
     is_any: bool,
 }
 
-impl Dirty {
+impl ChangedBlocks {
     pub(super) fn new(size: [usize; 2]) -> Self {
         let count = size.map(|side| side.div_ceil(BLOCK));
         Self { size, count, blocks: vec![false; count[0] * count[1]], is_any: false }
@@ -78,8 +78,8 @@ impl Dirty {
     }
 
     /// The rectangles that changed, without overlaps. Clears the record.
-    pub(super) fn take(&mut self) -> Vec<Changed> {
-        let mut changed: Vec<Changed> = Vec::new();
+    pub(super) fn take(&mut self) -> Vec<ChangedRect> {
+        let mut changed: Vec<ChangedRect> = Vec::new();
         if !std::mem::take(&mut self.is_any) {
             return changed;
         }
@@ -94,7 +94,7 @@ impl Dirty {
                     let [x, y] = [column * BLOCK, row * BLOCK];
                     let run = [x, y, end - x, bottom - y].map(|texels| texels as u32);
                     // Under a run of the same extent the run extends that rectangle.
-                    let is_under = |above: &&mut Changed| {
+                    let is_under = |above: &&mut ChangedRect| {
                         above[0] == run[0] && above[2] == run[2] && above[1] + above[3] == run[1]
                     };
                     match changed.iter_mut().rev().find(is_under) {

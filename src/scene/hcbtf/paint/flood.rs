@@ -1,6 +1,6 @@
 //! Flood fill of connected texels.
 
-use super::canvas::Canvas;
+use super::canvas::TileExtent;
 use super::rim;
 use crate::document::Tile;
 
@@ -40,7 +40,7 @@ pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
     let first = texels[y * width + x];
     let most = tolerance.max(0.0) * 255.0;
     let is_like = |texel: [u8; 4]| is_like(first, texel, most);
-    let canvas = Canvas { size: [width, height], wraps };
+    let canvas = TileExtent { size: [width, height], wraps };
     let (after, _) = filled.bytes_mut().as_chunks_mut::<4>();
     let mut is_done = vec![false; texels.len()];
     let mut seeds = vec![(x, y)];
@@ -84,7 +84,7 @@ pub fn fill(tile: &Tile, at: [u32; 2], color: [u8; 4], flood: Flood) -> Tile {
             }
         }
     }
-    rim::recolor(texels, &rim::Edge { first, color, width: edge, canvas }, &is_done, after);
+    rim::recolor(texels, &rim::FillEdge { first, color, width: edge, canvas }, &is_done, after);
     filled
 }
 

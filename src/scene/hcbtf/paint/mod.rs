@@ -22,7 +22,7 @@ use crate::document::Tile;
 
 pub use brush::{Brush, Pressure, Symmetry, Tool};
 pub use flood::{Flood, fill};
-pub use stroke::{Changed, Stroke, line};
+pub use stroke::{ChangedRect, Stroke, line};
 
 /// The color of the texel at `[x, y]`, straight RGBA; beyond the tile that of the nearest texel.
 pub fn pick(tile: &Tile, at: [u32; 2]) -> [u8; 4] {

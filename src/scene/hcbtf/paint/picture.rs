@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use super::blend::premultiplied;
-use super::symmetry::Mirrored;
+use super::symmetry::StrokeCopy;
 use crate::document::Tile;
 
 /// Least scale of a smaller level, in texels of the tile: levels are halved until one of their
@@ -14,7 +14,7 @@ const FINEST: f64 = 1.5;
 
 /// A picture with its smaller levels.
 #[derive(Clone, Debug)]
-pub(super) struct Picture {
+pub(super) struct PicturePyramid {
     tile: Arc<Tile>,
     /// Levels half as large, a quarter as large, and so on; premultiplied.
     halves: Vec<Level>,
@@ -29,9 +29,9 @@ struct Level {
 /// A picture laid on the tile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlacedPicture<'p> {
-    picture: &'p Picture,
+    picture: &'p PicturePyramid,
     center: DVec2,
-    copy: Mirrored,
+    copy: StrokeCopy,
     /// Distance that the picture reaches from its middle, in the tile's texels.
     pub(super) reach: DVec2,
     /// Number of the picture's texels to one of the tile.
@@ -39,7 +39,7 @@ pub(super) struct PlacedPicture<'p> {
     level: usize,
 }
 
-impl Picture {
+impl PicturePyramid {
     /// A picture for brushes of at least `least` texels.
     pub(super) fn new(tile: &Arc<Tile>, least: f64) -> Self {
         let mut picture = Self { tile: tile.clone(), halves: Vec::new() };
@@ -77,7 +77,7 @@ impl Picture {
     }
 
     /// The picture laid on the tile, `size` texels wide.
-    pub(super) fn laid(&self, center: DVec2, size: f64, copy: Mirrored) -> PlacedPicture<'_> {
+    pub(super) fn laid(&self, center: DVec2, size: f64, copy: StrokeCopy) -> PlacedPicture<'_> {
         let half = DVec2::new(size, size * self.aspect()) / 2.0;
         let mut scale = f64::from(self.tile.size()[0]) / size;
         let turned = copy.turn.x_axis.abs() * half.x + copy.turn.y_axis.abs() * half.y;

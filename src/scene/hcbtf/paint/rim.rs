@@ -7,7 +7,7 @@
 //! toward transparent texels are edges like others. A texel that is no mix of both, as where a
 //! third color comes in, stays as it is.
 
-use super::canvas::Canvas;
+use super::canvas::TileExtent;
 
 /// A color weighted by its alpha: red, green, blue and alpha, each from 0 to 255.
 type WeightedColor = [f64; 4];
@@ -17,19 +17,24 @@ type WeightedColor = [f64; 4];
 const ROUNDED: f64 = 10.0;
 
 /// Colors of a fill, and the width of its soft edges.
-pub(super) struct Edge {
+pub(super) struct FillEdge {
     /// Old color, straight.
     pub(super) first: [u8; 4],
     /// New color, straight.
     pub(super) color: [u8; 4],
     /// Greatest width of soft edges, in texels.
     pub(super) width: u32,
-    pub(super) canvas: Canvas,
+    pub(super) canvas: TileExtent,
 }
 
 /// Gives the new color to soft edges around the texels that `is_filled` marks. `before` is the tile
 /// before the fill.
-pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after: &mut [[u8; 4]]) {
+pub(super) fn recolor(
+    before: &[[u8; 4]],
+    edge: &FillEdge,
+    is_filled: &[bool],
+    after: &mut [[u8; 4]],
+) {
     let first = seen(edge.first);
     let far = |index: usize| distance(seen(before[index]), first);
     let mut rim = climbed(edge, is_filled, &far);
@@ -40,7 +45,7 @@ pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after
         vec![None; if rim.is_empty() { 0 } else { before.len() }];
     for index in rim {
         let own = seen(before[index]);
-        let higher = neighbours(edge.canvas, index)
+        let higher = neighbors(edge.canvas, index)
             .filter(|other| far(*other) > far(index) && !is_filled[*other]);
         let tops = higher.map(|other| beyond[other].unwrap_or_else(|| seen(before[other])));
         // Of several tops that one is taken whose mix is nearest to the texel.
@@ -61,7 +66,7 @@ pub(super) fn recolor(before: &[[u8; 4]], edge: &Edge, is_filled: &[bool], after
 
 /// The texels of the soft edges: connected to the filled texels, each less like the old color than
 /// the texel before it.
-fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<usize> {
+fn climbed(edge: &FillEdge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<usize> {
     let mut rim = Vec::new();
     if edge.width == 0 {
         return rim;
@@ -72,7 +77,7 @@ fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<
         let mut next = Vec::new();
         for index in front {
             let height = if is_filled[index] { 0.0 } else { far(index) };
-            for other in neighbours(edge.canvas, index) {
+            for other in neighbors(edge.canvas, index) {
                 if !is_taken[other] && far(other) > height {
                     is_taken[other] = true;
                     next.push(other);
@@ -89,7 +94,7 @@ fn climbed(edge: &Edge, is_filled: &[bool], far: &impl Fn(usize) -> f64) -> Vec<
 }
 
 /// The texels around a texel, corners included, row by row.
-fn neighbours(canvas: Canvas, index: usize) -> impl Iterator<Item = usize> {
+fn neighbors(canvas: TileExtent, index: usize) -> impl Iterator<Item = usize> {
     let [width, height] = canvas.size.map(|side| side as i64);
     let (x, y) = (index as i64 % width, index as i64 / width);
     let around = (-1..=1)

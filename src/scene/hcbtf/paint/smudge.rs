@@ -3,8 +3,8 @@
 use glam::DVec2;
 
 use super::blend::{premultiplied, straight};
-use super::brush::Settled;
-use super::canvas::{Canvas, Dirty, Span};
+use super::brush::ClampedBrush;
+use super::canvas::{ChangedBlocks, Span, TileExtent};
 use super::dab::Dab;
 use crate::document::Tile;
 
@@ -40,10 +40,10 @@ impl Smudge {
     pub(super) fn lay(
         &mut self,
         (copy, at): (usize, DVec2),
-        (brush, pressure): (&Settled, f64),
-        canvas: Canvas,
+        (brush, pressure): (&ClampedBrush, f64),
+        canvas: TileExtent,
         tile: &mut Tile,
-        dirty: &mut Dirty,
+        dirty: &mut ChangedBlocks,
     ) {
         let corner = at.floor() - (self.side / 2) as f64;
         let corner = [corner.x as i64, corner.y as i64];
@@ -100,7 +100,7 @@ impl Smudge {
 
     /// Mixes the colors under the brush into those that it carries. Beyond the edges of a tile that
     /// does not repeat lie its outermost texels.
-    fn take_up(&mut self, copy: usize, corner: [i64; 2], kept: f64, canvas: Canvas) {
+    fn take_up(&mut self, copy: usize, corner: [i64; 2], kept: f64, canvas: TileExtent) {
         let (side, kept) = (self.side, kept as f32);
         let is_first = self.carried[copy].is_empty();
         if is_first {

@@ -12,17 +12,17 @@ use std::fmt;
 use glam::DVec2;
 
 use super::blend::{erased, over};
-use super::brush::{Brush, Settled, Symmetry, Tool};
-use super::canvas::{Canvas, Dirty};
+use super::brush::{Brush, ClampedBrush, Symmetry, Tool};
+use super::canvas::{ChangedBlocks, TileExtent};
 use super::dab::Dab;
 use super::path::Path;
-use super::picture::Picture;
+use super::picture::PicturePyramid;
 use super::smudge::Smudge;
-use super::symmetry::{Mirrored, copies};
+use super::symmetry::{StrokeCopy, copies};
 use crate::document::Tile;
 
 /// A rectangle of texels that changed: `[x, y, width, height]`, inside the tile.
-pub type Changed = [u32; 4];
+pub type ChangedRect = [u32; 4];
 
 /// Greatest number of texels that are stamped from one position to the next; more stamps than that
 /// lie farther apart.
@@ -37,18 +37,18 @@ const SMALLEST: f64 = 1.0 / 256.0;
 pub struct Stroke {
     before: Tile,
     tile: Tile,
-    canvas: Canvas,
-    dirty: Dirty,
+    canvas: TileExtent,
+    dirty: ChangedBlocks,
     path: Path,
-    copies: Vec<Mirrored>,
+    copies: Vec<StrokeCopy>,
     /// Brush of the stroke; `None` if it can paint nothing.
-    brush: Option<Settled>,
-    work: Work,
+    brush: Option<ClampedBrush>,
+    work: StrokeEffect,
 }
 
 /// State of a stroke, by its tool.
 #[derive(Clone)]
-enum Work {
+enum StrokeEffect {
     /// Lays a color, 0 to 255, with at most the alpha `alpha`, where the stroke covers.
     Color {
         color: [f64; 3],
@@ -61,7 +61,7 @@ enum Work {
     },
     /// Lays a picture: `laid` are straight colors, 0 to 255, and their coverage, 0 to 1.
     Picture {
-        picture: Picture,
+        picture: PicturePyramid,
         laid: Vec<[f32; 4]>,
     },
     Smudge(Smudge),
@@ -87,20 +87,19 @@ impl Stroke {
         let work = settled.map(|settled| match &brush.tool {
             Tool::Paint => {
                 let [red, green, blue, alpha] = brush.color.map(f64::from);
-                Work::Color {
+                StrokeEffect::Color {
                     color: [red, green, blue],
                     alpha: alpha / 255.0,
                     coverage: vec![0.0; texels],
                 }
             }
-            Tool::Erase => Work::Erase { coverage: vec![0.0; texels] },
-            Tool::Smudge => {
-                Smudge::new(tile, settled.size, copies.len()).map_or(Work::Nothing, Work::Smudge)
-            }
+            Tool::Erase => StrokeEffect::Erase { coverage: vec![0.0; texels] },
+            Tool::Smudge => Smudge::new(tile, settled.size, copies.len())
+                .map_or(StrokeEffect::Nothing, StrokeEffect::Smudge),
             Tool::Stamp(picture) => {
                 // The smallest size that pressure can make the brush.
-                let picture = Picture::new(picture, settled.size_at(0.0));
-                Work::Picture { picture, laid: vec![[0.0; 4]; texels] }
+                let picture = PicturePyramid::new(picture, settled.size_at(0.0));
+                StrokeEffect::Picture { picture, laid: vec![[0.0; 4]; texels] }
             }
         });
         let work = work.filter(|work| {
@@ -110,12 +109,12 @@ impl Stroke {
         Self {
             before: tile.clone(),
             tile: tile.clone(),
-            canvas: Canvas { size, wraps },
-            dirty: Dirty::new(size),
+            canvas: TileExtent { size, wraps },
+            dirty: ChangedBlocks::new(size),
             path: Path::default(),
             copies,
             brush: settled,
-            work: work.unwrap_or(Work::Nothing),
+            work: work.unwrap_or(StrokeEffect::Nothing),
         }
     }
 
@@ -126,7 +125,7 @@ impl Stroke {
     ///
     /// One call lays at most 2^20 stamps of 2^30 texels together; on a longer way they lie farther
     /// apart. Otherwise it does not matter how a way is cut into calls.
-    pub fn to(&mut self, at: DVec2, pressure: f64) -> Vec<Changed> {
+    pub fn to(&mut self, at: DVec2, pressure: f64) -> Vec<ChangedRect> {
         let Some(brush) = self.brush else { return Vec::new() };
         let most = self.most_stamps(brush.size);
         let mut path = self.path;
@@ -168,11 +167,11 @@ impl Stroke {
     }
 
     /// Lays a stamp and its copies.
-    fn lay(&mut self, brush: &Settled, at: DVec2, pressure: f64) {
+    fn lay(&mut self, brush: &ClampedBrush, at: DVec2, pressure: f64) {
         let (size, opacity) = (brush.size_at(pressure), brush.opacity_at(pressure));
         if size < SMALLEST
             || opacity <= 0.0
-            || brush.flow <= 0.0 && !matches!(self.work, Work::Smudge(_))
+            || brush.flow <= 0.0 && !matches!(self.work, StrokeEffect::Smudge(_))
         {
             return;
         }
@@ -181,7 +180,7 @@ impl Stroke {
         let at = if size <= 1.0 { at.floor() + 0.5 } else { at };
         let Self { work, canvas, dirty, copies, tile, .. } = self;
         match work {
-            Work::Color { coverage, .. } | Work::Erase { coverage } => {
+            StrokeEffect::Color { coverage, .. } | StrokeEffect::Erase { coverage } => {
                 let places: Vec<DVec2> =
                     copies.iter().map(|copy| canvas.on_tile(copy.place(at))).collect();
                 for (index, &place) in places.iter().enumerate() {
@@ -198,14 +197,14 @@ impl Stroke {
                     }
                 }
             }
-            Work::Picture { picture, laid } => {
+            StrokeEffect::Picture { picture, laid } => {
                 let middle = picture.middle(at, size);
                 for copy in copies.iter() {
                     let stamp = picture.laid(copy.place(middle), size, *copy);
                     lay_picture(laid, &stamp, opacity as f32, brush.flow as f32, *canvas, dirty);
                 }
             }
-            Work::Smudge(smudge) => {
+            StrokeEffect::Smudge(smudge) => {
                 let middle = at.floor() + 0.5;
                 for (index, copy) in copies.iter().enumerate() {
                     smudge.lay(
@@ -217,13 +216,13 @@ impl Stroke {
                     );
                 }
             }
-            Work::Nothing => {}
+            StrokeEffect::Nothing => {}
         }
     }
 
     /// Composes a rectangle of the tile anew from the tile before the stroke and the stroke's
     /// buffers.
-    fn compose(&mut self, [x, y, width, height]: Changed) {
+    fn compose(&mut self, [x, y, width, height]: ChangedRect) {
         let (before, _) = self.before.bytes().as_chunks::<4>();
         let (after, _) = self.tile.bytes_mut().as_chunks_mut::<4>();
         for row in y..y + height {
@@ -231,21 +230,21 @@ impl Stroke {
             let range = start..start + width as usize;
             let texels = after[range.clone()].iter_mut().zip(&before[range.clone()]);
             match &self.work {
-                Work::Color { color, alpha, coverage } => {
+                StrokeEffect::Color { color, alpha, coverage } => {
                     for ((after, before), cover) in
                         texels.zip(&coverage[range]).filter(|(_, cover)| **cover > 0.0)
                     {
                         *after = over(*before, *color, cover * alpha);
                     }
                 }
-                Work::Erase { coverage } => {
+                StrokeEffect::Erase { coverage } => {
                     for ((after, before), cover) in
                         texels.zip(&coverage[range]).filter(|(_, cover)| **cover > 0.0)
                     {
                         *after = erased(*before, *cover);
                     }
                 }
-                Work::Picture { laid, .. } => {
+                StrokeEffect::Picture { laid, .. } => {
                     for ((after, before), laid) in
                         texels.zip(&laid[range]).filter(|(_, laid)| laid[3] > 0.0)
                     {
@@ -253,15 +252,16 @@ impl Stroke {
                         *after = over(*before, [red, green, blue], alpha);
                     }
                 }
-                Work::Smudge(_) | Work::Nothing => {}
+                StrokeEffect::Smudge(_) | StrokeEffect::Nothing => {}
             }
         }
     }
 }
 
 /// The greatest number of texels that a stamp meets, along its picture's width and height.
-fn extent(work: &Work, size: f64) -> [f64; 2] {
-    let aspect = if let Work::Picture { picture, .. } = work { picture.aspect() } else { 1.0 };
+fn extent(work: &StrokeEffect, size: f64) -> [f64; 2] {
+    let aspect =
+        if let StrokeEffect::Picture { picture, .. } = work { picture.aspect() } else { 1.0 };
     [size + 2.0, size * aspect + 2.0]
 }
 
@@ -271,8 +271,8 @@ fn cover(
     dab: &Dab,
     opacity: f64,
     flow: f64,
-    canvas: Canvas,
-    dirty: &mut Dirty,
+    canvas: TileExtent,
+    dirty: &mut ChangedBlocks,
 ) {
     for down in canvas.spans(1, dab.rows()) {
         canvas.spans(0, dab.columns()).for_each(|across| dirty.mark(across, down));
@@ -299,8 +299,8 @@ fn lay_picture(
     stamp: &super::picture::PlacedPicture<'_>,
     opacity: f32,
     flow: f32,
-    canvas: Canvas,
-    dirty: &mut Dirty,
+    canvas: TileExtent,
+    dirty: &mut ChangedBlocks,
 ) {
     let [columns, rows] = stamp.ranges();
     for down in canvas.spans(1, rows) {

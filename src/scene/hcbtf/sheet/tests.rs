@@ -18,7 +18,7 @@ fn byte(seed: u32) -> u8 {
 }
 
 /// A consistent sheet, written by the thesis's formulas (A.3) and nothing else.
-fn hash_sheet(grid: &Grid) -> Picture {
+fn hash_sheet(grid: &Grid) -> BytePicture {
     let [w, h] = grid.size;
     let (ti, pi, tr, pr) = (grid.light.theta, grid.light.phi, grid.view.theta, grid.view.phi);
     let size = [w * tr * ti, h * pr * (pi + 2)];
@@ -37,10 +37,10 @@ fn hash_sheet(grid: &Grid) -> Picture {
             rgba.extend((0..4).map(|channel| byte(key.wrapping_mul(4) + channel)));
         }
     }
-    Picture { size, rgba }
+    BytePicture { size, rgba }
 }
 
-fn there_and_back(sheet: &Picture, grid: Grid) -> (Picture, Vec<Diagnostic>) {
+fn there_and_back(sheet: &BytePicture, grid: Grid) -> (BytePicture, Vec<Diagnostic>) {
     let (hcbtf, notes) = import(sheet, grid, "sheet.png").unwrap().into_parts();
     (export(&fill(&hcbtf, &Progress::new()).unwrap()).unwrap(), notes)
 }
@@ -147,7 +147,7 @@ fn other_sizes_and_other_files_are_refused() {
             .message
             .contains("it is no PNG")
     );
-    let lying = Picture { size: sheet.size, rgba: vec![0; 4] };
+    let lying = BytePicture { size: sheet.size, rgba: vec![0; 4] };
     assert!(import(&lying, ODD, "a.png").is_err());
     let huge = Grid { size: [4095; 2], light: directions(255, 255), view: directions(255, 255) };
     let mut header = sheet.to_png().unwrap();

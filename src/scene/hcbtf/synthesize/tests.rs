@@ -16,11 +16,11 @@ fn source() -> Hcbtf {
     for (number, address) in GRID.addresses().enumerate() {
         let texels = (0..GRID.texels()).flat_map(|at| {
             let place = [(at % 20) as f32 / 20.0, (at / 20) as f32 / 16.0];
-            let grey = (smooth(7, [4, 3], place) * (255.0 - 10.0 * number as f32)) as u8;
+            let gray = (smooth(7, [4, 3], place) * (255.0 - 10.0 * number as f32)) as u8;
             if number == 0 {
                 [(at % 256) as u8, (at / 256) as u8, 0, 255]
             } else {
-                [grey, grey, 255 - grey, 255]
+                [gray, gray, 255 - gray, 255]
             }
         });
         hcbtf.painted.insert(address, Arc::new(Tile::new(GRID.size, texels.collect()).unwrap()));

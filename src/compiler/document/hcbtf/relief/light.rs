@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Bounded;
+use super::BoundedNumber;
 
 /// Sun and sky of a relief, both of which may change their colors as the sun sinks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,7 +47,7 @@ impl Default for Illumination {
 }
 
 impl Illumination {
-    pub(super) fn bounds(&self) -> impl Iterator<Item = Bounded> {
+    pub(super) fn bounds(&self) -> impl Iterator<Item = BoundedNumber> {
         let bounds = [
             ("sun_amount", self.sun_amount, 0.0, 8.0),
             ("sky_amount", self.sky_amount, 0.0, 8.0),
@@ -79,7 +79,7 @@ impl Default for Glint {
 }
 
 impl Glint {
-    pub(super) fn bounds(&self) -> impl Iterator<Item = Bounded> {
+    pub(super) fn bounds(&self) -> impl Iterator<Item = BoundedNumber> {
         let bounds = [
             ("amount", self.amount, 0.0, 8.0),
             ("sharpness", self.sharpness, 1.0, 2000.0),
@@ -128,7 +128,7 @@ impl Default for Finish {
 }
 
 impl Finish {
-    pub(super) fn bounds(&self) -> impl Iterator<Item = Bounded> {
+    pub(super) fn bounds(&self) -> impl Iterator<Item = BoundedNumber> {
         let bounds = [
             ("bands", f64::from(self.bands), 0.0, 16.0),
             ("ink", self.ink, 0.0, 1.0),

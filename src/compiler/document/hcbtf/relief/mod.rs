@@ -49,7 +49,7 @@ impl Default for Relief {
 }
 
 /// Bounded number: its name, its value, and its least and greatest value.
-type Bounded = (&'static str, f64, f64, f64);
+type BoundedNumber = (&'static str, f64, f64, f64);
 
 impl Relief {
     /// Greatest number of texels of a tile that can have a relief.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Bounded;
+use super::BoundedNumber;
 use crate::document::Address;
 
 /// Channel of a painted texel that gives its height.
@@ -144,7 +144,7 @@ impl Default for Pattern {
 }
 
 impl Pattern {
-    pub(super) fn bounds(&self) -> impl Iterator<Item = Bounded> {
+    pub(super) fn bounds(&self) -> impl Iterator<Item = BoundedNumber> {
         let part = |name, value| (name, value, 0.0, 1.0);
         let count = |name, value: u32, most| (name, f64::from(value), 1.0, most);
         let bounds = match self {

@@ -12,7 +12,7 @@ use std::sync::Arc;
 use eframe::egui;
 use eframe::egui::{Button, ComboBox, DragValue, RichText, ScrollArea, Ui, vec2};
 
-use crate::catalog::Kind;
+use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
 use crate::document::{Node, Target, Tier, Value};
 use crate::fields::mark;
@@ -95,7 +95,7 @@ struct Layer<'a> {
     session: &'a Session,
     id: &'a NodeId,
     node: &'a Node,
-    kind: &'a Kind,
+    kind: &'a NodeKind,
     /// Shape that an edit would change: where the shape is keyed, that of the current direction
     /// key or at the playhead.
     shape: Shape,
@@ -106,7 +106,7 @@ struct Layer<'a> {
 impl<'a> Layer<'a> {
     fn new(session: &'a Session, id: &'a NodeId) -> Option<Self> {
         let node = session.graph().nodes.get(id)?;
-        let kind: &Kind = session.project.catalog.of(node)?;
+        let kind: &NodeKind = session.project.catalog.of(node)?;
         if !has_profile(kind) {
             return None;
         }
@@ -173,13 +173,13 @@ impl<'a> Layer<'a> {
     }
 }
 
-fn has_profile(kind: &Kind) -> bool {
+fn has_profile(kind: &NodeKind) -> bool {
     ANGLES
         .iter()
         .all(|part| kind.input(part.port).is_some_and(|index| kind.inputs[index].unit == "rad"))
 }
 
-fn name_of<'a>(node: &'a Node, kind: &'a Kind) -> &'a str {
+fn name_of<'a>(node: &'a Node, kind: &'a NodeKind) -> &'a str {
     if node.name.is_empty() { &kind.label } else { &node.name }
 }
 

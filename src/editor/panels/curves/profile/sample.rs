@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::document::Tier;
 use crate::interp::{Precision, Program, Value};
-use crate::library::{Library, NodeDef, Parameter, Variant};
+use crate::library::{ArgumentSource, Library, NodeDef, NodeFunction};
 
 /// Offset, fall-off and cut-off, in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,13 +97,13 @@ impl Sampler {
         let variant = variant_of(def, tier)?;
         let profile = def.module.program(&variant.function).ok()?;
         let takes = variant.parameters.iter().map(|parameter| match parameter {
-            Parameter::Prepared => Some(ProfileArgument::Shape),
-            Parameter::Input(index, _) => match def.inputs[*index].name.as_str() {
+            ArgumentSource::Prepared => Some(ProfileArgument::Shape),
+            ArgumentSource::Input(index, _) => match def.inputs[*index].name.as_str() {
                 "angle" => Some(ProfileArgument::Angle),
                 "shift" => Some(ProfileArgument::Shift),
                 _ => None,
             },
-            Parameter::Sampler(_) => None,
+            ArgumentSource::Sampler(_) => None,
         });
         Some(Self { prepare, profile, takes: takes.collect::<Option<_>>()? })
     }
@@ -133,7 +133,7 @@ impl Sampler {
 }
 
 /// Variant that serves a tier: the tier's own, or the exact one.
-pub(super) fn variant_of(def: &NodeDef, tier: Tier) -> Option<&Variant> {
+pub(super) fn variant_of(def: &NodeDef, tier: Tier) -> Option<&NodeFunction> {
     let of = |tier| def.variants.iter().find(move |variant| variant.tier == tier);
     of(tier).or_else(|| of(Tier::Exact))
 }

@@ -33,7 +33,7 @@ pub(super) fn show(
             ("Previous key", "To the key before the playhead", -1.0),
             ("Next key", "To the key after it", 1.0),
         ] {
-            let found = neighbour(session, way);
+            let found = neighbor(session, way);
             let response = ui.add_enabled(found.is_some(), Button::new(text)).on_hover_text(help);
             if let (true, Some(time)) = (response.clicked(), found) {
                 timeline.go(time, out);
@@ -58,7 +58,7 @@ pub(super) fn show(
 }
 
 /// Time of the nearest key before or after the playhead.
-fn neighbour(session: &Session, way: f64) -> Option<f64> {
+fn neighbor(session: &Session, way: f64) -> Option<f64> {
     let times = session.look().time_keys.iter().flat_map(|track| &track.keys).map(|key| key.time);
     let beyond = times.filter(|time| (time - session.view.time) * way > super::LEAST / 2.0);
     beyond.min_by(|a, b| (a * way).total_cmp(&(b * way)))

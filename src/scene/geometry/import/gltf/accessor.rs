@@ -6,18 +6,18 @@ use gltf::accessor::DataType;
 use gltf::accessor::sparse::IndexType;
 
 use crate::diag::Diagnostic;
-use crate::geometry::import::cursor::{Cursor, Number};
-use crate::geometry::import::report::Problem;
+use crate::geometry::import::cursor::{Cursor, NumberType};
+use crate::geometry::import::report::ImportProblem;
 use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 
-fn number(kind: DataType) -> Number {
+fn number(kind: DataType) -> NumberType {
     match kind {
-        DataType::I8 => Number::I8,
-        DataType::U8 => Number::U8,
-        DataType::I16 => Number::I16,
-        DataType::U16 => Number::U16,
-        DataType::U32 => Number::U32,
-        DataType::F32 => Number::F32,
+        DataType::I8 => NumberType::I8,
+        DataType::U8 => NumberType::U8,
+        DataType::I16 => NumberType::I16,
+        DataType::U16 => NumberType::U16,
+        DataType::U32 => NumberType::U32,
+        DataType::F32 => NumberType::F32,
     }
 }
 
@@ -31,7 +31,7 @@ pub(super) fn rows<const N: usize>(
     accessor: &Accessor,
     buffers: &[Vec<u8>],
     fill: f64,
-) -> Result<Vec<[f64; N]>, Problem> {
+) -> Result<Vec<[f64; N]>, ImportProblem> {
     let count = accessor.count();
     // Indices come three a triangle, more than any other kind of element.
     if count > 3 * MAX_TRIANGLES.max(MAX_VERTICES) {
@@ -63,9 +63,9 @@ pub(super) fn rows<const N: usize>(
         let new = layout.read(bytes, layout.size(), sparse.count()).ok_or_else(outside)?;
         let bytes = slice(&places.view(), places.offset(), buffers).ok_or_else(outside)?;
         let kind = match places.index_type() {
-            IndexType::U8 => Number::U8,
-            IndexType::U16 => Number::U16,
-            IndexType::U32 => Number::U32,
+            IndexType::U8 => NumberType::U8,
+            IndexType::U16 => NumberType::U16,
+            IndexType::U32 => NumberType::U32,
         };
         let mut cursor = Cursor::little_endian(bytes);
         for row in new {
@@ -83,7 +83,7 @@ fn slice<'a>(view: &gltf::buffer::View, offset: usize, buffers: &'a [Vec<u8>]) -
 }
 
 struct Layout {
-    kind: Number,
+    kind: NumberType,
     /// Count of numbers in an element.
     width: usize,
     normalized: bool,

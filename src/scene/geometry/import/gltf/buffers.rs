@@ -8,7 +8,7 @@ use gltf::buffer::Source;
 
 use crate::diag::Diagnostic;
 use crate::geometry::import::cursor::Cursor;
-use crate::geometry::import::report::{Problem, Report};
+use crate::geometry::import::report::{ImportProblem, ImportReport};
 use crate::geometry::import::{MAX_FILE_BYTES, Siblings};
 
 /// Base64 as lenient as writers of glTF need: some forget the padding, some do not clear the last
@@ -24,7 +24,7 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
 ///
 /// # Errors
 /// Where a chunk or the file is cut short, or the version is not 2.
-pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), Problem> {
+pub(super) fn chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), ImportProblem> {
     let short = || Box::new(Diagnostic::error("mesh-truncated", "the GLB file is cut short"));
     let mut cursor = Cursor::little_endian(bytes);
     let _magic = cursor.take(4).ok_or_else(short)?;
@@ -57,7 +57,7 @@ pub(super) fn load(
     document: &Document,
     binary: Option<&[u8]>,
     siblings: Siblings,
-    report: &mut Report,
+    report: &mut ImportReport,
 ) -> Vec<Vec<u8>> {
     let mut total = 0;
     let mut buffers = Vec::new();

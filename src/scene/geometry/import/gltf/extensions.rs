@@ -4,10 +4,10 @@
 use gltf::json::mesh::Semantic;
 use gltf::json::validation::Checked;
 
-use super::File;
+use super::GltfMembers;
 use super::instances::INSTANCING;
 use crate::diag::Diagnostic;
-use crate::geometry::import::report::Report;
+use crate::geometry::import::report::ImportReport;
 
 /// Extensions without which a file's triangles cannot be read.
 const COMPRESSIONS: [&str; 3] =
@@ -45,7 +45,7 @@ fn is_harmless(name: &str) -> bool {
 }
 
 /// Reports the extensions without which the file cannot be read.
-pub(super) fn check(file: &File, report: &mut Report) {
+pub(super) fn check(file: &GltfMembers, report: &mut ImportReport) {
     let required = &file.extensions_required;
     let named =
         COMPRESSIONS.iter().filter(|name| required.iter().any(|required| required == *name));
@@ -77,7 +77,7 @@ const MAX_NAMED: usize = 8;
 
 /// The name of a compression that a primitive or a buffer uses though the file does not list it as
 /// required: its data is nowhere else.
-fn compression_in_use(file: &File) -> Option<&'static str> {
+fn compression_in_use(file: &GltfMembers) -> Option<&'static str> {
     let of_primitive = file.meshes.iter().flat_map(|mesh| &mesh.primitives).find_map(|primitive| {
         let named = &primitive.extensions.as_ref()?.others;
         let position = primitive.attributes.get(&Checked::Valid(Semantic::Positions))?;

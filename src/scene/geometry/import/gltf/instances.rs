@@ -8,7 +8,7 @@ use gltf::{Document, Mesh, Node};
 use super::accessor;
 use crate::diag::Diagnostic;
 use crate::geometry::import::MAX_VERTICES;
-use crate::geometry::import::report::Problem;
+use crate::geometry::import::report::ImportProblem;
 
 /// The name of the extension for instances.
 pub(super) const INSTANCING: &str = "EXT_mesh_gpu_instancing";
@@ -43,7 +43,7 @@ impl<'a> PlacedMesh<'a> {
         world: DMat4,
         buffers: &[Vec<u8>],
         drawn: &mut usize,
-    ) -> Result<Option<Self>, Problem> {
+    ) -> Result<Option<Self>, ImportProblem> {
         let Some(mesh) = node.mesh() else { return Ok(None) };
         let mut instances = None;
         if let Some(extension) = node.extension_value(INSTANCING) {
@@ -73,7 +73,7 @@ impl<'a> PlacedMesh<'a> {
 
 /// Adds the primitives of `copies` of a mesh to `drawn`. Even primitives without triangles are
 /// bounded: they take no memory, but time.
-fn count_drawn(mesh: &Mesh, copies: usize, drawn: &mut usize) -> Result<(), Problem> {
+fn count_drawn(mesh: &Mesh, copies: usize, drawn: &mut usize) -> Result<(), ImportProblem> {
     *drawn = drawn.saturating_add(copies.saturating_mul(mesh.primitives().len()));
     if *drawn > MAX_VERTICES {
         let message = format!("the scene has more than {MAX_VERTICES} primitives in their places");
@@ -102,7 +102,7 @@ struct InstanceAccessors<'d, 'j> {
 }
 
 impl<'d> InstanceAccessors<'d, '_> {
-    fn wrong(&self, why: &str) -> Problem {
+    fn wrong(&self, why: &str) -> ImportProblem {
         let message = format!("node {} has wrong {INSTANCING}: {why}", self.node);
         Box::new(Diagnostic::error("mesh-syntax", message))
     }
@@ -111,7 +111,7 @@ impl<'d> InstanceAccessors<'d, '_> {
         &self,
         name: &str,
         dimensions: Dimensions,
-    ) -> Result<Option<gltf::Accessor<'d>>, Problem> {
+    ) -> Result<Option<gltf::Accessor<'d>>, ImportProblem> {
         let Some(index) = self.attributes.get(name) else { return Ok(None) };
         let index = index.as_u64().and_then(|index| usize::try_from(index).ok());
         let accessor = index.and_then(|index| self.document.accessors().nth(index));
@@ -126,8 +126,8 @@ impl<'d> InstanceAccessors<'d, '_> {
     fn read(
         &self,
         buffers: &[Vec<u8>],
-        check: impl FnOnce(usize) -> Result<(), Problem>,
-    ) -> Result<Option<Instances>, Problem> {
+        check: impl FnOnce(usize) -> Result<(), ImportProblem>,
+    ) -> Result<Option<Instances>, ImportProblem> {
         let translations = self.accessor("TRANSLATION", Dimensions::Vec3)?;
         let rotations = self.accessor("ROTATION", Dimensions::Vec4)?;
         let scales = self.accessor("SCALE", Dimensions::Vec3)?;

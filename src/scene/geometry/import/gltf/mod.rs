@@ -23,15 +23,15 @@ use serde::de::IgnoredAny;
 use self::instances::PlacedMesh;
 
 use super::Siblings;
-use super::report::Report;
+use super::report::ImportReport;
 use crate::diag::{Diagnostic, LineColumn};
-use crate::geometry::soup::Soup;
+use crate::geometry::soup::TriangleSoup;
 
 /// The members of a glTF's JSON that say where triangles are. The other members need not even be
 /// valid: animations, cameras, textures and additions of later versions and extensions.
 #[derive(Default, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-struct File {
+struct GltfMembers {
     asset: Option<json::Asset>,
     accessors: Vec<json::Accessor>,
     buffers: Vec<json::Buffer>,
@@ -46,8 +46,8 @@ struct File {
 }
 
 /// Reads a glTF or GLB file.
-pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Soup {
-    let mut soup = Soup::default();
+pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut ImportReport) -> TriangleSoup {
+    let mut soup = TriangleSoup::default();
     let (json, binary) = if bytes.starts_with(b"glTF") {
         match buffers::chunks(bytes) {
             Ok(chunks) => chunks,
@@ -59,7 +59,7 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Sou
     } else {
         (bytes, None)
     };
-    let mut skipped = Skipped::default();
+    let mut skipped = SkippedParts::default();
     let Some(document) = parse(json, &mut skipped, report) else { return soup };
     let buffers = buffers::load(&document, binary, siblings, report);
     if report.has_errors() {
@@ -77,27 +77,27 @@ pub(super) fn read(bytes: &[u8], siblings: Siblings, report: &mut Report) -> Sou
             primitive::append(&primitive, &world, &buffers, &mut soup, &mut skipped)
         {
             report.add(*diagnostic);
-            return Soup::default();
+            return TriangleSoup::default();
         }
     }
     skipped.tell(report);
     if let (1, Some(mesh)) = (document.meshes().len(), document.meshes().next()) {
         soup.name = mesh.name().unwrap_or_default().to_owned();
     }
-    if report.has_errors() { Soup::default() } else { soup }
+    if report.has_errors() { TriangleSoup::default() } else { soup }
 }
 
 /// Parts of the file that were left out, for the reader's notes.
 #[derive(Default)]
-struct Skipped {
+struct SkippedParts {
     skins: bool,
     morphs: bool,
     /// Number of primitives of points or lines.
     other: usize,
 }
 
-impl Skipped {
-    fn tell(&self, report: &mut Report) {
+impl SkippedParts {
+    fn tell(&self, report: &mut ImportReport) {
         if self.skins {
             let message = "skins are left out: the mesh stands as it was modeled";
             report.add(Diagnostic::note("mesh-unsupported", message));
@@ -116,8 +116,8 @@ impl Skipped {
 }
 
 /// Reads and validates the JSON; `None` after an error.
-fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Document> {
-    let file: File = match json::deserialize::from_slice(json) {
+fn parse(json: &[u8], skipped: &mut SkippedParts, report: &mut ImportReport) -> Option<Document> {
+    let file: GltfMembers = match json::deserialize::from_slice(json) {
         Ok(file) => file,
         Err(error) => {
             let code = if error.is_eof() { "mesh-truncated" } else { "mesh-syntax" };
@@ -163,7 +163,7 @@ fn parse(json: &[u8], skipped: &mut Skipped, report: &mut Report) -> Option<Docu
 /// missing. Everything else is dropped, so that nothing wrong there keeps the geometry from being
 /// used: textures, cameras and skins that nodes and materials name, and attributes of the maker's
 /// own. Bounds of positions, which many writers leave out, are filled in.
-fn geometry_of(file: File) -> Option<Root> {
+fn geometry_of(file: GltfMembers) -> Option<Root> {
     let mut root = Root {
         asset: file.asset?,
         accessors: file.accessors,
@@ -210,7 +210,7 @@ fn missing_accessor(root: &Root) -> Option<usize> {
 fn place_meshes<'a>(
     document: &'a Document,
     buffers: &[Vec<u8>],
-    report: &mut Report,
+    report: &mut ImportReport,
 ) -> Vec<PlacedMesh<'a>> {
     let mut open: Vec<(gltf::Node, DMat4)> =
         match document.default_scene().or_else(|| document.scenes().next()) {

@@ -6,22 +6,22 @@ use gltf::material::AlphaMode;
 use gltf::mesh::Mode;
 use gltf::{Primitive, Semantic};
 
-use super::{Skipped, accessor};
+use super::{SkippedParts, accessor};
 use crate::diag::Diagnostic;
 use crate::document::linear_to_srgb;
-use crate::geometry::import::report::Problem;
+use crate::geometry::import::report::ImportProblem;
 use crate::geometry::import::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, Material, NONE, Soup};
+use crate::geometry::soup::{Corner, Material, NONE, TriangleSoup};
 
 /// Appends the triangles of one primitive, moved by `world`, to the soup.
 pub(super) fn append(
     primitive: &Primitive,
     world: &DMat4,
     buffers: &[Vec<u8>],
-    soup: &mut Soup,
-    skipped: &mut Skipped,
-) -> Result<(), Problem> {
+    soup: &mut TriangleSoup,
+    skipped: &mut SkippedParts,
+) -> Result<(), ImportProblem> {
     if matches!(primitive.mode(), Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip) {
         skipped.other += 1;
         return Ok(());
@@ -77,7 +77,7 @@ fn read_indices(
     accessor: &gltf::Accessor,
     count: usize,
     buffers: &[Vec<u8>],
-) -> Result<Vec<u32>, Problem> {
+) -> Result<Vec<u32>, ImportProblem> {
     let whole = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
     if !whole || accessor.dimensions() != Dimensions::Scalar || accessor.normalized() {
         let message =
@@ -96,7 +96,7 @@ fn read_indices(
 }
 
 /// The index of the primitive's material in the soup.
-fn material_of(primitive: &Primitive, soup: &mut Soup) -> u32 {
+fn material_of(primitive: &Primitive, soup: &mut TriangleSoup) -> u32 {
     let material = primitive.material();
     let name = match (material.name(), material.index()) {
         (Some(name), _) if !name.is_empty() => name.to_owned(),
@@ -109,7 +109,7 @@ fn material_of(primitive: &Primitive, soup: &mut Soup) -> u32 {
 }
 
 /// Checks, before any attribute is read, that all attributes of a primitive are of equal length.
-fn check_counts(primitive: &Primitive) -> Result<(), Problem> {
+fn check_counts(primitive: &Primitive) -> Result<(), ImportProblem> {
     let mut counts = primitive.attributes().map(|(_, accessor)| accessor.count());
     let first = counts.next().unwrap_or_default();
     if counts.any(|count| count != first) {
@@ -121,7 +121,7 @@ fn check_counts(primitive: &Primitive) -> Result<(), Problem> {
 
 /// First indices of a primitive's normals and UVs in the soup's lists; `None` where the primitive
 /// has none.
-struct Has {
+struct AttributeOffsets {
     normals: Option<usize>,
     uvs: Option<usize>,
 }
@@ -132,8 +132,8 @@ fn attributes(
     primitive: &Primitive,
     world: &DMat4,
     buffers: &[Vec<u8>],
-    soup: &mut Soup,
-) -> Result<Has, Problem> {
+    soup: &mut TriangleSoup,
+) -> Result<AttributeOffsets, ImportProblem> {
     check_counts(primitive)?;
     let read3 = |semantic| {
         primitive.get(&semantic).map(|a| accessor::rows::<3>(&a, buffers, 0.0)).transpose()
@@ -157,7 +157,7 @@ fn attributes(
         linear.x_axis.cross(linear.y_axis),
     ) * linear.determinant().signum();
     let side = linear.determinant().signum() as f32;
-    let has = Has {
+    let has = AttributeOffsets {
         normals: normals.as_ref().map(|_| soup.normals.len()),
         uvs: uvs.as_ref().map(|_| soup.uvs.len()),
     };

@@ -1,7 +1,7 @@
 //! The header of a PLY file: its elements, and the properties of each.
 
-use crate::geometry::import::cursor::Number;
-use crate::geometry::import::report::Report;
+use crate::geometry::import::cursor::NumberType;
+use crate::geometry::import::report::ImportReport;
 
 /// Greatest number of elements and of properties; files with more are refused. Real files have a
 /// dozen.
@@ -20,8 +20,8 @@ pub(super) enum Encoding {
 pub(super) struct Property {
     pub name: String,
     /// Type of the count before a list; `None` for a single number.
-    pub list: Option<Number>,
-    pub number: Number,
+    pub list: Option<NumberType>,
+    pub number: NumberType,
 }
 
 /// A kind of element, `vertex` or `face` or any other that the writer chose: `count` elements with
@@ -63,7 +63,7 @@ pub(super) struct Header {
 }
 
 /// Reads the header; `None` after an error.
-pub(super) fn read(bytes: &[u8], report: &mut Report) -> Option<Header> {
+pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> Option<Header> {
     let Some((length, lines)) = extent(bytes) else {
         report.error("mesh-truncated", "the header does not end: there is no line `end_header`");
         return None;
@@ -142,16 +142,16 @@ fn property(words: &[&str]) -> Option<Property> {
     }
 }
 
-fn number(name: &str) -> Option<Number> {
+fn number(name: &str) -> Option<NumberType> {
     Some(match name {
-        "char" | "int8" => Number::I8,
-        "uchar" | "uint8" => Number::U8,
-        "short" | "int16" => Number::I16,
-        "ushort" | "uint16" => Number::U16,
-        "int" | "int32" => Number::I32,
-        "uint" | "uint32" => Number::U32,
-        "float" | "float32" => Number::F32,
-        "double" | "float64" => Number::F64,
+        "char" | "int8" => NumberType::I8,
+        "uchar" | "uint8" => NumberType::U8,
+        "short" | "int16" => NumberType::I16,
+        "ushort" | "uint16" => NumberType::U16,
+        "int" | "int32" => NumberType::I32,
+        "uint" | "uint32" => NumberType::U32,
+        "float" | "float32" => NumberType::F32,
+        "double" | "float64" => NumberType::F64,
         _ => return None,
     })
 }

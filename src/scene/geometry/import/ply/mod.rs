@@ -5,13 +5,13 @@ mod header;
 mod source;
 
 use self::header::{Element, Encoding, Header};
-use self::source::Source;
-use super::report::{Problem, Report};
+use self::source::NumberSource;
+use super::report::{ImportProblem, ImportReport};
 use super::{MAX_TRIANGLES, MAX_VERTICES};
 use crate::diag::Diagnostic;
-use crate::geometry::import::cursor::Number;
+use crate::geometry::import::cursor::NumberType;
 use crate::geometry::mesh::DEFAULT_MATERIAL;
-use crate::geometry::soup::{Corner, NONE, Polygon, Soup};
+use crate::geometry::soup::{Corner, NONE, Polygon, TriangleSoup};
 
 /// The names that programs give to a vertex's properties.
 const POSITION: [&[&str]; 3] = [&["x"], &["y"], &["z"]];
@@ -27,22 +27,22 @@ const ALPHA: [&[&str]; 1] = [&["alpha", "diffuse_alpha", "a"]];
 const FACE: &[&str] = &["vertex_indices", "vertex_index"];
 
 /// Reads a PLY file.
-pub(super) fn read(bytes: &[u8], report: &mut Report) -> Soup {
-    let Some(header) = header::read(bytes, report) else { return Soup::default() };
-    let mut soup = Soup::default();
-    let mut source = Source::new(&bytes[header.length..], header.encoding, header.lines);
+pub(super) fn read(bytes: &[u8], report: &mut ImportReport) -> TriangleSoup {
+    let Some(header) = header::read(bytes, report) else { return TriangleSoup::default() };
+    let mut soup = TriangleSoup::default();
+    let mut source = NumberSource::new(&bytes[header.length..], header.encoding, header.lines);
     if let Err(diagnostic) = elements(&header, &mut source, &mut soup, report) {
         report.add(*diagnostic);
     }
-    if report.has_errors() { Soup::default() } else { soup }
+    if report.has_errors() { TriangleSoup::default() } else { soup }
 }
 
 fn elements(
     header: &Header,
-    source: &mut Source,
-    soup: &mut Soup,
-    report: &mut Report,
-) -> Result<(), Problem> {
+    source: &mut NumberSource,
+    soup: &mut TriangleSoup,
+    report: &mut ImportReport,
+) -> Result<(), ImportProblem> {
     for element in header.elements.iter().filter(|e| !e.properties.is_empty()) {
         check_counts(element, header.encoding, source)?;
         match element.name.as_str() {
@@ -57,7 +57,11 @@ fn elements(
 
 /// Refuses counts beyond the bounds, or beyond what the rest of the file can hold, before anything
 /// is allocated.
-fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Result<(), Problem> {
+fn check_counts(
+    element: &Element,
+    encoding: Encoding,
+    source: &NumberSource,
+) -> Result<(), ImportProblem> {
     let Element { name, count, .. } = element;
     let most = match name.as_str() {
         "vertex" => MAX_VERTICES as u64,
@@ -76,7 +80,7 @@ fn check_counts(element: &Element, encoding: Encoding, source: &Source) -> Resul
     Ok(())
 }
 
-fn skip(element: &Element, source: &mut Source) -> Result<(), Problem> {
+fn skip(element: &Element, source: &mut NumberSource) -> Result<(), ImportProblem> {
     let mut values = Vec::new();
     for i in 0..element.count {
         for property in &element.properties {
@@ -95,10 +99,10 @@ fn locate<const N: usize>(element: &Element, names: [&[&str]; N]) -> Option<[usi
 
 fn vertices(
     element: &Element,
-    source: &mut Source,
-    soup: &mut Soup,
-    report: &mut Report,
-) -> Result<(), Problem> {
+    source: &mut NumberSource,
+    soup: &mut TriangleSoup,
+    report: &mut ImportReport,
+) -> Result<(), ImportProblem> {
     let Some(position) = locate(element, POSITION) else {
         return Err(Diagnostic::error(
             "mesh-syntax",
@@ -141,13 +145,18 @@ fn vertices(
 }
 
 /// The corner of a point, with the point's own normal and UV, if every point has one.
-fn corner(soup: &Soup, point: u32) -> Corner {
+fn corner(soup: &TriangleSoup, point: u32) -> Corner {
     let own = |count: usize| if count == soup.points.len() { point } else { NONE };
     Corner { point, normal: own(soup.normals.len()), uv: own(soup.uvs.len()) }
 }
 
 /// Checks that `number` is the index of a point.
-fn index(number: f64, count: usize, source: &Source, what: &str) -> Result<u32, Problem> {
+fn index(
+    number: f64,
+    count: usize,
+    source: &NumberSource,
+    what: &str,
+) -> Result<u32, ImportProblem> {
     if number >= 0.0 && number < count as f64 && number.fract() == 0.0 {
         return Ok(number as u32);
     }
@@ -155,7 +164,7 @@ fn index(number: f64, count: usize, source: &Source, what: &str) -> Result<u32, 
     Err(source.here(Diagnostic::error("mesh-index", message)).into())
 }
 
-fn check_triangles(soup: &Soup) -> Result<(), Problem> {
+fn check_triangles(soup: &TriangleSoup) -> Result<(), ImportProblem> {
     if soup.triangles.len() > MAX_TRIANGLES {
         return Err(Diagnostic::error(
             "mesh-too-large",
@@ -168,10 +177,10 @@ fn check_triangles(soup: &Soup) -> Result<(), Problem> {
 
 fn faces(
     element: &Element,
-    source: &mut Source,
-    soup: &mut Soup,
-    report: &mut Report,
-) -> Result<(), Problem> {
+    source: &mut NumberSource,
+    soup: &mut TriangleSoup,
+    report: &mut ImportReport,
+) -> Result<(), ImportProblem> {
     let Some(list) = element.find(FACE).filter(|&i| element.properties[i].list.is_some()) else {
         return Err(
             Diagnostic::error("mesh-syntax", "the faces have no list `vertex_indices`").into()
@@ -213,10 +222,10 @@ fn faces(
 /// Reads triangle strips as in the Stanford scans, where -1 ends a strip.
 fn strips(
     element: &Element,
-    source: &mut Source,
-    soup: &mut Soup,
-    report: &mut Report,
-) -> Result<(), Problem> {
+    source: &mut NumberSource,
+    soup: &mut TriangleSoup,
+    report: &mut ImportReport,
+) -> Result<(), ImportProblem> {
     let Some(list) = element.find(FACE) else { return skip(element, source) };
     let material = soup.material(DEFAULT_MATERIAL);
     let mut values = Vec::new();
@@ -234,12 +243,12 @@ fn strips(
 fn strip(
     values: &[f64],
     material: u32,
-    source: &Source,
-    soup: &mut Soup,
-    report: &mut Report,
-) -> Result<(), Problem> {
+    source: &NumberSource,
+    soup: &mut TriangleSoup,
+    report: &mut ImportReport,
+) -> Result<(), ImportProblem> {
     // The -1 that ends a strip reads as the greatest number where indices are unsigned.
-    for run in values.split(|&v| v == -1.0 || v == Number::U32.max().unwrap_or(-1.0)) {
+    for run in values.split(|&v| v == -1.0 || v == NumberType::U32.max().unwrap_or(-1.0)) {
         let mut corners = Vec::with_capacity(run.len());
         for &number in run {
             match index(number, soup.points.len(), source, "a strip") {

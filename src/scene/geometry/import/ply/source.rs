@@ -2,11 +2,11 @@
 
 use super::header::{Encoding, Property};
 use crate::diag::{Diagnostic, LineColumn};
-use crate::geometry::import::cursor::{Cursor, Number};
-use crate::geometry::import::report::Problem;
+use crate::geometry::import::cursor::{Cursor, NumberType};
+use crate::geometry::import::report::ImportProblem;
 
 /// Source of the numbers, which are read one after the other.
-pub(super) enum Source<'a> {
+pub(super) enum NumberSource<'a> {
     Text(Words<'a>),
     Binary(Cursor<'a>),
 }
@@ -17,7 +17,7 @@ pub(super) struct Words<'a> {
     line: u32,
 }
 
-impl<'a> Source<'a> {
+impl<'a> NumberSource<'a> {
     pub(super) fn new(bytes: &'a [u8], encoding: Encoding, header_lines: usize) -> Self {
         match encoding {
             Encoding::Ascii => Self::Text(Words { rest: bytes, line: header_lines as u32 + 1 }),
@@ -43,7 +43,7 @@ impl<'a> Source<'a> {
         property: &Property,
         values: &mut Vec<f64>,
         what: &dyn Fn() -> String,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), ImportProblem> {
         values.clear();
         let Some(list) = property.list else {
             values.push(self.number(property.number, what)?);
@@ -62,7 +62,11 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    fn number(&mut self, kind: Number, what: &dyn Fn() -> String) -> Result<f64, Problem> {
+    fn number(
+        &mut self,
+        kind: NumberType,
+        what: &dyn Fn() -> String,
+    ) -> Result<f64, ImportProblem> {
         let word = match self {
             Self::Binary(cursor) => return cursor.number(kind).ok_or_else(|| ended(what)),
             Self::Text(words) => words.next().ok_or_else(|| ended(what))?,
@@ -87,7 +91,7 @@ impl<'a> Source<'a> {
     }
 }
 
-fn ended(what: &dyn Fn() -> String) -> Problem {
+fn ended(what: &dyn Fn() -> String) -> ImportProblem {
     Diagnostic::error("mesh-truncated", format!("the file ends within {}", what())).into()
 }
 

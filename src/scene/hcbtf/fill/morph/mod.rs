@@ -14,7 +14,7 @@ use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use self::flow::Flow;
 use super::blend;
-use super::plan::Painted;
+use super::plan::PaintedSample;
 use crate::document::{Address, Grid, Tile};
 use crate::hcbtf::generate::Color;
 use crate::progress::Progress;
@@ -32,7 +32,7 @@ fn nearest(
     address: Address,
     sharpness: f64,
     grid: &Grid,
-    painted: &[Painted<'_>],
+    painted: &[PaintedSample<'_>],
 ) -> Vec<(u32, f32)> {
     let mut weights = blend::weights(address, sharpness, grid, painted);
     // Of equal weights the first sample comes first, so that the order is always the same.
@@ -58,7 +58,7 @@ impl Flows {
     pub(super) fn pairs(
         samples: impl Iterator<Item = (Address, f64)>,
         grid: &Grid,
-        painted: &[Painted<'_>],
+        painted: &[PaintedSample<'_>],
         progress: &Progress,
     ) -> Option<BTreeSet<[u32; 2]>> {
         let mut pairs = BTreeSet::new();
@@ -80,7 +80,7 @@ impl Flows {
     pub(super) fn new(
         pairs: BTreeSet<[u32; 2]>,
         is_tiling: bool,
-        painted: &[Painted<'_>],
+        painted: &[PaintedSample<'_>],
         progress: &Progress,
     ) -> Option<Self> {
         let flow = |pair: [u32; 2]| {
@@ -100,7 +100,7 @@ impl Flows {
         sharpness: f64,
         grid: &Grid,
         is_tiling: bool,
-        painted: &'a [Painted<'a>],
+        painted: &'a [PaintedSample<'a>],
     ) -> Morph<'a> {
         let near = nearest(address, sharpness, grid, painted);
         let source = |&(number, weight): &(u32, f32)| {
@@ -108,14 +108,14 @@ impl Flows {
             let others = near
                 .iter()
                 .filter_map(|(other, weight)| Some((self.known.get(&[number, *other])?, *weight)));
-            Some(Source { tile, weight, flows: others.collect() })
+            Some(MorphSource { tile, weight, flows: others.collect() })
         };
         Morph { is_tiling, sources: near.iter().filter_map(source).collect() }
     }
 }
 
 /// A painted sample and its flows to the others, with their weights.
-struct Source<'a> {
+struct MorphSource<'a> {
     tile: &'a Tile,
     weight: f32,
     flows: Vec<(&'a Flow, f32)>,
@@ -124,7 +124,7 @@ struct Source<'a> {
 /// Maker of a sample's texels.
 pub(super) struct Morph<'a> {
     is_tiling: bool,
-    sources: Vec<Source<'a>>,
+    sources: Vec<MorphSource<'a>>,
 }
 
 impl Morph<'_> {
@@ -146,7 +146,7 @@ impl Morph<'_> {
     }
 }
 
-impl Source<'_> {
+impl MorphSource<'_> {
     /// The color that moves to a texel: straight times alpha, and alpha from 0 to 255.
     fn at(&self, x: usize, y: usize, is_tiling: bool) -> [f32; 4] {
         let size = Vec2::from(self.tile.size().map(|side| side as f32));

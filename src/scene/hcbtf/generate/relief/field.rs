@@ -8,7 +8,7 @@
 
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
-use super::pattern::{Material, Sampler};
+use super::pattern::{CellMaterial, PatternSampler};
 use crate::document::Relief;
 use crate::progress::Progress;
 
@@ -21,7 +21,7 @@ const SMALL_SIDE: u32 = 160;
 
 /// A height field that repeats with the tile. Lengths are in cells, x to the right, y down, z out
 /// of the tile.
-pub(super) struct Field {
+pub(super) struct HeightField {
     /// Number of cells along x and y.
     pub(super) size: [usize; 2],
     /// Number of cells along a texel's side.
@@ -31,7 +31,7 @@ pub(super) struct Field {
     /// Slopes along x and y in the middles of the cells.
     pub(super) slopes: Vec<[f32; 2]>,
     /// Materials of the cells.
-    pub(super) materials: Vec<Material>,
+    pub(super) materials: Vec<CellMaterial>,
     /// Height of the highest corner.
     pub(super) top: f32,
     /// Difference between the highest and the lowest corner.
@@ -49,12 +49,12 @@ pub(super) struct Crossing {
     pub(super) cell: usize,
 }
 
-impl Field {
+impl HeightField {
     /// The field of a relief; `None` if the work is stopped.
     pub(super) fn new(
         relief: &Relief,
         tile: [u32; 2],
-        sampler: &Sampler<'_>,
+        sampler: &PatternSampler<'_>,
         progress: &Progress,
     ) -> Option<Self> {
         let side = tile[0].max(tile[1]);
@@ -64,7 +64,7 @@ impl Field {
         let [width, height] = size;
         let scale = relief.depth as f32 * width as f32;
         let place = |x: f32, y: f32| [x / width as f32, y / height as f32];
-        let row = |y: usize| -> Option<Vec<(f32, Material)>> {
+        let row = |y: usize| -> Option<Vec<(f32, CellMaterial)>> {
             let cell = |x: usize| {
                 let (corner, middle) =
                     (place(x as f32, y as f32), place(x as f32 + 0.5, y as f32 + 0.5));
@@ -80,7 +80,7 @@ impl Field {
             }
             Some(row)
         };
-        let rows: Vec<Vec<(f32, Material)>> =
+        let rows: Vec<Vec<(f32, CellMaterial)>> =
             (0..height).into_par_iter().map(row).collect::<Option<_>>()?;
         let (heights, materials) = rows.into_iter().flatten().unzip();
         Some(Self::of(size, per_texel as usize, heights, materials))
@@ -91,7 +91,7 @@ impl Field {
         size: [usize; 2],
         per_texel: usize,
         heights: Vec<f32>,
-        materials: Vec<Material>,
+        materials: Vec<CellMaterial>,
     ) -> Self {
         let top = heights.iter().copied().fold(0.0_f32, f32::max);
         let lowest = heights.iter().copied().fold(top, f32::min);

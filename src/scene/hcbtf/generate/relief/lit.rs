@@ -1,7 +1,7 @@
 //! Light of the sun and the sky on the field: the share of the sun that every cell sees, and the
 //! ambient light that reaches it.
 
-use super::field::Field;
+use super::field::HeightField;
 use super::noise::{mix3, ramp};
 use super::pattern::linear;
 use super::transport::Transport;
@@ -14,7 +14,7 @@ use crate::progress::Progress;
 const WALL: f32 = 1.5;
 
 /// Light on the field.
-pub(super) struct Lit {
+pub(super) struct FieldLight {
     /// Direction toward the sun: along x, along y (down), and out of the tile.
     pub(super) toward: [f32; 3],
     /// Color of the sun's own light, linear.
@@ -27,11 +27,11 @@ pub(super) struct Lit {
     pub(super) ambient: Vec<[f32; 3]>,
 }
 
-impl Lit {
+impl FieldLight {
     /// The light on a field; `None` if the work is stopped.
     pub(super) fn new(
         relief: &Relief,
-        field: &Field,
+        field: &HeightField,
         transport: &Transport,
         toward: [f32; 3],
         progress: &Progress,
@@ -44,7 +44,7 @@ impl Lit {
         };
         let sun = amount([light.sun, light.low_sun], light.sun_amount);
         let sky = amount([light.sky, light.low_sky], light.sky_amount);
-        let shadows = Shadows::new(light, toward);
+        let shadows = FieldShadows::new(light, toward);
         let width = field.size[0];
         let cells = width * field.size[1];
         let (mut visible, mut direct) = (Vec::with_capacity(cells), Vec::with_capacity(cells));
@@ -83,14 +83,14 @@ impl Lit {
     pub(super) fn visible_at(
         &self,
         light: &Illumination,
-        field: &Field,
+        field: &HeightField,
         cell: usize,
         place: [f32; 3],
     ) -> f32 {
         if field.steepness(cell) < WALL {
             return self.visible[cell];
         }
-        Shadows::new(light, self.toward).visible(field, cell, place)
+        FieldShadows::new(light, self.toward).visible(field, cell, place)
     }
 }
 
@@ -101,7 +101,7 @@ fn lowness(light: &Illumination, toward: [f32; 3]) -> f32 {
 }
 
 /// Computation of the shadows of a light.
-pub(super) struct Shadows {
+pub(super) struct FieldShadows {
     toward: [f32; 3],
     /// Direction along the tile, of length 1.
     along: [f32; 2],
@@ -110,7 +110,7 @@ pub(super) struct Shadows {
     softness: f32,
 }
 
-impl Shadows {
+impl FieldShadows {
     pub(super) fn new(light: &Illumination, toward: [f32; 3]) -> Self {
         let [x, y, z] = toward;
         let across = x.hypot(y);
@@ -125,13 +125,13 @@ impl Shadows {
     }
 
     /// The cosine between the sun and the normal of a cell, 0 where the sun is behind it.
-    fn cosine(&self, field: &Field, cell: usize) -> f32 {
+    fn cosine(&self, field: &HeightField, cell: usize) -> f32 {
         let normal = field.normal(cell);
         (0..3).map(|i| normal[i] * self.toward[i]).sum::<f32>().max(0.0)
     }
 
     /// The share of the sun's disc above the horizon of a place.
-    pub(super) fn visible(&self, field: &Field, cell: usize, place: [f32; 3]) -> f32 {
+    pub(super) fn visible(&self, field: &HeightField, cell: usize, place: [f32; 3]) -> f32 {
         if self.along == [0.0; 2] {
             return 1.0;
         }

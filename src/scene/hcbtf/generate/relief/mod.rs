@@ -22,9 +22,9 @@ mod transport;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
-use self::field::Field;
-use self::lit::Lit;
-use self::pattern::Sampler;
+use self::field::HeightField;
+use self::lit::FieldLight;
+use self::pattern::PatternSampler;
 use self::seen::VisibleSurface;
 use self::transport::Transport;
 use super::Color;
@@ -52,27 +52,27 @@ pub(super) fn tiles_ahead(samples: &[Address]) -> u64 {
 }
 
 /// A relief that is prepared and makes tiles.
-pub(in crate::hcbtf) struct Ready {
+pub(in crate::hcbtf) struct PreparedRelief {
     relief: Relief,
     grid: Grid,
-    field: Field,
+    field: HeightField,
     transport: Transport,
     /// Surface that each view sees, by the view's index in the grid; `None` within a cell if the
     /// work was stopped.
     seen: Vec<OnceLock<Option<VisibleSurface>>>,
     /// Light of each direction, by the light's index in the grid.
-    lit: Vec<OnceLock<Option<Lit>>>,
+    lit: Vec<OnceLock<Option<FieldLight>>>,
 }
 
-impl Ready {
+impl PreparedRelief {
     /// Prepares a relief; `None` if the work is stopped, and if a painted sample is missing.
     pub(super) fn new(relief: &Relief, hcbtf: &Hcbtf, progress: &Progress) -> Option<Self> {
-        let sampler = Sampler::new(relief, hcbtf)?;
-        let field = Field::new(relief, hcbtf.grid.size, &sampler, progress)?;
+        let sampler = PatternSampler::new(relief, hcbtf)?;
+        let field = HeightField::new(relief, hcbtf.grid.size, &sampler, progress)?;
         Self::of(relief.clone(), hcbtf.grid, field, progress)
     }
 
-    fn of(relief: Relief, grid: Grid, field: Field, progress: &Progress) -> Option<Self> {
+    fn of(relief: Relief, grid: Grid, field: HeightField, progress: &Progress) -> Option<Self> {
         let transport = Transport::new(&field, progress)?;
         let slots = |directions: Directions| 0..directions.distinct_count();
         let seen = slots(grid.view).map(|_| OnceLock::new()).collect();
@@ -96,7 +96,7 @@ impl Ready {
         });
         let lit = self.lit.get(of(self.grid.light, address.light)?)?;
         let lit = lit.get_or_init(|| {
-            let lit = Lit::new(&self.relief, &self.field, &self.transport, light, progress);
+            let lit = FieldLight::new(&self.relief, &self.field, &self.transport, light, progress);
             progress.add(LIT_TILES * rows);
             lit
         });

@@ -1,7 +1,7 @@
 //! Surface that an eye sees: for every cell of the tile as it lies there, the point that hides
 //! everything behind it.
 
-use super::field::Field;
+use super::field::HeightField;
 use super::noise::{ramp, rough};
 use crate::document::Relief;
 use crate::progress::Progress;
@@ -16,7 +16,7 @@ const EDGE: f32 = 0.16;
 
 /// The point where an eye's ray meets the field.
 #[derive(Clone, Copy)]
-pub(super) struct Hit {
+pub(super) struct FieldHit {
     pub(super) place: [f32; 3],
     pub(super) cell: u32,
 }
@@ -24,7 +24,7 @@ pub(super) struct Hit {
 /// Surface that an eye sees.
 pub(super) struct VisibleSurface {
     /// Points that are seen, one for each cell of the tile, row by row.
-    pub(super) hits: Vec<Hit>,
+    pub(super) hits: Vec<FieldHit>,
     /// Amount of ink at each cell, from 0 to 255.
     pub(super) ink: Vec<u8>,
 }
@@ -34,7 +34,7 @@ impl VisibleSurface {
     /// `None` if the work is stopped.
     pub(super) fn new(
         relief: &Relief,
-        field: &Field,
+        field: &HeightField,
         toward: [f32; 3],
         progress: &Progress,
     ) -> Option<Self> {
@@ -54,7 +54,7 @@ impl VisibleSurface {
 
 struct Eye<'a> {
     relief: &'a Relief,
-    field: &'a Field,
+    field: &'a HeightField,
     /// Direction along the tile, away from the eye, of length 1.
     away: [f32; 2],
     /// Tangent of the angle from the normal.
@@ -62,7 +62,7 @@ struct Eye<'a> {
 }
 
 impl<'a> Eye<'a> {
-    fn new(relief: &'a Relief, field: &'a Field, [x, y, z]: [f32; 3]) -> Self {
+    fn new(relief: &'a Relief, field: &'a HeightField, [x, y, z]: [f32; 3]) -> Self {
         let across = x.hypot(y);
         let theta = across.atan2(z).clamp(0.0, FARTHEST_VIEW);
         let away = if across > 1e-6 { [-x / across, -y / across] } else { [0.0; 2] };
@@ -72,7 +72,7 @@ impl<'a> Eye<'a> {
 
     /// The point where the ray through the middle of a cell, at the height that stays in place,
     /// meets the field.
-    fn hit(&self, x: usize, y: usize) -> Hit {
+    fn hit(&self, x: usize, y: usize) -> FieldHit {
         let field = self.field;
         let [width, height] = field.size.map(|side| side as f32);
         let mut start = [x as f32 + 0.5, y as f32 + 0.5];
@@ -89,7 +89,7 @@ impl<'a> Eye<'a> {
         }
         if self.tangent == 0.0 {
             let place = [start[0], start[1], field.height(start[0], start[1])];
-            return Hit { place, cell: field.cell(start[0], start[1]) as u32 };
+            return FieldHit { place, cell: field.cell(start[0], start[1]) as u32 };
         }
         // The ray starts where it is level with the highest place of the field.
         let back = (1.0 - self.relief.pivot as f32) * field.top * self.tangent;
@@ -115,13 +115,13 @@ impl<'a> Eye<'a> {
             entry[1] + distance * self.away[1],
             (field.top - distance / self.tangent).max(0.0),
         ];
-        Hit { place, cell: cell as u32 }
+        FieldHit { place, cell: cell as u32 }
     }
 }
 
 /// The ink where one part of the surface stands before another: where the points that neighboring
 /// rays meet differ greatly in height.
-fn inked(relief: &Relief, field: &Field, hits: &[Hit]) -> Vec<u8> {
+fn inked(relief: &Relief, field: &HeightField, hits: &[FieldHit]) -> Vec<u8> {
     let [width, height] = field.size;
     let at = |x: usize, y: usize| hits[(y % height) * width + x % width].place[2];
     let edge = |x: usize, y: usize| {

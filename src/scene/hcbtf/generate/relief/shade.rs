@@ -3,19 +3,19 @@
 
 use std::sync::OnceLock;
 
-use super::lit::Lit;
+use super::lit::FieldLight;
 use super::noise::{chances, hash, mix, mix3, ramp, rough};
 use super::pattern::linear;
-use super::seen::{Hit, VisibleSurface};
-use super::{Color, Ready};
+use super::seen::{FieldHit, VisibleSurface};
+use super::{Color, PreparedRelief};
 use crate::document::relief::Pattern;
 use crate::progress::Progress;
 
 /// The tile of a sample; `None` if the work is stopped.
 pub(super) fn tile(
-    ready: &Ready,
+    ready: &PreparedRelief,
     seen: &VisibleSurface,
-    lit: &Lit,
+    lit: &FieldLight,
     view: [f32; 3],
     progress: &Progress,
 ) -> Option<Vec<Color>> {
@@ -53,8 +53,8 @@ pub(super) fn tile(
 }
 
 struct Shader<'a> {
-    ready: &'a Ready,
-    lit: &'a Lit,
+    ready: &'a PreparedRelief,
+    lit: &'a FieldLight,
     /// Direction half way between the sun and the eye, of length 1.
     half: [f32; 3],
     /// Light of lit windows, linear.
@@ -65,7 +65,7 @@ struct Shader<'a> {
 }
 
 impl<'a> Shader<'a> {
-    fn new(ready: &'a Ready, lit: &'a Lit, view: [f32; 3]) -> Self {
+    fn new(ready: &'a PreparedRelief, lit: &'a FieldLight, view: [f32; 3]) -> Self {
         let relief = &ready.relief;
         let sum: [f32; 3] = std::array::from_fn(|i| lit.toward[i] + view[i]);
         let length = sum.iter().map(|part| part * part).sum::<f32>().sqrt().max(1e-6);
@@ -87,7 +87,7 @@ impl<'a> Shader<'a> {
     }
 
     /// The display color at a place, and its alpha.
-    fn color(&self, hit: &Hit, ink: u8) -> ([f32; 3], f32) {
+    fn color(&self, hit: &FieldHit, ink: u8) -> ([f32; 3], f32) {
         let (field, lit, relief) = (&self.ready.field, self.lit, &self.ready.relief);
         let cell = hit.cell as usize;
         let material = &field.materials[cell];
@@ -155,7 +155,7 @@ impl<'a> Shader<'a> {
 
     /// The amount of hatching at a place: lines that grow with the dark, and a second set across
     /// them in the darkest.
-    fn hatching(&self, hit: &Hit, brightness: f32) -> f32 {
+    fn hatching(&self, hit: &FieldHit, brightness: f32) -> f32 {
         let relief = &self.ready.relief;
         let [width, height] = self.ready.field.size.map(|side| side as f32);
         let place = [hit.place[0] / width, hit.place[1] / height];

@@ -3,9 +3,9 @@
 use std::f32::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use super::field::Field;
-use super::lit::Lit;
-use super::pattern::{Material, Sampler};
+use super::field::HeightField;
+use super::lit::FieldLight;
+use super::pattern::{CellMaterial, PatternSampler};
 use super::seen::{FARTHEST_VIEW, VisibleSurface};
 use super::transport::Transport;
 use super::*;
@@ -17,9 +17,9 @@ use crate::hcbtf::fill::fill;
 const WHITE: [f32; 3] = [1.0; 3];
 
 /// A field of given heights and one color.
-fn field(size: [usize; 2], color: [f32; 3], height: impl Fn(usize, usize) -> f32) -> Field {
+fn field(size: [usize; 2], color: [f32; 3], height: impl Fn(usize, usize) -> f32) -> HeightField {
     let heights = (0..size[0] * size[1]).map(|at| height(at % size[0], at / size[0])).collect();
-    Field::of(size, 1, heights, vec![Material::of(color); size[0] * size[1]])
+    HeightField::of(size, 1, heights, vec![CellMaterial::of(color); size[0] * size[1]])
 }
 
 /// A pseudorandom number from 0 to 1.
@@ -53,10 +53,10 @@ fn sky(bounces: u32) -> Illumination {
     }
 }
 
-fn lit(light: Illumination, field: &Field, toward: [f32; 3]) -> Lit {
+fn lit(light: Illumination, field: &HeightField, toward: [f32; 3]) -> FieldLight {
     let relief = Relief { light, ..Relief::default() };
     let transport = Transport::new(field, &Progress::new()).unwrap();
-    Lit::new(&relief, field, &transport, toward, &Progress::new()).unwrap()
+    FieldLight::new(&relief, field, &transport, toward, &Progress::new()).unwrap()
 }
 
 /// A step's shadow is as long as the step is high, times the tangent of the light's angle from the
@@ -182,9 +182,9 @@ fn a_white_furnace_stays_white() {
         assert!(before.iter().all(|ambient| (ambient - 1.0).abs() < 0.02), "{before:?}");
         // With a color that absorbs some of the light, every place gets less than under the sky
         // alone.
-        let grey = field(size, [0.5; 3], form);
+        let gray = field(size, [0.5; 3], form);
         assert!(
-            lit(sky(64), &grey, [0.0, 0.0, 1.0])
+            lit(sky(64), &gray, [0.0, 0.0, 1.0])
                 .ambient
                 .iter()
                 .all(|ambient| ambient[0] <= 1.0 + 1e-4)
@@ -278,7 +278,7 @@ fn reliefs_go_on_across_the_tiles_edges() {
     };
     moved.painted.insert(Address::default(), Arc::new(shifted(source)));
     let tile = |hcbtf: &Hcbtf, address| {
-        let ready = Ready::new(&of_painting(), hcbtf, &Progress::new()).unwrap();
+        let ready = PreparedRelief::new(&of_painting(), hcbtf, &Progress::new()).unwrap();
         let color = ready.tile(address, &Progress::new()).unwrap();
         Tile::new([8, 6], color.iter().flatten().map(|channel| channel.round() as u8).collect())
             .unwrap()
@@ -339,7 +339,7 @@ fn patterns_repeat_without_a_seam() {
     let hcbtf = Hcbtf::new(GRID);
     for pattern in patterns() {
         let relief = Relief { pattern, ..Relief::default() };
-        let sampler = Sampler::new(&relief, &hcbtf).unwrap();
+        let sampler = PatternSampler::new(&relief, &hcbtf).unwrap();
         for step in 0..40 {
             let at = (step as f32 + 0.3) / 40.0;
             for (one, other) in [([0.0, at], [1.0, at]), ([at, 0.0], [at, 1.0])] {
@@ -379,7 +379,7 @@ fn a_relief_is_the_same_however_it_is_made() {
         };
         let first = on(1);
         assert_eq!(first, on(3));
-        let ready = Ready::new(&relief, &hcbtf, &Progress::new()).unwrap();
+        let ready = PreparedRelief::new(&relief, &hcbtf, &Progress::new()).unwrap();
         let address = Address::new([2, 3], [2, 1]);
         let alone = ready.tile(address, &Progress::new()).unwrap();
         let bytes: Vec<u8> = alone.iter().flatten().map(|channel| (channel + 0.5) as u8).collect();
@@ -394,8 +394,8 @@ fn a_relief_can_be_stopped_and_needs_its_paintings() {
     let stopped = Progress::new();
     stopped.stop();
     assert_eq!(fill(&hcbtf, &stopped), Err(NotFilled::Stopped));
-    assert!(Ready::new(&of_painting(), &hcbtf, &stopped).is_none());
-    let ready = Ready::new(&of_painting(), &hcbtf, &Progress::new()).unwrap();
+    assert!(PreparedRelief::new(&of_painting(), &hcbtf, &stopped).is_none());
+    let ready = PreparedRelief::new(&of_painting(), &hcbtf, &Progress::new()).unwrap();
     assert!(ready.tile(Address::default(), &stopped).is_none());
     // A relief without its painted sample fills nothing, and later rules fill the samples.
     hcbtf.painted.clear();

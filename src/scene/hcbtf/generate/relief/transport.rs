@@ -12,7 +12,7 @@ use std::f32::consts::{FRAC_PI_2, TAU};
 
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
-use super::field::{Crossing, Field};
+use super::field::{Crossing, HeightField};
 use crate::progress::Progress;
 
 /// Number of directions around a cell.
@@ -36,13 +36,13 @@ pub(super) struct Transport {
 type Share = (u32, f32);
 
 /// The share that the sky fills, and the cells that are seen.
-type Around = (f32, Vec<Share>);
+type Surroundings = (f32, Vec<Share>);
 
 impl Transport {
     /// The light transport of a field; `None` if the work is stopped.
-    pub(super) fn new(field: &Field, progress: &Progress) -> Option<Self> {
+    pub(super) fn new(field: &HeightField, progress: &Progress) -> Option<Self> {
         let [width, height] = field.size;
-        let row = |y: usize| -> Option<Vec<Around>> {
+        let row = |y: usize| -> Option<Vec<Surroundings>> {
             let cell = |x: usize| around(field, y * width + x);
             if progress.is_stopped() {
                 return None;
@@ -77,7 +77,7 @@ impl Transport {
 }
 
 /// The share of the sky that a cell sees, and the other cells with their shares.
-fn around(field: &Field, cell: usize) -> Around {
+fn around(field: &HeightField, cell: usize) -> Surroundings {
     let middle = field.middle(cell);
     let normal = field.normal(cell);
     let (mut sky, mut seen, mut all) = (0.0, Vec::new(), 0.0);

@@ -11,7 +11,7 @@ pub(super) const GROUND: u32 = u32::MAX;
 
 /// The frontmost point at a place.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hit {
+pub(super) struct StrokeHit {
     /// Height over the surface; below 0 for the ground, which everything hides.
     pub(super) height: f32,
     /// Number of the stroke, or [`GROUND`].
@@ -22,12 +22,12 @@ pub(super) struct Hit {
     pub(super) across: f32,
 }
 
-const NOTHING: Hit = Hit { height: -1.0, stroke: GROUND, along: 0.0, across: 0.0 };
+const NOTHING: StrokeHit = StrokeHit { height: -1.0, stroke: GROUND, along: 0.0, across: 0.0 };
 
 /// A corner of a triangle. Places are in cells from the upper left corner of the tile, and may lie
 /// beyond the tile.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
+pub(super) struct StrokeCorner {
     pub(super) at: Vec2,
     pub(super) height: f32,
     pub(super) along: f32,
@@ -61,30 +61,30 @@ impl Grain {
 }
 
 /// A range of rows of the cells of a tile.
-pub(super) struct Canvas {
+pub(super) struct StrokeRaster {
     /// Number of cells of the whole tile, along x and y.
     size: [usize; 2],
     is_tiling: bool,
     /// Number of the first row; `hits` are all cells from there.
     first: usize,
-    hits: Vec<Hit>,
+    hits: Vec<StrokeHit>,
 }
 
-impl Canvas {
+impl StrokeRaster {
     /// A canvas for the rows `rows` of a tile of `size` cells.
     pub(super) fn new(size: [usize; 2], is_tiling: bool, rows: std::ops::Range<usize>) -> Self {
         Self { size, is_tiling, first: rows.start, hits: vec![NOTHING; size[0] * rows.len()] }
     }
 
     /// The frontmost points of a row.
-    pub(super) fn row(&self, y: usize) -> &[Hit] {
+    pub(super) fn row(&self, y: usize) -> &[StrokeHit] {
         let from = (y - self.first) * self.size[0];
         &self.hits[from..from + self.size[0]]
     }
 
     /// The frontmost point at a place, in cells; beyond the edge of a tile that does not repeat
     /// there is no stroke.
-    pub(super) fn at(&self, place: Vec2) -> Hit {
+    pub(super) fn at(&self, place: Vec2) -> StrokeHit {
         let [width, height] = self.size.map(|side| side as i64);
         let (x, y) = (place.x.floor() as i64, place.y.floor() as i64);
         let is_inside = (0..width).contains(&x) && (0..height).contains(&y);
@@ -96,7 +96,7 @@ impl Canvas {
     }
 
     /// Draws a triangle of a stroke.
-    pub(super) fn triangle(&mut self, corners: [Corner; 3], stroke: u32, grain: Grain) {
+    pub(super) fn triangle(&mut self, corners: [StrokeCorner; 3], stroke: u32, grain: Grain) {
         let [a, b, c] = corners;
         let area = (b.at - a.at).perp_dot(c.at - a.at);
         let top = a.at.y.min(b.at.y).min(c.at.y);
@@ -105,7 +105,7 @@ impl Canvas {
             return;
         }
         // Each attribute is a plane over the cells.
-        let slope = |of: fn(&Corner) -> f32| {
+        let slope = |of: fn(&StrokeCorner) -> f32| {
             let (first, second) = (of(&b) - of(&a), of(&c) - of(&a));
             let (to_b, to_c) = (b.at - a.at, c.at - a.at);
             let dx = (first * to_c.y - second * to_b.y) / area;
@@ -134,7 +134,7 @@ impl Canvas {
     }
 
     /// Draws a disc: `along` goes from 0 in its middle to 1 at its rim.
-    pub(super) fn disc(&mut self, middle: Corner, radius: f32, stroke: u32, grain: Grain) {
+    pub(super) fn disc(&mut self, middle: StrokeCorner, radius: f32, stroke: u32, grain: Grain) {
         let center = middle.at;
         if !(radius > 0.0 && center.is_finite()) {
             return;
@@ -177,7 +177,7 @@ impl Canvas {
             let [height, along, across] = values(x as f32 + 0.5);
             let hit = &mut self.hits[row * width + column];
             if height >= hit.height && grain.takes(column, row + self.first, across) {
-                *hit = Hit { height, stroke, along, across };
+                *hit = StrokeHit { height, stroke, along, across };
             }
             column = if column + 1 == width { 0 } else { column + 1 };
         }

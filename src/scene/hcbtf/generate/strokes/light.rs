@@ -2,22 +2,22 @@
 
 use glam::{Vec2, Vec3};
 
-use super::canvas::{Canvas, GROUND, Hit};
+use super::canvas::{GROUND, StrokeHit, StrokeRaster};
 use super::seen::{Rays, VisibleStroke, slope};
-use super::{BIAS, CELLS, Color, Ready};
+use super::{BIAS, CELLS, Color, PreparedStrokes};
 
 /// Shadow map of a light: the strokes that stand highest between the light and each place of the
 /// tile.
-pub(super) struct Shadows {
-    pub(super) canvas: Canvas,
+pub(super) struct ShadowMap {
+    pub(super) canvas: StrokeRaster,
     /// Number of cells in a width of the tile.
     pub(super) scale: f32,
 }
 
 /// Light on the strokes that an eye sees.
-pub(super) struct Light<'a> {
+pub(super) struct StrokeLight<'a> {
     there: &'a [Option<VisibleStroke<'a>>],
-    shadows: Option<&'a Shadows>,
+    shadows: Option<&'a ShadowMap>,
     jitter: &'a [Vec2],
     /// Color of the lit ground, and the part of it that shadows take.
     ground: Vec3,
@@ -34,12 +34,12 @@ pub(super) struct Light<'a> {
     cell: f32,
 }
 
-impl<'a> Light<'a> {
+impl<'a> StrokeLight<'a> {
     pub(super) fn new(
-        of: &'a Ready,
+        of: &'a PreparedStrokes,
         rays: Rays,
         there: &'a [Option<VisibleStroke<'a>>],
-        shadows: Option<&'a Shadows>,
+        shadows: Option<&'a ShadowMap>,
     ) -> Self {
         let ground = &of.strokes.ground;
         let ground_color = ground.color.map(f32::from);
@@ -62,7 +62,7 @@ impl<'a> Light<'a> {
     }
 
     /// The mean color over the places of a texel; `y` is the texel's first row of cells.
-    pub(super) fn texel(&self, canvas: &Canvas, x: usize, y: usize) -> Color {
+    pub(super) fn texel(&self, canvas: &StrokeRaster, x: usize, y: usize) -> Color {
         let (mut sum, mut alphas) = (Vec3::ZERO, 0.0);
         for down in 0..CELLS {
             let row = canvas.row(y + down);
@@ -85,7 +85,7 @@ impl<'a> Light<'a> {
     }
 
     /// The lit color at a cell: straight RGB from 0 to 255, and alpha.
-    fn color(&self, hit: &Hit, cell: [usize; 2], jitter: Vec2) -> (Vec3, f32) {
+    fn color(&self, hit: &StrokeHit, cell: [usize; 2], jitter: Vec2) -> (Vec3, f32) {
         let shadow = self.amount * self.shadow(hit, cell, jitter);
         let seen =
             (hit.stroke != GROUND).then(|| self.there.get(hit.stroke as usize)?.as_ref()).flatten();
@@ -110,7 +110,7 @@ impl<'a> Light<'a> {
 
     /// The shadow on the point that is seen at a cell: 1 if a stroke stands between the light and
     /// the point, else 0.
-    fn shadow(&self, hit: &Hit, cell: [usize; 2], jitter: Vec2) -> f32 {
+    fn shadow(&self, hit: &StrokeHit, cell: [usize; 2], jitter: Vec2) -> f32 {
         let Some(shadows) = self.shadows else { return 0.0 };
         let height = hit.height.max(0.0);
         let seen_at = Vec2::new(cell[0] as f32 + 0.5, cell[1] as f32 + 0.5) * self.cell;

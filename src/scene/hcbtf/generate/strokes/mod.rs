@@ -21,9 +21,9 @@ use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
-use self::canvas::{Canvas, Hit};
-use self::light::{Light, Shadows};
-use self::scatter::Stroke;
+use self::canvas::{StrokeHit, StrokeRaster};
+use self::light::{ShadowMap, StrokeLight};
+use self::scatter::ScatteredStroke;
 use self::seen::{Rays, VisibleStroke, draw, seen, slope};
 use super::Color;
 use crate::document::{Address, Grid, Strokes};
@@ -45,22 +45,22 @@ const MAX_KEPT: usize = 64 << 20;
 const BIAS: f32 = 2e-3;
 
 /// Strokes that are prepared and make tiles.
-pub(in crate::hcbtf) struct Ready {
+pub(in crate::hcbtf) struct PreparedStrokes {
     grid: Grid,
     is_tiling: bool,
     strokes: Strokes,
-    all: Vec<Stroke>,
+    all: Vec<ScatteredStroke>,
     /// Height of the highest stroke, in widths of the tile.
     tallest: f32,
     /// Shadow map of each light, if they are kept.
-    shadows: Vec<OnceLock<Arc<Shadows>>>,
+    shadows: Vec<OnceLock<Arc<ShadowMap>>>,
     /// Canvas of each view, if it is the same in all lights and kept.
-    fronts: Vec<OnceLock<Arc<Canvas>>>,
+    fronts: Vec<OnceLock<Arc<StrokeRaster>>>,
     /// Offset in a disc where each place of a texel looks for shadows.
     jitter: Vec<Vec2>,
 }
 
-impl Ready {
+impl PreparedStrokes {
     /// Places the strokes; `None` if the work is stopped.
     pub(super) fn new(
         strokes: &Strokes,
@@ -72,16 +72,18 @@ impl Ready {
         let strokes = if strokes.check().is_ok() { strokes.clone() } else { Strokes::default() };
         let height = grid.size[1] as f32 / grid.size[0] as f32;
         let all = scatter::strokes(&strokes, height, is_tiling, progress)?;
-        let tallest = all.iter().map(Stroke::top).fold(0.0, f32::max);
+        let tallest = all.iter().map(ScatteredStroke::top).fold(0.0, f32::max);
         // Strokes that turn with the eye have other shadows for each view.
         let turns = strokes.bundles.iter().any(|bundle| bundle.turns != 0.0);
         let [wide, high] = shadow_size(grid);
         let lights = grid.light.distinct_count() as usize;
-        let is_kept = !turns && lights.saturating_mul(wide * high * size_of::<Hit>()) <= MAX_KEPT;
+        let is_kept =
+            !turns && lights.saturating_mul(wide * high * size_of::<StrokeHit>()) <= MAX_KEPT;
         let shadows = (0..if is_kept { lights } else { 0 }).map(|_| OnceLock::new()).collect();
         let has_tones = strokes.bundles.iter().any(|bundle| bundle.tones.is_some());
         let (views, cells) = (grid.view.distinct_count() as usize, grid.texels() * CELLS * CELLS);
-        let fits = cells <= MAX_CELLS && views.saturating_mul(cells * size_of::<Hit>()) <= MAX_KEPT;
+        let fits =
+            cells <= MAX_CELLS && views.saturating_mul(cells * size_of::<StrokeHit>()) <= MAX_KEPT;
         let fronts =
             (0..if fits && !has_tones { views } else { 0 }).map(|_| OnceLock::new()).collect();
         let count = (CELLS * CELLS) as f32;
@@ -106,7 +108,7 @@ impl Ready {
         let shadows = self.shadows(address, rays, progress)?;
         let [width, height] = self.grid.size.map(|side| side as usize);
         let at_once = (MAX_CELLS / (width * CELLS * CELLS)).max(1);
-        let light = Light::new(self, rays, &there, shadows.as_deref());
+        let light = StrokeLight::new(self, rays, &there, shadows.as_deref());
         let mut texels = Vec::with_capacity(width * height);
         for first in (0..height).step_by(at_once) {
             let rows = first * CELLS..(first + at_once).min(height) * CELLS;
@@ -129,13 +131,13 @@ impl Ready {
         there: &[Option<VisibleStroke<'_>>],
         rows: Range<usize>,
         progress: &Progress,
-    ) -> Option<Arc<Canvas>> {
+    ) -> Option<Arc<StrokeRaster>> {
         let kept = self.fronts.get(self.grid.view.index(address.view) as usize);
         if let Some(known) = kept.and_then(OnceLock::get) {
             return Some(known.clone());
         }
         let size = self.grid.size.map(|side| side as usize * CELLS);
-        let mut canvas = Canvas::new(size, self.is_tiling, rows);
+        let mut canvas = StrokeRaster::new(size, self.is_tiling, rows);
         let strokes = there.iter().flatten();
         draw(
             &mut canvas,
@@ -169,7 +171,7 @@ impl Ready {
         address: Address,
         rays: Rays,
         progress: &Progress,
-    ) -> Option<Option<Arc<Shadows>>> {
+    ) -> Option<Option<Arc<ShadowMap>>> {
         if self.strokes.shadow.amount <= 0.0 || self.tallest <= BIAS {
             return Some(None);
         }
@@ -178,14 +180,14 @@ impl Ready {
             return Some(Some(known.clone()));
         }
         let size = shadow_size(&self.grid);
-        let mut canvas = Canvas::new(size, self.is_tiling, 0..size[1]);
+        let mut canvas = StrokeRaster::new(size, self.is_tiling, 0..size[1]);
         let scale = size[0] as f32;
         // Strokes are turned as the light sees them: a thread is as wide from there.
         let from_light = Rays { view: rays.light, ..rays };
         let lit = seen(&self.strokes, &self.all, from_light);
         let casting = lit.iter().flatten().filter(|seen| seen.stroke.top() > BIAS);
         draw(&mut canvas, casting, slope(rays.light), scale, self.height(), false, progress)?;
-        let made = Arc::new(Shadows { canvas, scale });
+        let made = Arc::new(ShadowMap { canvas, scale });
         if let Some(kept) = kept {
             let _ = kept.set(made.clone());
         }

@@ -16,7 +16,7 @@ const CANDIDATES: u64 = 12;
 
 /// A stroke as it stands before it is turned with the eye.
 #[derive(Clone, Debug)]
-pub(super) struct Stroke {
+pub(super) struct ScatteredStroke {
     pub(super) bundle: usize,
     /// Rank of the stroke within its bundle, 0 to 1.
     pub(super) rank: f64,
@@ -32,11 +32,11 @@ pub(super) struct Stroke {
 
 /// Pseudorandom numbers: each depends only on the seed and on the purpose of the number.
 #[derive(Clone, Copy)]
-struct Dice {
+struct SeededNumbers {
     seed: u64,
 }
 
-impl Dice {
+impl SeededNumbers {
     /// The number for a purpose and an index, from 0 to below 1.
     fn roll(self, what: u64, index: u64) -> f32 {
         (mixed(self.seed ^ mixed(what.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ mixed(index))) >> 40)
@@ -56,10 +56,10 @@ pub(super) fn strokes(
     height: f32,
     is_tiling: bool,
     progress: &Progress,
-) -> Option<Vec<Stroke>> {
+) -> Option<Vec<ScatteredStroke>> {
     let mut all = Vec::new();
     for (number, bundle) in of.bundles.iter().enumerate() {
-        let dice = Dice { seed: mixed(u64::from(of.seed) << 8 | number as u64) };
+        let dice = SeededNumbers { seed: mixed(u64::from(of.seed) << 8 | number as u64) };
         match &bundle.place {
             Placement::Scatter(count) => {
                 let places = scattered(*count as usize, height, is_tiling, dice, progress)?;
@@ -80,7 +80,7 @@ fn scattered(
     count: usize,
     height: f32,
     is_tiling: bool,
-    dice: Dice,
+    dice: SeededNumbers,
     progress: &Progress,
 ) -> Option<Vec<Vec2>> {
     let mut places: Vec<Vec2> = Vec::with_capacity(count);
@@ -109,7 +109,7 @@ fn scattered(
 }
 
 /// Places on rows that are shifted by half, in a pseudorandom order.
-fn lattice(count: u32, height: f32, dice: Dice) -> Vec<Vec2> {
+fn lattice(count: u32, height: f32, dice: SeededNumbers) -> Vec<Vec2> {
     let columns = (count as f32 / (2.0 * height)).sqrt().round().max(1.0) as u32;
     let rows = 2 * (columns as f32 * height).round().max(1.0) as u32;
     let place = |row: u32, column: u32| {
@@ -126,7 +126,13 @@ fn lattice(count: u32, height: f32, dice: Dice) -> Vec<Vec2> {
 }
 
 /// Appends the strokes of a bundle at these places.
-fn grow(all: &mut Vec<Stroke>, number: usize, bundle: &Bundle, places: &[Vec2], dice: Dice) {
+fn grow(
+    all: &mut Vec<ScatteredStroke>,
+    number: usize,
+    bundle: &Bundle,
+    places: &[Vec2],
+    dice: SeededNumbers,
+) {
     for (index, place) in places.iter().enumerate() {
         let rank = (index as f64 + 0.5) / places.len() as f64;
         let points = if bundle.shape == StrokeShape::Dot {
@@ -139,7 +145,7 @@ fn grow(all: &mut Vec<Stroke>, number: usize, bundle: &Bundle, places: &[Vec2], 
 }
 
 /// The points of a stroke that leans, bends and curls.
-fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
+fn curve(bundle: &Bundle, place: Vec2, dice: SeededNumbers, index: u64) -> Vec<Vec3> {
     let is_flat = bundle.shape == StrokeShape::Ribbon;
     let length = dice.between(4, index, bundle.length);
     let heading =
@@ -168,11 +174,11 @@ fn curve(bundle: &Bundle, place: Vec2, dice: Dice, index: u64) -> Vec<Vec3> {
 
 /// Appends strokes along paths that somebody drew.
 fn along(
-    all: &mut Vec<Stroke>,
+    all: &mut Vec<ScatteredStroke>,
     number: usize,
     bundle: &Bundle,
     paths: &[Vec<[f64; 3]>],
-    dice: Dice,
+    dice: SeededNumbers,
 ) {
     for (index, path) in paths.iter().enumerate().filter(|(_, path)| !path.is_empty()) {
         let rank = (index as f64 + 0.5) / paths.len() as f64;
@@ -197,14 +203,14 @@ fn stroke(
     place: Vec2,
     points: Vec<Vec3>,
     rank: f64,
-    dice: Dice,
+    dice: SeededNumbers,
     index: u64,
-) -> Stroke {
+) -> ScatteredStroke {
     let rgb = |color: [u8; 3]| Vec3::from(color.map(f32::from));
     let mix = dice.roll(7, index);
     let light = 1.0 + bundle.variation as f32 * (2.0 * dice.roll(8, index) - 1.0);
     let between = |[from, to]: [[u8; 3]; 2]| rgb(from).lerp(rgb(to), mix) * light;
-    Stroke {
+    ScatteredStroke {
         bundle: number,
         rank,
         place,
@@ -215,7 +221,7 @@ fn stroke(
     }
 }
 
-impl Stroke {
+impl ScatteredStroke {
     /// The points as an eye sees them at a step around the normal, after `turns` turns about the
     /// stroke's place.
     pub(super) fn turned(&self, turns: f64) -> Vec<Vec3> {

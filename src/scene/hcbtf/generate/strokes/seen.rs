@@ -3,8 +3,8 @@
 
 use glam::{Vec2, Vec3};
 
-use super::canvas::{Canvas, Corner, Grain};
-use super::scatter::Stroke;
+use super::canvas::{Grain, StrokeCorner, StrokeRaster};
+use super::scatter::ScatteredStroke;
 use crate::document::{Bundle, StrokeShape, Strokes};
 use crate::progress::Progress;
 
@@ -48,7 +48,7 @@ struct Node {
 /// A stroke that exists in a light.
 pub(super) struct VisibleStroke<'a> {
     pub(super) number: u32,
-    pub(super) stroke: &'a Stroke,
+    pub(super) stroke: &'a ScatteredStroke,
     pub(super) bundle: &'a Bundle,
     /// Radius, for a dot.
     radius: f32,
@@ -58,7 +58,7 @@ pub(super) struct VisibleStroke<'a> {
 /// All strokes that exist in a light, by number.
 pub(super) fn seen<'a>(
     of: &'a Strokes,
-    all: &'a [Stroke],
+    all: &'a [ScatteredStroke],
     rays: Rays,
 ) -> Vec<Option<VisibleStroke<'a>>> {
     all.iter().enumerate().map(|(number, stroke)| one(of, number as u32, stroke, rays)).collect()
@@ -67,7 +67,7 @@ pub(super) fn seen<'a>(
 fn one<'a>(
     of: &'a Strokes,
     number: u32,
-    stroke: &'a Stroke,
+    stroke: &'a ScatteredStroke,
     rays: Rays,
 ) -> Option<VisibleStroke<'a>> {
     let bundle = of.bundles.get(stroke.bundle)?;
@@ -131,7 +131,7 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
 /// Draws strokes along a slope; `None` if the work is stopped. `scale` is the number of cells in a
 /// width of the tile, `height` the tile's height in its widths.
 pub(super) fn draw<'a>(
-    canvas: &mut Canvas,
+    canvas: &mut StrokeRaster,
     all: impl Iterator<Item = &'a VisibleStroke<'a>>,
     slope: Vec2,
     scale: f32,
@@ -151,8 +151,12 @@ pub(super) fn draw<'a>(
         let grain = if with_grain { seen.bundle.grain as f32 } else { 0.0 };
         let grain = Grain { amount: grain, stroke: seen.number };
         if let [dot] = seen.nodes[..] {
-            let middle =
-                Corner { at: on_tile(dot.point), height: dot.point.z, along: 0.0, across: 0.0 };
+            let middle = StrokeCorner {
+                at: on_tile(dot.point),
+                height: dot.point.z,
+                along: 0.0,
+                across: 0.0,
+            };
             canvas.disc(middle, seen.radius * scale, seen.number, grain);
             continue;
         }
@@ -160,7 +164,7 @@ pub(super) fn draw<'a>(
             let corner = |which: usize, across: f32| {
                 let node = &pair[which];
                 let at = on_tile(node.point + across * node.side);
-                Corner { at, height: node.point.z, along: (index + which) as f32, across }
+                StrokeCorner { at, height: node.point.z, along: (index + which) as f32, across }
             };
             let [a, b, c, d] = [corner(0, -1.0), corner(0, 1.0), corner(1, 1.0), corner(1, -1.0)];
             canvas.triangle([a, b, c], seen.number, grain);

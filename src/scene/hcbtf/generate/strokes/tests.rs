@@ -32,7 +32,7 @@ fn dots(places: &[[f64; 3]], width: f64) -> Bundle {
 }
 
 fn tile(strokes: &Strokes, grid: Grid, is_tiling: bool, address: Address) -> Vec<Color> {
-    let ready = Ready::new(strokes, &grid, is_tiling, &Progress::new()).unwrap();
+    let ready = PreparedStrokes::new(strokes, &grid, is_tiling, &Progress::new()).unwrap();
     ready.tile(address, &Progress::new()).unwrap()
 }
 
@@ -218,7 +218,7 @@ fn darker_is_more_strokes_and_those_of_lighter_tones_stay() {
     let grid = Grid { light: Directions { theta: 9, phi: 1 }, ..GRID };
     for bundle in [lines, dots] {
         let strokes = with(vec![bundle]);
-        let ready = Ready::new(&strokes, &grid, true, &Progress::new()).unwrap();
+        let ready = PreparedStrokes::new(&strokes, &grid, true, &Progress::new()).unwrap();
         let mut before = vec![0.0; grid.texels()];
         let mut tones = Vec::new();
         for light in grid.light.distinct() {
@@ -317,12 +317,12 @@ fn stripes_turn_to_the_eye() {
 #[test]
 fn rows_are_the_same_however_many_are_drawn_at_once() {
     let strokes = Strokes::preset("Grass");
-    let ready = Ready::new(&strokes, &GRID, true, &Progress::new()).unwrap();
+    let ready = PreparedStrokes::new(&strokes, &GRID, true, &Progress::new()).unwrap();
     let rays = Rays { view: Vec3::new(0.6, 0.0, 0.8), light: Vec3::Z, around: 0.25 };
     let there = seen(&strokes, &ready.all, rays);
     let size = [SIDE as usize * CELLS; 2];
     let drawn = |rows: std::ops::Range<usize>| {
-        let mut canvas = Canvas::new(size, true, rows);
+        let mut canvas = StrokeRaster::new(size, true, rows);
         let all = there.iter().flatten();
         draw(&mut canvas, all, slope(rays.view), size[0] as f32, 1.0, true, &Progress::new())
             .unwrap();
@@ -397,8 +397,9 @@ fn what_is_painted_and_what_changes_it_stay_rules_as_others() {
 fn it_can_be_stopped() {
     let progress = Progress::new();
     progress.stop();
-    assert!(Ready::new(&Strokes::preset("Grass"), &GRID, true, &progress).is_none());
-    let ready = Ready::new(&Strokes::preset("Grass"), &GRID, true, &Progress::new()).unwrap();
+    assert!(PreparedStrokes::new(&Strokes::preset("Grass"), &GRID, true, &progress).is_none());
+    let ready =
+        PreparedStrokes::new(&Strokes::preset("Grass"), &GRID, true, &Progress::new()).unwrap();
     assert!(ready.tile(Address::default(), &progress).is_none());
     let hcbtf = hcbtf(Strokes::preset("Grass"), 8);
     assert_eq!(fill(&hcbtf, &progress), Err(NotFilled::Stopped));

@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use super::{Material, linear, part};
+use super::{CellMaterial, linear, part};
 use crate::document::relief::Pattern;
 use crate::hcbtf::noise::{chance, chances, hash, mix, mix3, ramp, rough};
 
@@ -16,7 +16,7 @@ pub(in crate::hcbtf::generate::relief) struct Masonry<'a> {
 
 impl Masonry<'_> {
     /// The height and the material at a position on the tile.
-    pub(super) fn at(&self, place: [f32; 2]) -> (f32, Material) {
+    pub(super) fn at(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         match self.pattern {
             Pattern::Bricks { .. } => self.bricks(place),
             Pattern::Facade { .. } => self.facade(place),
@@ -30,7 +30,7 @@ impl Masonry<'_> {
         2.0 * rough(self.seed.wrapping_add(salt), [bumps, down], 3, place) - 1.0
     }
 
-    fn bricks(&self, place: [f32; 2]) -> (f32, Material) {
+    fn bricks(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         let Pattern::Bricks {
             columns,
             rows,
@@ -43,7 +43,7 @@ impl Masonry<'_> {
             joint_color,
         } = self.pattern
         else {
-            return (0.0, Material::of([0.0; 3]));
+            return (0.0, CellMaterial::of([0.0; 3]));
         };
         let roughness = *roughness as f32;
         let course = self.aspect / *rows as f32;
@@ -70,7 +70,10 @@ impl Masonry<'_> {
             let sand = 0.5 + 0.5 * mottling;
             let color =
                 linear(*joint_color).map(|channel| channel * mix(1.0, 0.7 + 0.6 * sand, roughness));
-            return (0.12 * roughness * sand, Material { gloss: 0.1, ..Material::of(color) });
+            return (
+                0.12 * roughness * sand,
+                CellMaterial { gloss: 0.1, ..CellMaterial::of(color) },
+            );
         }
         let edge = (*bevel as f32 * 0.5 * course).max(1e-5);
         // Corners are rounded: the farther of the two edges does not count once it is beyond the
@@ -83,10 +86,10 @@ impl Masonry<'_> {
         let shade = mix(1.0, 0.82 + 0.36 * (0.5 + 0.5 * mottling), roughness);
         let color = mix3(linear(colors[0]), linear(colors[1]), tint)
             .map(|channel| (channel * shade).min(1.0));
-        (height, Material { gloss: 0.6, grain: brick as u32, ..Material::of(color) })
+        (height, CellMaterial { gloss: 0.6, grain: brick as u32, ..CellMaterial::of(color) })
     }
 
-    fn facade(&self, place: [f32; 2]) -> (f32, Material) {
+    fn facade(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         let Pattern::Facade {
             columns,
             floors,
@@ -101,7 +104,7 @@ impl Masonry<'_> {
             lit_color: _,
         } = self.pattern
         else {
-            return (0.0, Material::of([0.0; 3]));
+            return (0.0, CellMaterial::of([0.0; 3]));
         };
         let (floor, fy) = part(place[1], *floors);
         let (bay, fx) = part(place[0], *columns);
@@ -121,7 +124,7 @@ impl Masonry<'_> {
         if inside > 0.0 {
             let is_cross = across.abs() < 0.3 * bar || (down + 0.3 * half_height).abs() < 0.3 * bar;
             if inside < bar || is_cross {
-                return (0.3, Material { gloss: 0.2, ..Material::of(linear(*trim)) });
+                return (0.3, CellMaterial { gloss: 0.2, ..CellMaterial::of(linear(*trim)) });
             }
             let is_lit = first < *lit as f32;
             // Curtains and reflections make every pane different.
@@ -129,7 +132,10 @@ impl Masonry<'_> {
             let color =
                 linear(*glass).map(|channel| (channel * curtain * (0.75 + 0.5 * third)).min(1.0));
             let glow = if is_lit { 0.55 + 0.45 * second } else { 0.0 };
-            return (0.0, Material { gloss: 1.0, glow, grain: own as u32, ..Material::of(color) });
+            return (
+                0.0,
+                CellMaterial { gloss: 1.0, glow, grain: own as u32, ..CellMaterial::of(color) },
+            );
         }
         let sill_size = 0.09 * bay_size[1];
         let below = down - half_height;
@@ -142,18 +148,21 @@ impl Masonry<'_> {
             let height = if is_lintel { mix(level, 1.0, 0.5) } else { 1.0 };
             return (
                 height,
-                Material {
+                CellMaterial {
                     gloss: 0.1,
-                    ..Material::of(linear(*trim).map(|channel| 0.92 * channel))
+                    ..CellMaterial::of(linear(*trim).map(|channel| 0.92 * channel))
                 },
             );
         }
         let washed = mix(1.0, 0.86 + 0.28 * (0.5 + 0.5 * plaster), rough);
         let color = linear(*wall).map(|channel| (channel * washed).min(1.0));
-        (level + 0.05 * rough * (plaster - 1.0), Material { gloss: 0.0, ..Material::of(color) })
+        (
+            level + 0.05 * rough * (plaster - 1.0),
+            CellMaterial { gloss: 0.0, ..CellMaterial::of(color) },
+        )
     }
 
-    fn arches(&self, place: [f32; 2]) -> (f32, Material) {
+    fn arches(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         let Pattern::Arches {
             columns,
             rows,
@@ -166,7 +175,7 @@ impl Masonry<'_> {
             inside,
         } = self.pattern
         else {
-            return (0.0, Material::of([0.0; 3]));
+            return (0.0, CellMaterial::of([0.0; 3]));
         };
         let (row, fy) = part(place[1], *rows);
         let (column, fx) = part(place[0], *columns);
@@ -186,20 +195,23 @@ impl Masonry<'_> {
         let groove = 0.012 * bay[0];
         if y < 0.0 {
             // A ledge runs under all openings.
-            return (1.0, Material { gloss: 0.1, ..Material::of(stone(*trim, 0.95)) });
+            return (1.0, CellMaterial { gloss: 0.1, ..CellMaterial::of(stone(*trim, 0.95)) });
         }
         // The opening's side is inclined a little, because a vertical side would have no area in
         // the field.
         let side = 0.05 * radius;
         if from_middle > radius - side && from_middle <= radius {
             let height = ramp(0.0, side, from_middle - radius + side);
-            return (height, Material { gloss: 0.1, ..Material::of(stone(*trim, 0.9)) });
+            return (height, CellMaterial { gloss: 0.1, ..CellMaterial::of(stone(*trim, 0.9)) });
         }
         if from_middle < radius {
             let deep = ramp(0.0, 1.0, y / (spring + radius).max(1e-5));
             return (
                 0.0,
-                Material { gloss: 0.0, ..Material::of(stone(*inside, mix(1.1, 0.7, deep))) },
+                CellMaterial {
+                    gloss: 0.0,
+                    ..CellMaterial::of(stone(*inside, mix(1.1, 0.7, deep)))
+                },
             );
         }
         if from_middle < radius + ring_width {
@@ -221,7 +233,7 @@ impl Masonry<'_> {
                 if off < groove { 0.86 } else { 1.0 - 0.05 * lift + 0.03 * rough * (pitted - 1.0) };
             return (
                 height,
-                Material { gloss: 0.1, ..Material::of(stone(*trim, 0.85 + 0.25 * tint)) },
+                CellMaterial { gloss: 0.1, ..CellMaterial::of(stone(*trim, 0.85 + 0.25 * tint)) },
             );
         }
         let (course, cy) = part(fy, *courses);
@@ -232,6 +244,6 @@ impl Masonry<'_> {
         let tint = chance(self.seed.wrapping_add(7), block, course + 100 * row);
         let height =
             if off < groove { 0.76 } else { 0.86 + 0.03 * tint + 0.05 * rough * (pitted - 1.0) };
-        (height, Material { gloss: 0.1, ..Material::of(stone(*wall, 0.86 + 0.22 * tint)) })
+        (height, CellMaterial { gloss: 0.1, ..CellMaterial::of(stone(*wall, 0.86 + 0.22 * tint)) })
     }
 }

@@ -10,7 +10,7 @@ use crate::document::{Hcbtf, Relief, srgb_to_linear};
 
 /// Material of a cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::hcbtf::generate::relief) struct Material {
+pub(in crate::hcbtf::generate::relief) struct CellMaterial {
     /// Share of the light that the material reflects, linear RGB.
     pub(in crate::hcbtf::generate::relief) color: [f32; 3],
     /// Alpha, from 0 to 1.
@@ -23,20 +23,20 @@ pub(in crate::hcbtf::generate::relief) struct Material {
     pub(in crate::hcbtf::generate::relief) grain: u32,
 }
 
-impl Material {
+impl CellMaterial {
     pub(in crate::hcbtf::generate::relief) fn of(color: [f32; 3]) -> Self {
         Self { color, alpha: 1.0, gloss: 1.0, glow: 0.0, grain: 0 }
     }
 }
 
 /// Sampler of a pattern.
-pub(in crate::hcbtf::generate::relief) enum Sampler<'a> {
-    Painted(painted::Painted<'a>),
+pub(in crate::hcbtf::generate::relief) enum PatternSampler<'a> {
+    Painted(painted::PaintedPattern<'a>),
     Masonry(masonry::Masonry<'a>),
     Nature(nature::Nature<'a>),
 }
 
-impl<'a> Sampler<'a> {
+impl<'a> PatternSampler<'a> {
     /// A sampler for a relief's pattern; `None` if the pattern needs a sample that is not painted.
     pub(in crate::hcbtf::generate::relief) fn new(
         relief: &'a Relief,
@@ -48,7 +48,12 @@ impl<'a> Sampler<'a> {
         match &relief.pattern {
             Pattern::Painted { heights, channel, is_inverted, colors } => {
                 let (heights, colors) = (hcbtf.painted(*heights)?, hcbtf.painted(*colors)?);
-                Some(Self::Painted(painted::Painted::new(heights, *channel, *is_inverted, colors)))
+                Some(Self::Painted(painted::PaintedPattern::new(
+                    heights,
+                    *channel,
+                    *is_inverted,
+                    colors,
+                )))
             }
             pattern
             @ (Pattern::Bricks { .. } | Pattern::Facade { .. } | Pattern::Arches { .. }) => {
@@ -71,7 +76,7 @@ impl<'a> Sampler<'a> {
     }
 
     /// The material at a position on the tile.
-    pub(in crate::hcbtf::generate::relief) fn material(&self, place: [f32; 2]) -> Material {
+    pub(in crate::hcbtf::generate::relief) fn material(&self, place: [f32; 2]) -> CellMaterial {
         match self {
             Self::Painted(painted) => painted.material(place),
             Self::Masonry(masonry) => masonry.at(place).1,

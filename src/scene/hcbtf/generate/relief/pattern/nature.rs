@@ -2,7 +2,7 @@
 
 use std::f32::consts::TAU;
 
-use super::{Material, linear};
+use super::{CellMaterial, linear};
 use crate::document::relief::Pattern;
 use crate::hcbtf::noise::{chances, hash, mix, mix3, ramp, rough};
 
@@ -23,7 +23,7 @@ struct Stone {
 
 impl Nature<'_> {
     /// The height and the material at a position on the tile.
-    pub(super) fn at(&self, place: [f32; 2]) -> (f32, Material) {
+    pub(super) fn at(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         match self.pattern {
             Pattern::Stones { .. } => self.stones(place),
             _ => self.ripples(place),
@@ -64,9 +64,9 @@ impl Nature<'_> {
         Stone { dome: (to_edge / radius).clamp(0.0, 1.0), own }
     }
 
-    fn stones(&self, place: [f32; 2]) -> (f32, Material) {
+    fn stones(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         let Pattern::Stones { count, share, grit, roundness, colors, binder } = self.pattern else {
-            return (0.0, Material::of([0.0; 3]));
+            return (0.0, CellMaterial::of([0.0; 3]));
         };
         let fine = 4 * *count;
         let grain = rough(self.seed.wrapping_add(41), [fine, self.down(fine)], 2, place);
@@ -85,7 +85,11 @@ impl Nature<'_> {
             let color = linear(*binder).map(|channel| channel * (0.75 + 0.5 * grain));
             return (
                 base,
-                Material { gloss: 0.15, grain: (64.0 * grain) as u32, ..Material::of(color) },
+                CellMaterial {
+                    gloss: 0.15,
+                    grain: (64.0 * grain) as u32,
+                    ..CellMaterial::of(color)
+                },
             );
         }
         let [tint, light, _] = chances(stone.own.rotate_left(7));
@@ -94,13 +98,13 @@ impl Nature<'_> {
             color.map(|channel| (channel * (0.8 + 0.3 * light + 0.25 * (grain - 0.5))).min(1.0));
         (
             base + height * (0.9 + 0.08 * grain),
-            Material { grain: stone.own as u32, ..Material::of(color) },
+            CellMaterial { grain: stone.own as u32, ..CellMaterial::of(color) },
         )
     }
 
-    fn ripples(&self, place: [f32; 2]) -> (f32, Material) {
+    fn ripples(&self, place: [f32; 2]) -> (f32, CellMaterial) {
         let Pattern::Ripples { count, bend, roughness, colors } = self.pattern else {
-            return (0.0, Material::of([0.0; 3]));
+            return (0.0, CellMaterial::of([0.0; 3]));
         };
         let hills = rough(self.seed.wrapping_add(51), [3, self.down(3)], 3, place);
         let fine = rough(self.seed.wrapping_add(52), [24, self.down(24)], 2, place);
@@ -115,6 +119,6 @@ impl Nature<'_> {
         };
         let height = wave * (1.0 - 0.25 * *roughness as f32) + 0.25 * *roughness as f32 * fine;
         let color = mix3(linear(colors[0]), linear(colors[1]), height);
-        (height, Material { grain: (4096.0 * fine) as u32, ..Material::of(color) })
+        (height, CellMaterial { grain: (4096.0 * fine) as u32, ..CellMaterial::of(color) })
     }
 }

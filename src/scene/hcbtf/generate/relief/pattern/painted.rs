@@ -1,18 +1,18 @@
 //! Pattern of a relief from painted samples.
 
-use super::{Material, linear};
+use super::{CellMaterial, linear};
 use crate::document::Tile;
 use crate::document::relief::Channel;
 
 /// Heights and colors from painted samples.
-pub(in crate::hcbtf::generate::relief) struct Painted<'a> {
+pub(in crate::hcbtf::generate::relief) struct PaintedPattern<'a> {
     size: [u32; 2],
     heights: Vec<f32>,
     colors: &'a Tile,
     is_opaque: bool,
 }
 
-impl<'a> Painted<'a> {
+impl<'a> PaintedPattern<'a> {
     pub(super) fn new(
         heights: &Tile,
         channel: Channel,
@@ -54,12 +54,12 @@ impl<'a> Painted<'a> {
     }
 
     /// The material of the texel at a position.
-    pub(super) fn material(&self, place: [f32; 2]) -> Material {
+    pub(super) fn material(&self, place: [f32; 2]) -> CellMaterial {
         let [width, height] = self.colors.size().map(|side| side as f32);
         let (x, y) = ((place[0] * width).floor() as i64, (place[1] * height).floor() as i64);
         let [r, g, b, a] = self.colors.texel(x, y);
         let alpha = if self.is_opaque { 1.0 } else { f32::from(a) / 255.0 };
         let grain = (y * self.size[0] as i64 + x) as u32;
-        Material { alpha, grain, ..Material::of(linear([r, g, b])) }
+        CellMaterial { alpha, grain, ..CellMaterial::of(linear([r, g, b])) }
     }
 }
