@@ -258,7 +258,7 @@ fn forty_of_fifty_looks_are_not_compiled_and_equal_ones_once() {
 fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
     let facing = json!({"id": "facing", "kind": "facing"});
     let noise = json!({"id": "noise", "kind": "noise", "values": {"octaves": 3}});
-    vec![
+    let mut looks = vec![
         (
             Proof::Unreachable,
             "noise",
@@ -307,6 +307,14 @@ fn removable() -> Vec<(Proof, &'static str, Json, Json)> {
                 {"from": "all", "to": "output.color"}
             ]),
         ),
+    ];
+    looks.extend(removable_by_ranges(&facing, &noise));
+    looks
+}
+
+/// Looks with a node that ranges of values prove to do nothing.
+fn removable_by_ranges(facing: &Json, noise: &Json) -> Vec<(Proof, &'static str, Json, Json)> {
+    vec![
         // The value is 2 or more, above the edge however wide the pixel is: the mask is 1, and the
         // mix is its B.
         (

@@ -285,10 +285,10 @@ pub(super) fn convert<R: Rounding>(op: ScalarConversion, each: impl Unary<u64, u
     };
     match op {
         ScalarConversion::FloatToI32 => {
-            each.with(|x| whole(at_most(float(x), greatest_i32) as i32))
+            each.with(|x| whole(at_most(float(x), greatest_i32) as i32));
         }
         ScalarConversion::FloatToU32 => {
-            each.with(|x| u64::from(at_most(float(x), greatest_u32) as u32))
+            each.with(|x| u64::from(at_most(float(x), greatest_u32) as u32));
         }
         ScalarConversion::FloatToBool => each.with(|x| u64::from(float(x) != 0.0)),
         ScalarConversion::IntToBool => each.with(|x| u64::from(integer(x) != 0)),
@@ -296,7 +296,7 @@ pub(super) fn convert<R: Rounding>(op: ScalarConversion, each: impl Unary<u64, u
         ScalarConversion::U32ToFloat => each.with(|x| real(f64::from(integer(x)))),
         ScalarConversion::FloatToBits => each.with(|x| u64::from((float(x) as f32).to_bits())),
         ScalarConversion::BitsToFloat => {
-            each.with(|x| f64::from(f32::from_bits(integer(x))).to_bits())
+            each.with(|x| f64::from(f32::from_bits(integer(x))).to_bits());
         }
         ScalarConversion::FrexpExponent => each.with(|x| whole(frexp(float(x)).1)),
         ScalarConversion::IsNan => each.with(|x| u64::from(float(x).is_nan())),
@@ -311,7 +311,7 @@ pub(super) fn convert<R: Rounding>(op: ScalarConversion, each: impl Unary<u64, u
         ScalarConversion::FromSnorm16 => each.with(|x| real((signed(x) / 32767.0).max(-1.0))),
         ScalarConversion::FromUnorm16 => each.with(|x| real(signed(x) / 65535.0)),
         ScalarConversion::FromHalf => {
-            each.with(|x| real(f16::from_bits(integer(x) as u16).to_f64()))
+            each.with(|x| real(f16::from_bits(integer(x) as u16).to_f64()));
         }
         ScalarConversion::HalfInSingle => each.with(|x| R::half(float(x)).to_bits()),
     }

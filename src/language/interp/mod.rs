@@ -220,7 +220,7 @@ impl Program {
     /// - `interp-argument`: the number of arguments is wrong, or one has another shape than the
     ///   [`parameters`](Self::parameters).
     /// - `interp-endless`: the program ran for more instructions than
-    /// [`FunctionOptions::step_limit`].
+    ///   [`FunctionOptions::step_limit`].
     /// - `interp-unbound`: the program reads [`resources`](Self::resources); [`bind`](Self::bind)
     ///   them.
     pub fn call(&self, arguments: &[Value], precision: Precision) -> Result<Value, Diagnostic> {

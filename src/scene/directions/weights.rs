@@ -187,7 +187,7 @@ impl KeyWeights {
             WeightFunction::Closed(closed) => closed.raw_into(direction, groups),
             WeightFunction::Mesh(mesh) => mesh.raw_into(direction, groups),
             WeightFunction::InverseDistance => {
-                inverse_distance_into(&self.set.centers, direction, groups)
+                inverse_distance_into(&self.set.centers, direction, groups);
             }
         }
     }

@@ -326,7 +326,7 @@ fn what_a_journal_costs() {
             "begin anew with it",
             20,
             Box::new(|_| {
-                drop(Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap())
+                drop(Journal::begin(&slot, &DocumentInfo::default(), None, &history).unwrap());
             }),
         );
         println!("{} bytes then", fs::metadata(slot.path()).unwrap().len());
