@@ -1,9 +1,9 @@
 //! Access of Chiaro to the disk: reading, writing, and the journal.
 //!
-//! [`Disk`] is the compiler's source of [`Files`](chiaro_compiler::files::Files): plain files
-//! within a bound, and folders that are walked once. [`Outputs`] is the writer for commands,
-//! guarded against writing over files that somebody made; [`write_atomic`] and [`FileSet`] write
-//! whole files or none; a [`journal`] keeps unsaved work.
+//! [`Disk`] is the compiler's source of [`Files`]: plain files within a bound, and folders that are
+//! walked once. [`Outputs`] is the writer for commands, guarded against writing over files that
+//! somebody made; [`write_atomic`] and [`FileSet`] write whole files or none; a [`journal`] keeps
+//! unsaved work.
 
 use chiaro_compiler::document;
 use chiaro_language::{clock, diag};

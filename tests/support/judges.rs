@@ -2,7 +2,7 @@
 //! of a sweep.
 //!
 //! No sweep lists its judges. They are found from the sweep's own file: each room that the file
-//! imports, each room that those rooms import, and so on, as far as [`ROOMS`] says that a room's
+//! imports, each room that those rooms import, and so on, as far as `ROOMS` says that a room's
 //! code can decide on a verdict at all. The crates of others that compute are in every key with
 //! their versions.
 

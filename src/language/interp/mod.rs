@@ -40,7 +40,7 @@
 //!
 //! With [`Precision::F64`] every float is an f64, and nothing is rounded to f32 but bitcasts, which
 //! go through f32's bits, and literals, which naga's WGSL front end has already rounded (and
-//! folded, in f32) before the interpreter sees them; given the [`source`](Options::source),
+//! folded, in f32) before the interpreter sees them; given the [`source`](FunctionOptions::source),
 //! literals are read again from there. With [`Precision::F32`] each float operation is computed in
 //! f64 and rounded to f32, which for `+ - * / sqrt` is exactly f32 arithmetic, and for the rest the
 //! nearest f32 to a nearly exact result. Nothing flushes subnormals; infinities and NaN propagate

@@ -33,7 +33,7 @@ pub fn load(files: &dyn Files, path: &Path) -> Result<WithWarnings<Hcbtf>, Vec<D
 }
 
 /// The bytes of a file of at most [`MAX_FILE_BYTES`]: an HCBTF, a sheet, or a sample; or those of
-/// an [example](crate::examples).
+/// an [example](chiaro_compiler::examples).
 ///
 /// # Errors
 /// The reason why the file cannot be read, with its name.
