@@ -234,10 +234,11 @@ impl Codec<IndexMap<Target, Value>> for TargetValues {
                 let target = r.target_from(member, key);
                 let mut of_value = UnknownFields::new();
                 let value = r.value_at(member, &mut of_value);
+                let read = (target?, value?);
                 if !of_value.is_empty() {
                     extras.insert(key.to_owned(), of_value.into());
                 }
-                Some((target?, value?))
+                Some(read)
             })
         });
         fields.shadow(name, extras);
