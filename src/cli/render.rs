@@ -15,7 +15,7 @@ use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Camera, Scene, Tier, parse_hex};
 use crate::files::OutputKind;
-use crate::frame::{self, Assets, Executor, PassId, PlanOptions, open};
+use crate::frame::{self, Assets, Executor, PassId, PlanOptions, PlanStyle, open};
 use crate::milestones;
 use crate::reference::Reference;
 #[cfg(feature = "gpu")]
@@ -152,14 +152,19 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let size =
         arguments.size.as_ref().map_or_else(|| usual_size(&setup.scene.camera), |size| size.0);
     adjust(&mut setup.scene, arguments).map_err(one)?;
-    let mut executor = executor(arguments.on, output).await.map_err(one)?;
-    let style = executor.plan_style();
+    // Who asks for the reference by its name asks for the truth; else the reference stands in for a
+    // GPU and draws what that would draw.
+    let style = match arguments.on {
+        Some(ExecutorChoice::Reference) => PlanStyle::AsWritten,
+        _ => PlanStyle::Specialized,
+    };
     let mut planner = style.planner(assets);
     let options = PlanOptions { size, samples: arguments.samples, time: arguments.time };
     let live = if arguments.live { Live::All } else { style.live() };
     let plan = planner.plan(&setup, &library, &live, &options)?.tell(&mut warnings);
     milestones::reached("first shaders");
     output.diagnostics(&warnings);
+    let mut executor = executor(arguments.on, output).await.map_err(one)?;
     let of_device = executor.warnings(&plan);
     let picture = output
         .watch_async("drawing", async |progress| executor.picture(&plan, progress).await)
@@ -219,11 +224,7 @@ async fn executor(
     }
     #[cfg(not(feature = "gpu"))]
     let _ = output;
-    Ok(Box::new(if on == Some(ExecutorChoice::Reference) {
-        Reference::of_truth()
-    } else {
-        Reference::default()
-    }))
+    Ok(Box::new(Reference::default()))
 }
 
 pub(super) fn parse_time(text: &str) -> Result<f64, String> {

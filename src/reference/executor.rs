@@ -102,7 +102,20 @@ pub fn execute(
     progress: &Progress,
 ) -> Result<ReferencePicture, Diagnostic> {
     check_size(plan.size, plan.samples)?;
-    let mut images = PassImages::default();
+    run(plan, &mut PassImages::default(), shaders, options, progress)?.ok_or_else(|| {
+        Diagnostic::error("reference-plan", "the plan has no pass that makes the picture")
+    })
+}
+
+/// Runs the passes of `plan`, and adds what they make for later passes to `images`. Returns the
+/// picture, if a pass draws it.
+fn run(
+    plan: &FramePlan,
+    images: &mut PassImages,
+    shaders: &dyn ShaderFactory,
+    options: &ReferenceOptions,
+    progress: &Progress,
+) -> Result<Option<ReferencePicture>, Diagnostic> {
     let mut picture = None;
     progress.begin(plan.passes.len() as u64);
     for pass in &plan.passes {
@@ -112,23 +125,24 @@ pub fn execute(
         let around = options.widened(plan.margin(id));
         let made = match id.stage() {
             Some(stage) if id.writes_picture() => {
-                let raster = draw(plan, (id, stage), &images, shaders, options, &progress)?;
+                let raster = draw(plan, (id, stage), images, shaders, options, &progress)?;
                 let objects = plan.draws.iter().map(|draw| draw.object.clone()).collect();
                 picture = Some(ReferencePicture::new(raster, plan.samples, objects));
                 continue;
             }
-            Some(stage) => draw(plan, (id, stage), &images, shaders, &around, &progress)?.texels,
-            None => screen(plan, id, &images, shaders, &around, &progress)?,
+            Some(stage) => draw(plan, (id, stage), images, shaders, &around, &progress)?.texels,
+            None => {
+                let shader = shaders.screen(plan, id, images)?;
+                shade_all(plan.size, channels(id), shader.as_ref(), &around, &progress)?
+            }
         };
         images.insert_rounded(id, &made, options.images);
     }
-    picture.ok_or_else(|| {
-        Diagnostic::error("reference-plan", "the plan has no pass that makes the picture")
-    })
+    Ok(picture)
 }
 
-/// Runs the passes of `plan` over the picture, without those that draw meshes, and adds their
-/// results to `images`, which hold what the plan is [missing](FramePlan::missing).
+/// Runs the passes of a [plan of screens](FramePlan::of_screens), and adds their results to
+/// `images`, which hold what the plan is [missing](FramePlan::missing).
 ///
 /// # Errors
 /// As [`execute`].
@@ -139,27 +153,7 @@ pub fn execute_screens(
     options: &ReferenceOptions,
     progress: &Progress,
 ) -> Result<(), Diagnostic> {
-    let screens = || plan.passes.iter().map(|pass| pass.id).filter(|id| id.is_screen());
-    progress.begin(screens().count() as u64);
-    for id in screens() {
-        let around = options.widened(plan.margin(id));
-        let made = screen(plan, id, images, shaders, &around, &progress.part(1))?;
-        images.insert_rounded(id, &made, options.images);
-    }
-    Ok(())
-}
-
-/// Draws one pass over the picture.
-fn screen(
-    plan: &FramePlan,
-    pass: PassId,
-    images: &PassImages,
-    shaders: &dyn ShaderFactory,
-    options: &ReferenceOptions,
-    progress: &Progress,
-) -> Result<Texels, Diagnostic> {
-    let shader = shaders.screen(plan, pass, images)?;
-    shade_all(plan.size, channels(pass), shader.as_ref(), options, progress)
+    run(plan, images, shaders, options, progress).map(drop)
 }
 
 /// Draws one pass of meshes.

@@ -3,7 +3,7 @@
 use super::executor::execute;
 use super::modules::Modules;
 use super::options::ReferenceOptions;
-use crate::frame::{Executor, FramePlan, PictureFuture, PlanStyle};
+use crate::frame::{Executor, FramePlan, PictureFuture};
 use crate::interp::Precision;
 use crate::progress::Progress;
 
@@ -12,24 +12,11 @@ use crate::progress::Progress;
 pub struct Reference {
     /// Options of the pictures.
     pub options: ReferenceOptions,
-    /// Style of the plans that are drawn: specialized where the reference stands in for a GPU.
-    pub style: PlanStyle,
-}
-
-impl Reference {
-    /// The reference that draws the truth, of looks as they are written.
-    pub fn of_truth() -> Self {
-        Self { style: PlanStyle::AsWritten, ..Self::default() }
-    }
 }
 
 impl Executor for Reference {
     fn name(&self) -> String {
         "the reference, in f64".to_owned()
-    }
-
-    fn plan_style(&self) -> PlanStyle {
-        self.style
     }
 
     fn picture<'a>(&'a mut self, plan: &'a FramePlan, progress: &'a Progress) -> PictureFuture<'a> {

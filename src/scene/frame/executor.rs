@@ -3,7 +3,7 @@
 use std::pin::Pin;
 
 use super::picture::Picture;
-use super::plan::{FramePlan, PlanStyle};
+use super::plan::FramePlan;
 use crate::diag::Diagnostic;
 use crate::progress::Progress;
 
@@ -16,11 +16,6 @@ pub type PictureFuture<'a> = Pin<Box<dyn Future<Output = Result<Picture, Diagnos
 pub trait Executor {
     /// Name of the executor for people: an adapter, or the reference.
     fn name(&self) -> String;
-
-    /// Style of the plans that the executor wants; it draws others, too.
-    fn plan_style(&self) -> PlanStyle {
-        PlanStyle::default()
-    }
 
     /// Makes the picture of `plan`. `progress` counts the part that is done, and can stop the work.
     ///

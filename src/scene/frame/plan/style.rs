@@ -1,11 +1,11 @@
-//! Styles of plans, of which each executor wants one.
+//! Styles of plans: what is drawn fast, and the truth.
 
 use super::planner::Planner;
 use crate::compile::Live;
 use crate::frame::assets::Assets;
 use crate::frame::visibility::CullMode;
 
-/// Style of the plans that an executor wants.
+/// Style of a plan; every executor draws plans of every style.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlanStyle {
     /// Known values folded, and parts left out that cannot change the picture.
