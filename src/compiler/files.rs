@@ -36,6 +36,11 @@ pub trait Files: fmt::Debug {
     fn walk(&self, folder: &Path, bounds: WalkBounds, enters: &dyn Fn(&Path) -> bool)
     -> FoundFiles;
 
+    /// True if a path leads to a folder.
+    fn is_folder(&self, path: &Path) -> bool {
+        self.metadata(path).is_some_and(|found| found.kind == FileKind::Folder)
+    }
+
     /// True if a path leads to a plain file, or names an [example](crate::examples).
     fn has_file(&self, path: &Path) -> bool {
         self.metadata(path).is_some_and(|found| found.kind == FileKind::Plain)

@@ -1,7 +1,7 @@
 //! Sketch that was painted on the picture, and its past.
 //!
 //! A sketch is a small picture over the viewport's, straight RGBA as the command `chiaro fit` takes
-//! it: the color is the wish for a pixel, alpha the weight of that wish. A sketch applies to the
+//! it: the color is the goal of a pixel, alpha the weight of that goal. A sketch applies to the
 //! view that it was painted in, and to no other. Its steps lie in the window's one order of undo
 //! while they are seen.
 
@@ -78,7 +78,7 @@ impl Sketch {
         Self { state: self.state, ..Self::default() }
     }
 
-    /// True if no pixel has a wish.
+    /// True if no pixel has a goal.
     pub fn is_empty(&self) -> bool {
         self.state
             .tile

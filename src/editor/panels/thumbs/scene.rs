@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use crate::compile::Live;
 use crate::document::{Camera, Document, Projection, Scene};
-use crate::files::{FileKind, Files};
+use crate::files::Files;
 use crate::frame::{
     AssetStore, Assets, CullMode, FramePlan, PlanOptions, Planner, SHAPE_PREFIX, Setup,
     SetupObject, View, scene_setup,
@@ -52,7 +52,7 @@ pub(super) fn plan(path: &Path, options: &PlanOptions, assets: &AssetStore) -> O
     // Missing files are left out, as in the window.
     let mut setup = scene_setup(scene, &folder, &loaded.source, None, &mut planner.assets).value;
     let nodes = folder.join("nodes");
-    let library = if files.metadata(&nodes).is_some_and(|found| found.kind == FileKind::Folder) {
+    let library = if files.is_folder(&nodes) {
         Library::built_in().with_project(files, &nodes)
     } else {
         Library::built_in().clone()

@@ -74,8 +74,7 @@ pub(crate) struct DiskState {
     of: Use,
     is_new: bool,
     look: Option<PathBuf>,
-    /// Folders of the project's nodes, of the look's and of the scene's.
-    nodes: Vec<PathBuf>,
+    /// Files of the project's nodes that the watch was told of last.
     project_nodes: Arc<NodeFiles>,
     assets: BTreeMap<PathBuf, Option<FileMetadata>>,
     /// Time of the next check, in seconds of the window's clock.
@@ -98,7 +97,6 @@ impl DiskState {
             of: Use::default(),
             is_new: true,
             look: None,
-            nodes: Vec::new(),
             project_nodes: Arc::default(),
             assets: BTreeMap::new(),
             due: None,
@@ -136,7 +134,7 @@ impl DiskState {
             self.project_nodes = session.project.files.clone();
             // A new folder is watched from now on, and may have changed since the nodes were read.
             self.watch.renew(absolute(&self.project_nodes.folders));
-            self.due = Some(now + CALM);
+            self.due.get_or_insert(now + CALM);
         }
         if self.watch.take() {
             self.due = Some(now + CALM);
@@ -177,8 +175,6 @@ impl DiskState {
             self.look = session.path().and_then(|path| std::path::absolute(path).ok());
             self.was_there = self.look.as_ref().is_some_and(|path| path.exists());
         }
-        self.nodes = absolute(&session.node_folders());
-        self.project_nodes = session.project.files.clone();
         let folder = session.look.folder();
         let images = session
             .compilation()
@@ -204,8 +200,8 @@ impl DiskState {
         let painting = self.of.painting.clone();
         let files = self.assets.keys().cloned().chain(self.look.clone());
         let files = files.chain(links).chain(scene).chain(painting).collect();
-        let folders = self.nodes.iter().cloned().collect();
-        let below = absolute(&self.project_nodes.folders);
+        let folders = absolute(&session.node_folders());
+        let below = absolute(&session.project.files.folders);
         self.watch.set(WatchedPaths { files, folders, below });
         is_other
     }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::files::{FileKind, FileMetadata, Files, SharedFiles, remove_abandoned};
+use crate::files::{FileMetadata, Files, SharedFiles, remove_abandoned};
 use crate::library::{Library, node_files};
 use crate::state::revision::RequestNumber;
 use crate::state::worker::Worker;
@@ -53,7 +53,8 @@ struct NodesRequest {
 /// Library of the nodes in a project's folders, beside those that Chiaro ships.
 pub(super) struct NodesAnswer {
     number: RequestNumber,
-    pub(super) library: Library,
+    /// `None` where only folders have come or gone.
+    pub(super) library: Option<Library>,
     pub(super) files: Arc<NodeFiles>,
     /// True if a node whose file is broken stays as it was.
     pub(super) keeps_broken: bool,
@@ -159,15 +160,15 @@ fn read(
     if known.0 != number {
         *known = (number, Arc::default());
     }
-    folders.retain(|path| files.metadata(path).is_some_and(|found| found.kind == FileKind::Folder));
+    folders.retain(|path| files.is_folder(path));
     // The state is taken before reading: a change in between is noticed the next time.
     let found = NodeFiles::below(files, &folders);
-    let is_change = found != *known.1;
-    if only_changed && !is_change {
+    if only_changed && found == *known.1 {
         return None;
     }
+    let is_same = only_changed && found.files == known.1.files;
     let add = |library: Library, folder: &PathBuf| library.with_project(files, folder);
-    let library = folders.iter().fold(Library::built_in().clone(), add);
+    let library = (!is_same).then(|| folders.iter().fold(Library::built_in().clone(), add));
     let found = Arc::new(found);
     known.1 = found.clone();
     Some(NodesAnswer { number, library, files: found, keeps_broken, is_change: only_changed })

@@ -8,7 +8,6 @@ use super::Session;
 use super::nodes::NodesAnswer;
 use crate::catalog::Catalog;
 use crate::diag::Diagnostic;
-use crate::files::FileKind;
 use crate::ids::NodePath;
 use crate::library::Library;
 
@@ -31,8 +30,7 @@ impl Session {
     /// Goes to the project of the document at `path`: with the nodes that Chiaro ships at once, and
     /// with the project's own as soon as they are read.
     pub(super) fn use_project(&mut self, path: &Path) {
-        self.project.leave();
-        self.project.set_library(Library::built_in().clone());
+        self.leave_all_projects();
         self.read_nodes(path, false);
     }
 
@@ -41,10 +39,7 @@ impl Session {
         self.project.reader.sweep(path.parent().unwrap_or(Path::new("")).to_path_buf());
         let folders = self.node_folders_with(Some(path));
         let files = self.assets.source();
-        let is_folder = |path: &PathBuf| {
-            files.metadata(path).is_some_and(|found| found.kind == FileKind::Folder)
-        };
-        let is_asked = folders.iter().any(is_folder);
+        let is_asked = folders.iter().any(|path| files.is_folder(path));
         if is_asked {
             self.project.reader.read(folders, keeps_broken);
         } else {
@@ -60,6 +55,7 @@ impl Session {
             self.project.reader.answers()
         {
             self.project.files = files;
+            let Some(library) = library else { continue };
             self.project.has_changed |= is_change;
             self.renew_library(library, keeps_broken);
         }
