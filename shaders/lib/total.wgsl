@@ -1,4 +1,4 @@
-// Arithmetic of the maths nodes, with a finite result for every input. NaN becomes 0, an infinite
+// Arithmetic of the math nodes, with a finite result for every input. NaN becomes 0, an infinite
 // or too large result the largest number of its sign, and a number below the smallest normal one
 // divides as 0.
 import chiaro::numeric;

@@ -1,8 +1,8 @@
 //! Documents and texts on the disk: read with a bound, and written so that nobody ever sees half a
 //! file.
 
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 
 use chiaro_compiler::document::{self, Look, Scene, SourceMap};
 use chiaro_language::diag::Diagnostic;
@@ -33,9 +33,13 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), Box<Diagnostic>> {
 /// Makes a folder to write files into, with all folders that it lies in, if there is none.
 ///
 /// # Errors
-/// The reason why it cannot be made.
-pub fn make_folder(folder: &Path) -> io::Result<()> {
-    fs::create_dir_all(folder)
+/// A diagnostic that names the folder and says why it cannot be made.
+pub fn make_folder(folder: &Path) -> Result<(), Box<Diagnostic>> {
+    fs::create_dir_all(folder).map_err(|error| {
+        let problem =
+            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
+        Box::new(problem.in_file(folder.display().to_string()))
+    })
 }
 
 /// Document that is saved as a text file.

@@ -33,9 +33,9 @@ pub fn is_enabled() -> bool {
 /// Reports that the program reached a milestone; the first one reported starts the clock. Only the
 /// first time of each milestone is reported.
 pub fn reached(milestone: &'static str) {
-    let Some(teller) = &*REPORTER else { return };
-    let seconds = teller.since_start.seconds();
-    if teller.reported.lock().unwrap_or_else(PoisonError::into_inner).insert(milestone) {
+    let Some(reporter) = &*REPORTER else { return };
+    let seconds = reporter.since_start.seconds();
+    if reporter.reported.lock().unwrap_or_else(PoisonError::into_inner).insert(milestone) {
         let line = serde_json::json!({ "milestone": milestone, "seconds": seconds });
         // A write fails where nobody listens any more, and is then not needed.
         let _ = writeln!(std::io::stderr(), "{line}");

@@ -71,7 +71,7 @@ enum WorkerMessage {
 
 /// Function that blocks its thread until a future is done. A survey has threads of its own, and the
 /// library itself blocks nowhere: the caller of a survey decides how to wait.
-pub type BlockOn<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
+pub type FutureWaiter<'a> = &'a (dyn Fn(Pin<Box<dyn Future<Output = ()> + '_>>) + Sync);
 
 /// Runs all jobs of a survey, each worker on a thread of its own that `wait`s for its device.
 ///
@@ -86,7 +86,7 @@ pub async fn survey(
     survey: &Survey,
     library: &Library,
     progress: &Progress,
-    wait: BlockOn<'_>,
+    wait: FutureWaiter<'_>,
 ) -> Result<AccuracyReport, MeasureError> {
     let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
     let mut kinds: Vec<&String> = library.nodes.keys().collect();

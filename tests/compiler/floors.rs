@@ -103,13 +103,11 @@ const STRANGERS: &[(&str, &str, &[&str])] = &[
 /// that no module of the state lies in a ring with another.
 const KNOW_THE_SESSION: &[&str] = &["session", "safety", "fixes"];
 
-/// Crates of the project that only some may use: sweeps measure nodes for whoever makes them, and
-/// neither the window nor a library carries them.
-const FOR_FEW: &[(&str, &[&str])] = &[("sweeps", &["cli"])];
-
 /// Packages that only some crates may use: the compiler builds without a GPU and a window, and
-/// users who only want WGSL from a graph pay for no command line and no archives.
+/// users who only want WGSL from a graph pay for no command line and no archives. Sweeps measure
+/// nodes for whoever makes them, and neither the window nor a library carries them.
 const KEPT_TO: &[(&str, &[&str])] = &[
+    ("chiaro-sweeps", &["cli"]),
     ("wgpu", &["render", "editor"]),
     ("egui", &["editor"]),
     ("egui_extras", &["editor"]),
@@ -301,9 +299,7 @@ fn check_manifest(krate: &str, manifest: &str) -> Vec<String> {
         {
             complaints.push(format!("src/{krate}/Cargo.toml: `{krate}` stands below `{other}`"));
         }
-        let own = name.strip_prefix("chiaro-").unwrap_or_default();
         let kept = KEPT_TO.iter().find(|(package, _)| *package == name);
-        let kept = kept.or_else(|| FOR_FEW.iter().find(|(package, _)| *package == own));
         if let Some((_, owners)) = kept.filter(|(_, owners)| !owners.contains(&krate)) {
             complaints.push(format!(
                 "src/{krate}/Cargo.toml: `{name}` belongs to {} only",

@@ -17,8 +17,8 @@ fn sweeps() -> Vec<(String, BTreeSet<String>)> {
         let name = name.to_string_lossy().replace('\\', "/");
         if text.contains("Ledger::open(") && name != "tests/compiler/judges.rs" {
             assert!(
-                text.contains("Key::of_judges(") && text.contains(&format!("\"{name}\"")),
-                "{name} keeps a ledger: its keys are made by `Key::of_judges`, of the file itself"
+                text.contains("ProofKey::of_judges(") && text.contains(&format!("\"{name}\"")),
+                "{name} keeps a ledger: its keys are made by `ProofKey::of_judges`, of the file itself"
             );
             let judges = judges(&[&name]);
             sweeps.push((name, judges));

@@ -3,8 +3,6 @@
 //! A name that is a pronoun, a preposition, an adverb, a verb or a bare participle (`What`, `Of`,
 //! `Shown`) tells nobody what the type is, and comes again in the next module for another type.
 //! Such names are refused, in `src/` and in what the test programs share.
-//! Those that stand from before are listed in `words_to_rename.txt`; the list may only become
-//! shorter, and `CHIARO_BLESS=1` removes renamed types from it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -98,28 +96,13 @@ fn declarations() -> BTreeMap<String, BTreeSet<String>> {
 
 #[test]
 fn types_are_called_what_they_are() {
-    let list = root().join("tests/compiler/words_to_rename.txt");
-    let text = fs::read_to_string(&list).unwrap();
-    let allowed: BTreeSet<&str> = text.lines().collect();
     let declarations = declarations();
     let riddles: BTreeSet<String> = declarations
         .iter()
         .filter(|(name, _)| is_riddle(name))
         .flat_map(|(name, files)| files.iter().map(move |file| format!("{file} {name}")))
         .collect();
-    let new: Vec<&String> =
-        riddles.iter().filter(|riddle| !allowed.contains(riddle.as_str())).collect();
-    assert!(new.is_empty(), "a name says what the thing is, and these do not: {new:#?}");
-    let left: Vec<&str> = allowed.iter().copied().filter(|line| riddles.contains(*line)).collect();
-    if left.len() == allowed.len() {
-        return;
-    }
-    if std::env::var_os("CHIARO_BLESS").is_some() {
-        fs::write(&list, left.iter().map(|line| format!("{line}\n")).collect::<String>()).unwrap();
-        return;
-    }
-    let gone: Vec<&&str> = allowed.iter().filter(|line| !left.contains(line)).collect();
-    panic!("these are renamed: take them off the list (CHIARO_BLESS=1 does): {gone:#?}");
+    assert!(riddles.is_empty(), "a name says what the thing is, and these do not: {riddles:#?}");
 }
 
 /// Types and modules in the glossary's last column exist; modules by their paths from `src/` or the

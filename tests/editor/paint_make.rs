@@ -370,8 +370,8 @@ fn pictures_are_imported_beside_the_window() {
     let images = folder.path().join("images");
     let source = hcbtf::load(&chiaro::files::Disk, &numbered(folder.path())).unwrap().value;
     let form = hcbtf::exchange::ExchangeFormat::Folder;
-    let manner = hcbtf::exchange::ExportOptions::default();
-    hcbtf::exchange::export(&all(&source), form, manner, &images, &Progress::new()).unwrap();
+    let options = hcbtf::exchange::ExportOptions::default();
+    hcbtf::exchange::export(&all(&source), form, options, &images, &Progress::new()).unwrap();
     let mut hand = new_window();
     let ask = |hand: &mut User| {
         open_menu(hand, "Import painted pictures as an HCBTF...");

@@ -140,9 +140,9 @@ fn shots_of_new_layers_for_a_few_strokes() {
         let strokes = strokes::strokes(&look, mesh);
         let mut pictures = vec![picture(&setup_of(look.clone(), mesh)).to_picture()];
         let mut wished = pictures[0].clone();
-        for wish in &strokes.painted.wishes {
-            let [r, g, b] = wish.color.map(|x| x as f32);
-            wished.rgba[(wish.pixel[1] * wished.size[0] + wish.pixel[0]) as usize] = [r, g, b, 1.0];
+        for goal in &strokes.painted.goals {
+            let [r, g, b] = goal.color.map(|x| x as f32);
+            wished.rgba[(goal.pixel[1] * wished.size[0] + goal.pixel[0]) as usize] = [r, g, b, 1.0];
         }
         pictures.push(wished);
         for keep_rest in [0.0, 0.25, 0.5] {

@@ -87,6 +87,8 @@ const SINGLE_ROOMS: &[(&str, &str)] = &[
     ("chiaro_reference", "reference"),
     ("chiaro_render", "render"),
     ("chiaro_sweeps", "sweeps"),
+    ("chiaro_test_drawing", "support"),
+    ("chiaro_test_support", "support"),
 ];
 
 /// Crates of others whose code computes what is judged or judges it: shaders, pictures, images,
@@ -165,6 +167,16 @@ fn read_used_by(path: &Path) -> Vec<String> {
     let text =
         fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let name = path.strip_prefix(root()).expect("it lies in the project");
+    let known = |name: &str| {
+        HOUSES.contains(&name) || SINGLE_ROOMS.iter().any(|(single, _)| *single == name)
+    };
+    let foreign = scan::references(&text, name.iter().count()).into_iter().find(|found| {
+        let first = found.path.split("::").next().unwrap_or_default();
+        first.starts_with("chiaro_") && !known(first)
+    });
+    if let Some(found) = foreign {
+        panic!("{}: judges.rs must name the crate of `{}`", name.display(), found.path);
+    }
     let mut used = Vec::new();
     for house in HOUSES.iter().filter(|house| text.contains(**house)) {
         for found in scan::crate_paths(&text, house) {

@@ -159,9 +159,9 @@ pub(super) fn export(arguments: &ExportArguments, output: &Output) -> Result<(),
     let hcbtf = open(&arguments.file, output)?;
     let filled = filled(&hcbtf, &arguments.file, output)?;
     let which = if arguments.painted { SampleChoice::Painted } else { SampleChoice::All };
-    let manner = exchange::ExportOptions { which, gap: arguments.gap, storage };
+    let options = exchange::ExportOptions { which, gap: arguments.gap, storage };
     let told = output.watch("writing", |progress| {
-        exchange::export(&filled, form.into(), manner, path, progress)
+        exchange::export(&filled, form.into(), options, path, progress)
     })?;
     output.result(&path.display().to_string());
     told.into_iter().for_each(|told| output.message(&told));

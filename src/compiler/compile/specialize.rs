@@ -689,17 +689,12 @@ impl<'a> Builder<'a> {
         let is_own_root = self.graph.nodes[node].def.special == Treatment::Output;
         let stage = self.options.stage;
         let root = match stage.row().value {
-            StageValue::Context(word) => Context::from_word(word).map(|context| {
+            StageValue::Context(context) => {
                 let operation = Operation::Context(context, None);
                 let ty = Type::from_wgsl(context.wgsl_type());
-                self.value(
-                    OperationKey::Context(context, None),
-                    node,
-                    ty,
-                    Rate::Fragment,
-                    operation,
-                )
-            }),
+                let key = OperationKey::Context(context, None);
+                Some(self.value(key, node, ty, Rate::Fragment, operation))
+            }
             StageValue::Input(name) => self.extra_roots.get(name).copied(),
             StageValue::Output => None,
         };
@@ -732,7 +727,7 @@ impl<'a> Builder<'a> {
     /// The values that drive keys, as numbers. Modules that draw normals leave keys to the look's
     /// own.
     fn drivers(&mut self) -> Vec<ValueId> {
-        if self.options.stage.is_normals() {
+        if self.options.stage.draws_normals() {
             return Vec::new();
         }
         let graph = self.graph;

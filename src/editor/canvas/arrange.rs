@@ -226,11 +226,11 @@ impl<'a> LayeredGraph<'a> {
             / links.len() as f32
     }
 
-    /// Tops of a column's boxes, in order and without overlap, as near to the goals tops as least
-    /// squares allow; boxes that touch move together.
+    /// Tops of a column's boxes, in order and without overlap, as near to their goals as least squares
+    /// allow; boxes that touch move together.
     fn spread(&self, column: &[usize], goals: &[f32]) -> Vec<f32> {
-        // Blocks of boxes that touch: the goals top of the block's first box, the number of boxes,
-        // and the block's height.
+        // Blocks of boxes that touch: the goal of the block's first box, the number of boxes, and
+        // the block's height.
         let mut blocks: Vec<(f32, usize, f32)> = Vec::new();
         for (&index, &goal) in column.iter().zip(goals) {
             let mut block = (goal, 1, self.rects[index].height() + ROW_GAP);

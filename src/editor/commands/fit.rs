@@ -33,7 +33,7 @@ pub(crate) enum FitCommand {
     },
 }
 
-/// Brush of painted light: the wish that its strokes express.
+/// Brush of painted light: the goal that its strokes set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum LightBrush {
     /// Lighter than shown.
@@ -44,7 +44,7 @@ pub(crate) enum LightBrush {
     Color,
     /// The color that the look shows.
     Keep,
-    /// No wish any more.
+    /// Removes the goal.
     Erase,
 }
 

@@ -70,10 +70,10 @@ impl Drop for Exports {
 fn run(job: &ExportRequest) -> String {
     let to = free(job.form, &job.to);
     let filled = fill(&job.hcbtf, &job.progress).map_err(|why| vec![Diagnostic::from(why)]);
-    let manner =
+    let options =
         exchange::ExportOptions { storage: job.storage, ..exchange::ExportOptions::default() };
     let written =
-        filled.and_then(|filled| exchange::export(&filled, job.form, manner, &to, &job.progress));
+        filled.and_then(|filled| exchange::export(&filled, job.form, options, &to, &job.progress));
     match written {
         Ok(more) => {
             let more = more.map(|more| format!(": {more}")).unwrap_or_default();

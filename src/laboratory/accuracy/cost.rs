@@ -43,11 +43,6 @@ impl TimeEstimate {
     pub fn is_noise(&self) -> bool {
         self.low <= 0.0 && self.high >= 0.0
     }
-
-    /// True if the intervals overlap, so that the two medians cannot be told apart.
-    pub fn overlaps(&self, other: &Self) -> bool {
-        self.low <= other.high && other.low <= self.high
-    }
 }
 
 /// Times of one plan in each round, in milliseconds.

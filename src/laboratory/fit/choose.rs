@@ -15,7 +15,7 @@ pub(super) const MAX_PIXELS: usize = 4096;
 
 /// Goals of the painted pixels, thinned evenly if there are very many.
 pub(super) fn thinned(target: &FitTarget) -> Vec<PixelGoal> {
-    evenly(target.wishes.len(), MAX_PIXELS).into_iter().map(|index| target.wishes[index]).collect()
+    evenly(target.goals.len(), MAX_PIXELS).into_iter().map(|index| target.goals[index]).collect()
 }
 
 /// At most `most` of `count` indices, evenly spread; all indices if there are fewer.
@@ -41,14 +41,14 @@ pub(super) fn telling(missing: &[f64], most: usize) -> Vec<usize> {
 ///
 /// # Errors
 /// `fit-target`: no pixel has a goal.
-pub(super) fn wishes_of(
+pub(super) fn goals_of(
     pixels: &[[u32; 2]],
-    wishes: &[PixelGoal],
+    goals: &[PixelGoal],
 ) -> Result<Vec<PixelGoal>, Vec<Diagnostic>> {
     let by_pixel: HashMap<[u32; 2], &PixelGoal> =
-        wishes.iter().map(|wish| (wish.pixel, wish)).collect();
+        goals.iter().map(|goal| (goal.pixel, goal)).collect();
     let found: Vec<PixelGoal> =
-        pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|wish| **wish)).collect();
+        pixels.iter().filter_map(|pixel| by_pixel.get(pixel).map(|goal| **goal)).collect();
     if found.is_empty() {
         let message = "no painted pixel lies within an object that wears the look";
         return Err(vec![Diagnostic::error("fit-target", message).hint(
@@ -60,8 +60,8 @@ pub(super) fn wishes_of(
 }
 
 /// The pixels of the goals.
-pub(super) fn pixels_of(wishes: &[PixelGoal]) -> HashSet<[u32; 2]> {
-    wishes.iter().map(|wish| wish.pixel).collect()
+pub(super) fn pixels_of(goals: &[PixelGoal]) -> HashSet<[u32; 2]> {
+    goals.iter().map(|goal| goal.pixel).collect()
 }
 
 /// Surface that the reference sees at the pixels that can be compared.

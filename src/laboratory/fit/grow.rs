@@ -15,7 +15,7 @@ use rayon::iter::{
 
 use super::beam::{FitStack, WIDTHS, Width, apart, best_of};
 use super::build::layered;
-use super::choose::{SurfaceSamples, evenly, pixels_of, telling, thinned, wearing, wishes_of};
+use super::choose::{SurfaceSamples, evenly, goals_of, pixels_of, telling, thinned, wearing};
 use super::lit::{LayerLight, LightingModel};
 use super::model::FitShot;
 use super::report::{FitReport, compared_as_is, painted};
@@ -79,20 +79,20 @@ pub fn fit_layers(
     // The smaller the painted part, the less evidence there is for a hard edge.
     let soft = SOFT * rest.share;
     let mut given = thinned(target);
-    given.extend(rest.wishes);
+    given.extend(rest.goals);
     let chosen = pixels_of(&given);
     let SurfaceSamples { directions, pixels } = SurfaceSamples::new(&shot, &chosen)?;
-    let wishes = wishes_of(&pixels, &given)?;
+    let goals = goals_of(&pixels, &given)?;
     let at =
-        |most: usize| Search::new(&directions, &wishes, &evenly(wishes.len(), most)).softly(soft);
-    let (whole, even) = (at(wishes.len()), at(PIXELS));
+        |most: usize| Search::new(&directions, &goals, &evenly(goals.len(), most)).softly(soft);
+    let (whole, even) = (at(goals.len()), at(PIXELS));
     let mut best: Option<FitStack> = None;
     for width in WIDTHS {
         // Another search begins anew, and so does its progress.
         progress.begin(layers as u64 + 2);
         let grower = Grower {
             surface: &directions,
-            wishes: &wishes,
+            goals: &goals,
             whole: &whole,
             even: &even,
             soft,
@@ -135,7 +135,7 @@ pub fn fit_layers(
 struct Grower<'a> {
     /// The normal and the mirrored view at each pixel.
     surface: &'a [[DVec3; 2]],
-    wishes: &'a [PixelGoal],
+    goals: &'a [PixelGoal],
     /// Search at all pixels, and at a smaller number that stands for all.
     whole: &'a Search,
     even: &'a Search,
@@ -176,7 +176,7 @@ impl Grower<'_> {
 
     /// A search at the pixels where most is missing.
     fn search(&self, missing: &[f64]) -> Search {
-        Search::new(self.surface, self.wishes, &telling(missing, PIXELS)).softly(self.soft)
+        Search::new(self.surface, self.goals, &telling(missing, PIXELS)).softly(self.soft)
     }
 
     /// Lets the stacks that are not near enough descend at evenly spread pixels, and sorts all by

@@ -315,17 +315,17 @@ pub(super) fn rms_of(channels: [f64; 3]) -> f64 {
 pub(super) struct LookProblem<'a> {
     pub(super) model: &'a Model,
     pub(super) sheet: PixelSheet,
-    pub(super) wishes: Vec<PixelGoal>,
+    pub(super) goals: Vec<PixelGoal>,
     /// Error that a hard or narrow profile counts as.
     pub(super) soft: f64,
 }
 
 impl<'a> LookProblem<'a> {
-    /// The problem for the pixels at the indices `chosen`; `wishes` holds a goal for each of the
+    /// The problem for the pixels at the indices `chosen`; `goals` holds a goal for each of the
     /// model's pixels.
-    pub(super) fn new(model: &'a Model, wishes: &[PixelGoal], chosen: &[usize]) -> Self {
-        let wishes = chosen.iter().map(|&index| wishes[index]).collect();
-        Self { model, sheet: model.sheet(chosen), wishes, soft: 0.0 }
+    pub(super) fn new(model: &'a Model, goals: &[PixelGoal], chosen: &[usize]) -> Self {
+        let goals = chosen.iter().map(|&index| goals[index]).collect();
+        Self { model, sheet: model.sheet(chosen), goals, soft: 0.0 }
     }
 
     /// The problem with a preference for broad and soft profiles where that costs less than `soft`,
@@ -333,7 +333,7 @@ impl<'a> LookProblem<'a> {
     #[must_use]
     pub(super) fn softly(self, soft: f64) -> Self {
         Self {
-            soft: soft * (3.0 * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()).sqrt(),
+            soft: soft * (3.0 * self.goals.iter().map(|goal| goal.weight).sum::<f64>()).sqrt(),
             ..self
         }
     }
@@ -362,9 +362,9 @@ impl LeastSquares for LookProblem<'_> {
 
     fn residuals(&self, state: &Vec<KnobSetting>) -> Result<Vec<f64>, Diagnostic> {
         let colors = self.model.colors(&self.sheet, state)?;
-        let residuals = colors.iter().zip(&self.wishes).flat_map(|(color, wish)| {
-            let root = wish.weight.sqrt();
-            (0..3).map(move |c| root * (color[c] - wish.color[c]))
+        let residuals = colors.iter().zip(&self.goals).flat_map(|(color, goal)| {
+            let root = goal.weight.sqrt();
+            (0..3).map(move |c| root * (color[c] - goal.color[c]))
         });
         let hardness = state.iter().map(|setting| match setting {
             KnobSetting::Profile(shape) if self.soft > 0.0 => self.soft * shape.hardness(),

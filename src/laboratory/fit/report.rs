@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use serde::Serialize;
 
-use super::choose::{pixels_of, wearing, wishes_of};
+use super::choose::{goals_of, pixels_of, wearing};
 use super::knobs::{Knob, knobs_of};
 use super::model::{FitShot, Model, rms_of};
 use super::state::KnobSetting;
@@ -192,7 +192,7 @@ impl FitReport {
         worst.sort_by(|a, b| b.miss().total_cmp(&a.miss()));
         let worst = worst.into_iter().take(WORST).map(|one| one.missed).collect();
         Ok(Self {
-            painted: target.wishes.len(),
+            painted: target.goals.len(),
             compared,
             places: places(target.size, after),
             turned: turned.iter().map(|(_, setting)| setting.count()).sum(),
@@ -278,23 +278,23 @@ pub(super) fn compared_as_is(
     given: &[PixelGoal],
 ) -> Result<ComparedPixels, Vec<Diagnostic>> {
     let model = Model::new(shot, Vec::new(), &pixels_of(given))?;
-    let wishes = wishes_of(&model.pixels, given)?;
-    compared(&model, &wishes, &[]).map_err(|one| vec![one])
+    let goals = goals_of(&model.pixels, given)?;
+    compared(&model, &goals, &[]).map_err(|one| vec![one])
 }
 
 /// Comparison of a model with the goals, at each of its pixels.
 pub(super) fn compared(
     model: &Model,
-    wishes: &[PixelGoal],
+    goals: &[PixelGoal],
     state: &[KnobSetting],
 ) -> Result<ComparedPixels, Diagnostic> {
     let colors = model.colors(&model.sheet(&model.all()), state)?;
-    let missed = |(wish, shown): (&PixelGoal, [f64; 3])| {
-        let error = rms_of(std::array::from_fn(|c| shown[c] - wish.color[c]));
-        let missed = MissedPixel { pixel: wish.pixel, wished: wish.color, shown, error };
-        ComparedPixel { missed, weight: wish.weight, is_rest: wish.is_rest }
+    let missed = |(goal, shown): (&PixelGoal, [f64; 3])| {
+        let error = rms_of(std::array::from_fn(|c| shown[c] - goal.color[c]));
+        let missed = MissedPixel { pixel: goal.pixel, wished: goal.color, shown, error };
+        ComparedPixel { missed, weight: goal.weight, is_rest: goal.is_rest }
     };
-    Ok(wishes.iter().zip(colors).map(missed).collect())
+    Ok(goals.iter().zip(colors).map(missed).collect())
 }
 
 /// RMS of the painted pixels, or of the rest; `None` if there are none.

@@ -25,7 +25,7 @@ const REACH: f64 = 0.1;
 #[derive(Clone, Debug, Default)]
 pub(super) struct UnpaintedPixels {
     /// Goals of the pixels that are to stay: the colors that they show.
-    pub(super) wishes: Vec<PixelGoal>,
+    pub(super) goals: Vec<PixelGoal>,
     /// Share of the object that was not painted, from 0 to 1.
     pub(super) share: f64,
 }
@@ -48,14 +48,14 @@ impl UnpaintedPixels {
         let seen = |side: u32| (0..side).step_by(stride);
         let chosen: HashSet<[u32; 2]> =
             seen(height).flat_map(|y| seen(width).map(move |x| [x, y])).collect();
-        let painted: HashSet<[u32; 2]> = target.wishes.iter().map(|wish| wish.pixel).collect();
+        let painted: HashSet<[u32; 2]> = target.goals.iter().map(|goal| goal.pixel).collect();
         let model = Model::new(shot, Vec::new(), &chosen)?;
         let free: Vec<usize> = (0..model.pixels.len())
             .filter(|&place| !painted.contains(&model.pixels[place]))
             .collect();
         let share = free.len() as f64 / model.pixels.len().max(1) as f64;
         if kept <= 0.0 || free.is_empty() {
-            return Ok(Self { wishes: Vec::new(), share });
+            return Ok(Self { goals: Vec::new(), share });
         }
         let chosen: Vec<usize> =
             evenly(free.len(), MOST).into_iter().map(|index| free[index]).collect();
@@ -64,24 +64,24 @@ impl UnpaintedPixels {
             let pixel = model.pixels[*place];
             PixelGoal { pixel, color, weight: away(pixel, target), is_rest: true }
         };
-        let mut wishes: Vec<PixelGoal> =
-            chosen.iter().zip(colors).map(weighed).filter(|wish| wish.weight > 0.0).collect();
-        let sum = |wishes: &[PixelGoal]| wishes.iter().map(|wish| wish.weight).sum::<f64>();
-        let each = share_of(kept) * sum(&target.wishes) / sum(&wishes).max(1e-9);
-        wishes.iter_mut().for_each(|wish| wish.weight *= each);
-        Ok(Self { wishes, share })
+        let mut goals: Vec<PixelGoal> =
+            chosen.iter().zip(colors).map(weighed).filter(|goal| goal.weight > 0.0).collect();
+        let sum = |goals: &[PixelGoal]| goals.iter().map(|goal| goal.weight).sum::<f64>();
+        let each = share_of(kept) * sum(&target.goals) / sum(&goals).max(1e-9);
+        goals.iter_mut().for_each(|goal| goal.weight *= each);
+        Ok(Self { goals, share })
     }
 }
 
 /// Distance of a pixel from all strokes: 0 beside a stroke, 1 beyond the strokes' reach.
 fn away([x, y]: [u32; 2], target: &FitTarget) -> f64 {
     let reach = REACH * f64::from(target.size[1]);
-    let squared = |wish: &PixelGoal| {
+    let squared = |goal: &PixelGoal| {
         let [across, down] =
-            [f64::from(wish.pixel[0]) - f64::from(x), f64::from(wish.pixel[1]) - f64::from(y)];
+            [f64::from(goal.pixel[0]) - f64::from(x), f64::from(goal.pixel[1]) - f64::from(y)];
         across * across + down * down
     };
-    let nearest = target.wishes.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt();
+    let nearest = target.goals.iter().map(squared).fold(f64::INFINITY, f64::min).sqrt();
     let part = (nearest / reach.max(1.0)).min(1.0);
     // A smooth step, so that the weight of the rest has no visible edge.
     part * part * (3.0 - 2.0 * part)
@@ -111,8 +111,8 @@ mod tests {
 
     #[test]
     fn the_rest_counts_from_a_distance_on() {
-        let wish = PixelGoal { pixel: [10, 50], color: [0.5; 3], weight: 1.0, is_rest: false };
-        let target = FitTarget { size: [100, 100], wishes: vec![wish] };
+        let goal = PixelGoal { pixel: [10, 50], color: [0.5; 3], weight: 1.0, is_rest: false };
+        let target = FitTarget { size: [100, 100], goals: vec![goal] };
         let at = |x: u32| away([x, 50], &target);
         assert!(at(11) < 0.05 && (at(15) - 0.5).abs() < 1e-12 && at(20) == 1.0 && at(90) == 1.0);
     }

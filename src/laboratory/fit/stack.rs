@@ -52,16 +52,16 @@ pub(super) struct FitLayer {
 pub(super) struct Search {
     /// The normal and the mirrored view at each pixel.
     surface: Vec<[DVec3; 2]>,
-    wishes: Vec<PixelGoal>,
+    goals: Vec<PixelGoal>,
     /// Error that a hard profile counts as, as an RMS of a channel.
     soft: f64,
 }
 
 impl Search {
     /// A search at the indices `chosen` among all pixels.
-    pub(super) fn new(surface: &[[DVec3; 2]], wishes: &[PixelGoal], chosen: &[usize]) -> Self {
+    pub(super) fn new(surface: &[[DVec3; 2]], goals: &[PixelGoal], chosen: &[usize]) -> Self {
         let surface = chosen.iter().map(|&index| surface[index]).collect();
-        Self { surface, wishes: chosen.iter().map(|&index| wishes[index]).collect(), soft: 0.0 }
+        Self { surface, goals: chosen.iter().map(|&index| goals[index]).collect(), soft: 0.0 }
     }
 
     /// The search with a preference for broad profiles where that costs less than `soft`, an RMS of
@@ -73,12 +73,12 @@ impl Search {
 
     /// The search at no more than `most` of its pixels.
     pub(super) fn thinned(&self, most: usize) -> Self {
-        Self::new(&self.surface, &self.wishes, &evenly(self.wishes.len(), most)).softly(self.soft)
+        Self::new(&self.surface, &self.goals, &evenly(self.goals.len(), most)).softly(self.soft)
     }
 
     /// True if a goal is as bright as a channel can be, so that sums may have been cut off.
     pub(super) fn is_cut_off(&self) -> bool {
-        self.wishes.iter().any(|wish| wish.color.iter().any(|channel| *channel >= SATURATED))
+        self.goals.iter().any(|goal| goal.color.iter().any(|channel| *channel >= SATURATED))
     }
 
     /// The tone of a layer at each pixel.
@@ -100,7 +100,7 @@ impl Search {
 
     /// The sum of squared residuals that corresponds to an RMS of `enough` in a channel.
     pub(super) fn error_of(&self, enough: f64) -> f64 {
-        3.0 * enough * enough * self.wishes.iter().map(|wish| wish.weight).sum::<f64>()
+        3.0 * enough * enough * self.goals.iter().map(|goal| goal.weight).sum::<f64>()
     }
 
     /// The best colors of base and layers, straight RGB, from the base up.
@@ -108,12 +108,12 @@ impl Search {
         let count = layers.len() + 1;
         let mut sums = [Sums::default(); 3];
         let adds = layers.iter().any(|layer| layer.mode == BlendMode::Add);
-        for (index, wish) in self.wishes.iter().enumerate() {
+        for (index, goal) in self.goals.iter().enumerate() {
             let factors = factors(layers, index);
             for (channel, sums) in sums.iter_mut().enumerate() {
                 // A sum that is cut off at white says nothing about its parts.
-                if !(adds && wish.color[channel] >= SATURATED) {
-                    sums.add(&factors[..count], wish.color[channel], wish.weight);
+                if !(adds && goal.color[channel] >= SATURATED) {
+                    sums.add(&factors[..count], goal.color[channel], goal.weight);
                 }
             }
         }
@@ -124,16 +124,16 @@ impl Search {
     /// Weighted differences of each channel of each pixel, with the best colors.
     pub(super) fn misses(&self, layers: &[FitLayer]) -> Vec<f64> {
         let colors = self.colors(layers);
-        let mut misses = Vec::with_capacity(3 * self.wishes.len());
-        for (index, wish) in self.wishes.iter().enumerate() {
-            let (factors, root) = (factors(layers, index), wish.weight.sqrt());
+        let mut misses = Vec::with_capacity(3 * self.goals.len());
+        for (index, goal) in self.goals.iter().enumerate() {
+            let (factors, root) = (factors(layers, index), goal.weight.sqrt());
             for channel in 0..3 {
                 let sum: f64 = colors
                     .iter()
                     .zip(&factors)
                     .map(|(color, factor)| color[channel] * factor)
                     .sum();
-                misses.push(root * (sum.min(1.0) - wish.color[channel]));
+                misses.push(root * (sum.min(1.0) - goal.color[channel]));
             }
         }
         misses

@@ -28,7 +28,7 @@ pub struct FitTarget {
     /// Width and height, in pixels.
     pub size: [u32; 2],
     /// Goals of pixels, each pixel at most once.
-    pub wishes: Vec<PixelGoal>,
+    pub goals: Vec<PixelGoal>,
 }
 
 impl FitTarget {
@@ -36,7 +36,7 @@ impl FitTarget {
     /// and a pixel with alpha 0 has no goal.
     pub fn from_rgba8(size: [u32; 2], rgba: &[u8]) -> Self {
         let channel = |byte: u8| f64::from(byte) / 255.0;
-        let wishes = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(
+        let goals = rgba.chunks_exact(4).zip(0_u32..).filter(|(texel, _)| texel[3] > 0).map(
             |(texel, index)| PixelGoal {
                 pixel: [index % size[0].max(1), index / size[0].max(1)],
                 color: [channel(texel[0]), channel(texel[1]), channel(texel[2])],
@@ -44,7 +44,7 @@ impl FitTarget {
                 is_rest: false,
             },
         );
-        Self { size, wishes: wishes.collect() }
+        Self { size, goals: goals.collect() }
     }
 
     /// Reads a target from a PNG: see [`from_rgba8`](Self::from_rgba8).
@@ -70,7 +70,7 @@ impl FitTarget {
         }
         let rgba = DynamicImage::from_decoder(decoder).map_err(broken)?.into_rgba8();
         let target = Self::from_rgba8([width, height], rgba.as_raw());
-        if target.wishes.is_empty() {
+        if target.goals.is_empty() {
             let problem = problem(
                 "all of the painted picture is transparent, so nothing is wished".to_owned(),
             );
@@ -93,10 +93,10 @@ mod tests {
         let png = Picture { size: [2, 2], rgba }.to_png().unwrap();
         let target = FitTarget::from_png(&png).unwrap();
         assert_eq!(target.size, [2, 2]);
-        let wish = |pixel, color, weight| PixelGoal { pixel, color, weight, is_rest: false };
+        let goal = |pixel, color, weight| PixelGoal { pixel, color, weight, is_rest: false };
         assert_eq!(
-            target.wishes,
-            [wish([0, 0], [1.0, 0.0, 0.0], 1.0), wish([0, 1], [0.0, 1.0, 0.0], 0.2)]
+            target.goals,
+            [goal([0, 0], [1.0, 0.0, 0.0], 1.0), goal([0, 1], [0.0, 1.0, 0.0], 0.2)]
         );
     }
 

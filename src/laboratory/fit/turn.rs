@@ -1,7 +1,7 @@
 //! Fit of an existing look: its lights, profiles and colors are turned until it shows what was
 //! painted.
 
-use super::choose::{SurfaceSamples, pixels_of, thinned, wearing, wishes_of};
+use super::choose::{SurfaceSamples, goals_of, pixels_of, thinned, wearing};
 use super::knobs::{Knob, edits, knobs_of};
 use super::model::{FitShot, LookProblem, Model};
 use super::report::{ComparedPixel, ComparedPixels, FitReport, compared, painted as painted_of};
@@ -51,14 +51,14 @@ pub fn fit_look(
     let shot = FitShot { setup, look, library, size: target.size, time: options.time };
     let mut given = thinned(target);
     if options.keep_rest > 0.0 {
-        given.extend(UnpaintedPixels::new(&shot, target, options.keep_rest)?.wishes);
+        given.extend(UnpaintedPixels::new(&shot, target, options.keep_rest)?.goals);
     }
     let (model, begin) = model(&shot, &given, options)?;
-    let wishes = wishes_of(&model.pixels, &given)?;
-    let before = compared(&model, &wishes, &begin).map_err(one)?;
+    let goals = goals_of(&model.pixels, &given)?;
+    let before = compared(&model, &goals, &begin).map_err(one)?;
     let missing = missing_of(&before);
-    let painted = LookProblem::new(&model, &wishes, &model.telling(&missing, QUADS));
-    let enough = error_of(&painted.wishes, options.enough);
+    let painted = LookProblem::new(&model, &goals, &model.telling(&missing, QUADS));
+    let enough = error_of(&painted.goals, options.enough);
     let mut found: Vec<Minimum<Vec<KnobSetting>>> = Vec::new();
     for start in starts(&shot, &given, &begin, &missing, options.starts)? {
         let until = StopRule { steps: FIRST_STEPS, error: enough };
@@ -70,21 +70,21 @@ pub fn fit_look(
         }
     }
     found.truncate(GOING_ON);
-    let mut best = NearestSettings::new(&model, &wishes, begin).map_err(one)?;
+    let mut best = NearestSettings::new(&model, &goals, begin).map_err(one)?;
     for start in found {
         let far =
             descend(&painted, start.point, StopRule { steps: 40, error: 0.25 * enough }, progress)
                 .map_err(one)?;
         progress.add(1);
-        best.offer(&model, &wishes, far.point).map_err(one)?;
+        best.offer(&model, &goals, far.point).map_err(one)?;
     }
-    if best.error > error_of(&wishes, options.enough) {
+    if best.error > error_of(&goals, options.enough) {
         // Not all goals can be met, and the pixels that are farthest off must not decide alone.
-        let even = LookProblem::new(&model, &wishes, &model.even(EVEN_QUADS));
+        let even = LookProblem::new(&model, &goals, &model.even(EVEN_QUADS));
         let until =
-            StopRule { steps: EVEN_STEPS, error: error_of(&even.wishes, 0.5 * options.enough) };
+            StopRule { steps: EVEN_STEPS, error: error_of(&even.goals, 0.5 * options.enough) };
         let next = descend(&even, best.state.clone(), until, progress).map_err(one)?;
-        best.offer(&model, &wishes, next.point).map_err(one)?;
+        best.offer(&model, &goals, next.point).map_err(one)?;
     }
     let state = best.state;
     let (turned, first) = applied(&model, &state, &setup.looks[look].look).map_err(one)?;
@@ -140,22 +140,22 @@ pub(super) fn polished(
 ) -> Result<PolishedLook, Vec<Diagnostic>> {
     let one = |problem| vec![problem];
     let (model, begin) = model(shot, given, options)?;
-    let wishes = wishes_of(&model.pixels, given)?;
-    let mut best = NearestSettings::new(&model, &wishes, begin).map_err(one)?;
+    let goals = goals_of(&model.pixels, given)?;
+    let mut best = NearestSettings::new(&model, &goals, begin).map_err(one)?;
     let mut is_even = false;
     for _ in 0..ROUNDS {
         // Colors painted in eight bits are off by a third of a step.
-        if best.error <= error_of(&wishes, 0.4 / 255.0) || progress.is_stopped() {
+        if best.error <= error_of(&goals, 0.4 / 255.0) || progress.is_stopped() {
             break;
         }
         let chosen =
             if is_even { model.even(EVEN_QUADS) } else { model.telling(&best.missing, QUADS) };
-        let painted = LookProblem::new(&model, &wishes, &chosen).softly(soft);
+        let painted = LookProblem::new(&model, &goals, &chosen).softly(soft);
         let steps = if is_even { EVEN_STEPS } else { 25 };
-        let until = StopRule { steps, error: error_of(&painted.wishes, 0.1 / 255.0) };
+        let until = StopRule { steps, error: error_of(&painted.goals, 0.1 / 255.0) };
         let before = best.error;
         let next = descend(&painted, best.state.clone(), until, progress).map_err(one)?.point;
-        best.offer(&model, &wishes, next).map_err(one)?;
+        best.offer(&model, &goals, next).map_err(one)?;
         if best.error > 0.95 * before {
             // The error of the pixels that are farthest off cannot be reduced: now evenly spread
             // pixels count alike, and if that does not help either, the fit ends.
@@ -170,7 +170,7 @@ pub(super) fn polished(
     // The comparison uses the settings as they are written, in numbers that people can read.
     let written = knobs_of(&wearing(shot, look.clone()), shot.look, shot.library, &options.keep)?;
     let written: Vec<KnobSetting> = written.into_iter().map(|(_, setting)| setting).collect();
-    let after = compared(&model, &wishes, &written).map_err(one)?;
+    let after = compared(&model, &goals, &written).map_err(one)?;
     Ok(PolishedLook { look, edits, after })
 }
 
@@ -186,10 +186,10 @@ struct NearestSettings {
 impl NearestSettings {
     fn new(
         model: &Model,
-        wishes: &[PixelGoal],
+        goals: &[PixelGoal],
         state: Vec<KnobSetting>,
     ) -> Result<Self, Diagnostic> {
-        let missing = missing_of(&compared(model, wishes, &state)?);
+        let missing = missing_of(&compared(model, goals, &state)?);
         Ok(Self { state, error: squares(&missing), missing })
     }
 
@@ -197,10 +197,10 @@ impl NearestSettings {
     fn offer(
         &mut self,
         model: &Model,
-        wishes: &[PixelGoal],
+        goals: &[PixelGoal],
         state: Vec<KnobSetting>,
     ) -> Result<(), Diagnostic> {
-        let other = Self::new(model, wishes, state)?;
+        let other = Self::new(model, goals, state)?;
         if other.error < self.error {
             *self = other;
         }
@@ -246,8 +246,8 @@ fn applied(
 }
 
 /// The sum of squared residuals that corresponds to an RMS of `enough` in a channel.
-fn error_of(wishes: &[PixelGoal], enough: f64) -> f64 {
-    3.0 * enough * enough * wishes.iter().map(|wish| wish.weight).sum::<f64>()
+fn error_of(goals: &[PixelGoal], enough: f64) -> f64 {
+    3.0 * enough * enough * goals.iter().map(|goal| goal.weight).sum::<f64>()
 }
 
 /// Weighted distance of each pixel from its goal.

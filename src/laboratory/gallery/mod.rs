@@ -82,7 +82,7 @@ pub async fn build(
     progress: &Progress,
 ) -> Result<GalleryReport, Vec<Diagnostic>> {
     check(list, folder, outputs)?;
-    make_folder(folder)?;
+    files::make_folder(folder).map_err(|problem| vec![*problem])?;
     let one = |problem| vec![problem];
     let mut made = GalleryReport::default();
     let mut index = page::Index::new(list);
@@ -177,14 +177,6 @@ fn slugs(list: &List) -> Vec<String> {
         slug.replace('_', "-")
     };
     all.map(slug).collect()
-}
-
-fn make_folder(folder: &Path) -> Result<(), Vec<Diagnostic>> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        let problem =
-            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        vec![problem.in_file(folder.display().to_string())]
-    })
 }
 
 /// Checks that a gallery may be written into a folder, before anything is drawn. A page that is not

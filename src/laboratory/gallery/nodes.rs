@@ -7,7 +7,7 @@ use super::sample;
 use crate::catalog::{CUSTOM_KIND, Catalog};
 use crate::diag::Diagnostic;
 use crate::drawing::node_svg;
-use crate::files::{OutputKind, Outputs};
+use crate::files::{OutputKind, Outputs, make_folder};
 use crate::frame::Picture;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -85,11 +85,7 @@ pub async fn write_nodes(
     outputs: &mut Outputs,
     progress: &Progress,
 ) -> Result<(), Vec<Diagnostic>> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        let problem =
-            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        vec![problem.in_file(folder.display().to_string())]
-    })?;
+    make_folder(folder).map_err(|problem| vec![*problem])?;
     draw_nodes(library, gpu, progress, &mut |node| {
         let [svg, png] = files_of(folder, &node.kind);
         if let Some(picture) = &node.picture {

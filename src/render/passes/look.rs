@@ -1,7 +1,6 @@
 //! Passes of the looks themselves, each object with its own, from back to front.
 
-use wgpu::util::DeviceExt as _;
-
+use super::uniform;
 use crate::compile::{BindingKind, CompiledShader};
 use crate::frame::{Draw, FramePlan, PassImage};
 use crate::pipeline::{LookPipeline, Sides};
@@ -46,7 +45,7 @@ impl Renderer {
         plan: &FramePlan,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
-        let view = self.uniform(&plan.view.uniform_bytes());
+        let view = uniform(&self.gpu.device, &plan.view.uniform_bytes());
         let mut bound = Vec::new();
         for draw in &plan.draws {
             bound.push(self.bind(&draw.look, draw, &view, plan.samples)?);
@@ -80,15 +79,6 @@ impl Renderer {
         Ok(())
     }
 
-    pub(super) fn uniform(&self, contents: &[u8]) -> wgpu::Buffer {
-        let usage = wgpu::BufferUsages::UNIFORM;
-        self.gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("uniform"),
-            contents,
-            usage,
-        })
-    }
-
     /// Prepares all resources that a draw reads.
     pub(super) fn bind(
         &mut self,
@@ -100,9 +90,10 @@ impl Renderer {
         let sides = Sides { both: draw.two_sided, is_mirrored: draw.is_mirrored };
         let pipeline = self.pipelines.get(&self.gpu, shader, samples, sides)?;
         self.meshes.prepare(&self.gpu, &draw.mesh, &pipeline.attributes);
-        let object = self.uniform(&draw.object_uniform.bytes);
+        let object = uniform(&self.gpu.device, &draw.object_uniform.bytes);
         let look = draw.look_uniforms.get(&shader.stage).map(|uniform| &uniform.bytes);
-        let look = look.filter(|bytes| !bytes.is_empty()).map(|bytes| self.uniform(bytes));
+        let look =
+            look.filter(|bytes| !bytes.is_empty()).map(|bytes| uniform(&self.gpu.device, bytes));
         let images =
             self.images.of(&self.gpu, draw.images_of(shader.stage), &shader.needs.images)?;
         let mut entries = Vec::new();

@@ -2,6 +2,7 @@
 //! object numbers and depth.
 
 use super::look::{BoundDraw, depth_attachment};
+use super::uniform;
 use crate::compile::Stage;
 use crate::frame::{FramePlan, PassId};
 use crate::{RenderError, Renderer};
@@ -13,7 +14,7 @@ impl Renderer {
         (pass, stage): (PassId, Stage),
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
-        let view = self.uniform(&plan.view.uniform_bytes());
+        let view = uniform(&self.gpu.device, &plan.view.uniform_bytes());
         let mut bound: Vec<(usize, BoundDraw)> = Vec::new();
         for (index, draw) in plan.draws.iter().enumerate() {
             if let Some(shader) = draw.module(stage) {

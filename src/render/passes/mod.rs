@@ -1,9 +1,20 @@
 //! Encoding of passes for the GPU: meshes with the looks' modules, one triangle over the picture,
 //! and the picture itself.
 
+use wgpu::util::DeviceExt as _;
+
 mod look;
 mod meshes;
 mod screen;
 
 pub(crate) use look::cleared;
 pub(crate) use screen::ScreenPipeline;
+
+/// A uniform buffer with these contents.
+fn uniform(device: &wgpu::Device, contents: &[u8]) -> wgpu::Buffer {
+    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
+        label: Some("uniform"),
+        contents,
+        usage: wgpu::BufferUsages::UNIFORM,
+    })
+}

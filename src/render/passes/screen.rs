@@ -2,9 +2,8 @@
 
 use std::collections::hash_map::Entry;
 
-use wgpu::util::DeviceExt as _;
-
-use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource, ViewNumber};
+use super::uniform;
+use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource};
 use crate::gpu::Gpu;
 use crate::target::format_of;
 use crate::{RenderError, Renderer};
@@ -103,34 +102,24 @@ impl Renderer {
             Entry::Vacant(place) => place.insert(ScreenPipeline::new(&self.gpu, pass)?),
         };
         let device = &self.gpu.device;
-        let uniform = |numbers: &[&ViewNumber]| {
+        let uniforms = module.bindings.iter().filter_map(|binding| {
+            let ScreenResource::Numbers(numbers) = &binding.holds else { return None };
             let numbers = plan.view.numbers(numbers, plan.samples);
             let numbers: Vec<f32> = numbers.into_iter().map(|number| number as f32).collect();
-            device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some("screen"),
-                contents: bytemuck::cast_slice(&numbers),
-                usage: wgpu::BufferUsages::UNIFORM,
-            })
-        };
-        let uniforms = module.bindings.iter().map(|binding| match &binding.holds {
-            ScreenResource::Image(_) => None,
-            ScreenResource::Numbers(numbers) => Some(uniform(numbers)),
+            Some((binding.binding, uniform(device, bytemuck::cast_slice(&numbers))))
         });
         let uniforms: Vec<_> = uniforms.collect();
-        let mut entries = Vec::new();
-        for (binding, uniform) in module.bindings.iter().zip(&uniforms) {
-            let resource = match (&binding.holds, uniform) {
-                (ScreenResource::Numbers(_), Some(uniform)) => uniform.as_entire_binding(),
-                (ScreenResource::Image(image), _) => {
-                    let missing = || RenderError::Refused {
-                        message: format!("`{}` comes before what it reads", pass.label()),
-                    };
-                    let view = self.targets.image(*image).ok_or_else(missing)?;
-                    wgpu::BindingResource::TextureView(view)
-                }
-                (ScreenResource::Numbers(_), None) => continue,
+        let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+        let numbers = uniforms.iter();
+        let mut entries: Vec<_> =
+            numbers.map(|(binding, buffer)| entry(*binding, buffer.as_entire_binding())).collect();
+        for binding in &module.bindings {
+            let ScreenResource::Image(image) = &binding.holds else { continue };
+            let missing = || RenderError::Refused {
+                message: format!("`{}` comes before what it reads", pass.label()),
             };
-            entries.push(wgpu::BindGroupEntry { binding: binding.binding, resource });
+            let view = self.targets.image(*image).ok_or_else(missing)?;
+            entries.push(entry(binding.binding, wgpu::BindingResource::TextureView(view)));
         }
         let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some(pass.label()),

@@ -77,14 +77,8 @@ pub fn write(
     folder: &Path,
     outputs: &mut Outputs,
 ) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
-    if let Err(error) = make_folder(folder) {
-        let problem =
-            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        return Err(vec![
-            problem.in_file(folder.display().to_string()).hint("choose another folder"),
-        ]);
-    }
     let one = |problem: Diagnostic| vec![problem];
+    make_folder(folder).map_err(|problem| one(problem.hint("choose another folder")))?;
     check(files, folder, outputs).map_err(one)?;
     let earlier = EarlierDescriptions::of(files, folder);
     let (last, first): (Vec<_>, Vec<_>) =

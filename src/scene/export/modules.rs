@@ -153,7 +153,7 @@ pub(super) struct Modules {
 
 impl ShaderModule {
     pub(super) fn is_draw(&self) -> bool {
-        PassId::from_slug(self.name).is_some_and(PassId::writes_picture)
+        self.host().is_some_and(|host| host.shader.stage.is_picture())
     }
 
     pub(super) fn wgsl(&self) -> &str {

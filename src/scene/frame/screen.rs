@@ -158,8 +158,10 @@ fn view_numbers(
         let name = member.name.as_deref().unwrap_or_default();
         let is_number = module.types[member.ty].inner == naga::TypeInner::Scalar(naga::Scalar::F32)
             && member.offset as usize == 4 * index;
-        let known = ViewNumber::named(name).filter(|_| is_number);
-        known.ok_or_else(|| format!("no number of the view is `{name}`"))
+        if !is_number {
+            return Err(format!("`{name}` is no f32 right after the member before it"));
+        }
+        ViewNumber::named(name).ok_or_else(|| format!("no number of the view is `{name}`"))
     };
     members.iter().enumerate().map(number).collect()
 }

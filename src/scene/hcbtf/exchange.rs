@@ -11,7 +11,7 @@ use super::{contact, folder, ktx2, read_bytes, sheet};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Grid, Hcbtf, Storage};
 use crate::figures::{bytes, count};
-use crate::files::{Disk, FileKind, FileSet, Files, make_folder, write_atomic};
+use crate::files::{Disk, FileSet, Files, make_folder, write_atomic};
 use crate::progress::Progress;
 
 /// Form of samples in other programs' files.
@@ -34,7 +34,7 @@ impl ExchangeFormat {
     /// The form that is assumed for a path if none is given: a folder for a folder, a KTX2 file for
     /// a texture, a sheet for anything else.
     pub fn guessed(files: &dyn Files, path: &Path) -> Self {
-        let is_folder = files.metadata(path).is_some_and(|found| found.kind == FileKind::Folder);
+        let is_folder = files.is_folder(path);
         let is_ktx2 = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("ktx2"));
         match is_ktx2 {
             _ if is_folder => Self::Folder,
@@ -141,19 +141,19 @@ pub struct ExportOptions {
 pub fn export(
     filled: &FilledSamples,
     form: ExchangeFormat,
-    manner: ExportOptions,
+    options: ExportOptions,
     path: &Path,
     progress: &Progress,
 ) -> Result<Option<String>, Vec<Diagnostic>> {
     let picture = match form {
         ExchangeFormat::Ktx2 => {
-            return export_texture(filled, manner.storage, path, progress).map(Some);
+            return export_texture(filled, options.storage, path, progress).map(Some);
         }
         ExchangeFormat::Folder => {
-            return export_folder(filled, manner.which, path, progress).map(Some);
+            return export_folder(filled, options.which, path, progress).map(Some);
         }
         ExchangeFormat::Sheet => sheet::export(filled),
-        ExchangeFormat::Contact => contact::export(filled, manner.gap, manner.which),
+        ExchangeFormat::Contact => contact::export(filled, options.gap, options.which),
     };
     let png = picture.and_then(|picture| picture.to_png()).map_err(alone)?;
     write_atomic(path, &png).map_err(alone)?;
@@ -208,11 +208,7 @@ fn export_folder(
     path: &Path,
     progress: &Progress,
 ) -> Result<String, Vec<Diagnostic>> {
-    if let Err(error) = make_folder(path) {
-        let problem =
-            Diagnostic::error("cannot-write", format!("the folder cannot be made: {error}"));
-        return Err(vec![problem.in_file(path.display().to_string()).hint("choose another one")]);
-    }
+    make_folder(path).map_err(|problem| vec![problem.hint("choose another one")])?;
     let (name, listing) = folder::listing(filled, which).map_err(alone)?;
     let mut set = FileSet::default();
     progress.begin(filled.grid().sample_count());

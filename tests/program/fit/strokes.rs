@@ -21,7 +21,7 @@ const RADIUS: f64 = 0.075;
 /// Strokes on a look on a mesh.
 pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
     let picture = picture(&setup_of(look.clone(), mesh));
-    let (mut painted, mut rest) = (FitTarget { size: [SIDE; 2], wishes: Vec::new() }, Vec::new());
+    let (mut painted, mut rest) = (FitTarget { size: [SIDE; 2], goals: Vec::new() }, Vec::new());
     for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
         if picture.coverage(x, y).draw.is_none() {
             continue;
@@ -38,12 +38,7 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
             Some((_, by)) => {
                 let color =
                     shown.map(|c| if *by > 0.0 { c + by * (1.0 - c) } else { c * (1.0 + by) });
-                painted.wishes.push(PixelGoal {
-                    pixel: [x, y],
-                    color,
-                    weight: 1.0,
-                    is_rest: false,
-                });
+                painted.goals.push(PixelGoal { pixel: [x, y], color, weight: 1.0, is_rest: false });
             }
             None => {
                 rest.push(PixelGoal { pixel: [x, y], color: shown, weight: 1.0, is_rest: false });
@@ -57,14 +52,14 @@ pub(crate) fn strokes(look: &Look, mesh: &str) -> Strokes {
 /// at the rest, and the largest difference at the rest, 0 to 1.
 pub(crate) fn off(strokes: &Strokes, look: &Look, mesh: &str) -> [f64; 3] {
     let picture = picture(&setup_of(look.clone(), mesh));
-    let off = |wishes: &[PixelGoal]| {
-        let each = wishes.iter().map(|wish| {
-            let shown = picture.straight(wish.pixel[0], wish.pixel[1]);
-            (0..3).map(|c| (shown[c] - wish.color[c]).powi(2)).sum::<f64>() / 3.0
+    let off = |goals: &[PixelGoal]| {
+        let each = goals.iter().map(|goal| {
+            let shown = picture.straight(goal.pixel[0], goal.pixel[1]);
+            (0..3).map(|c| (shown[c] - goal.color[c]).powi(2)).sum::<f64>() / 3.0
         });
         each.collect::<Vec<f64>>()
     };
     let rms = |squares: &[f64]| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-    let (painted, rest) = (off(&strokes.painted.wishes), off(&strokes.rest));
+    let (painted, rest) = (off(&strokes.painted.goals), off(&strokes.rest));
     [rms(&painted), rms(&rest), rest.iter().copied().fold(0.0, f64::max).sqrt()]
 }

@@ -175,10 +175,10 @@ impl Emitter<'_> {
                 push(BindingKind::Look, "look", "var<uniform> look: Look;".to_owned());
             }
             // Passes are made from normals, so that what draws those cannot read them.
-            let is_normals = self.options.stage.is_normals();
+            let draws_normals = self.options.stage.draws_normals();
             let mut passes: Vec<PassId> = Vec::new();
             for pass in self.needs.contexts.iter().filter_map(|context| context.pass()) {
-                if !is_normals && !passes.contains(&pass) {
+                if !draws_normals && !passes.contains(&pass) {
                     passes.push(pass);
                     let name = pass.row().map;
                     push(BindingKind::Pass(pass), name, format!("var {name}: {texture};"));
@@ -261,7 +261,7 @@ impl Emitter<'_> {
             // Normals are drawn with their depth.
             VertexAttribute::Position => {
                 reads.iter().any(|reads| reads.varying(varying.name))
-                    || (varying.name == "position" && self.options.stage.is_normals())
+                    || (varying.name == "position" && self.options.stage.draws_normals())
             }
             attribute => attributes.contains(&attribute),
         };
@@ -269,8 +269,8 @@ impl Emitter<'_> {
     }
 
     fn write_fragment(&mut self) {
-        let is_normals = self.options.stage.is_normals();
-        if is_normals {
+        let draws_normals = self.options.stage.draws_normals();
+        if draws_normals {
             self.out.push_str(
                 "\nstruct Fragment \
                  {\n    /// The normal in camera axes, and the object's number plus 1.\n    \
@@ -278,14 +278,14 @@ impl Emitter<'_> {
                  @location(1) depth: f32,\n}\n",
             );
         }
-        let result = if is_normals { "Fragment" } else { "@location(0) vec4f" };
+        let result = if draws_normals { "Fragment" } else { "@location(0) vec4f" };
         let stage = self.options.stage;
         let uses_front = self.needs.contexts.iter().any(|c| ExpressionInputs::at(*c, stage).normal);
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
             self.out.push_str("    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));\n");
-            self.out.push_str(if is_normals {
+            self.out.push_str(if draws_normals {
                 // Slivers at outlines may be taken for backs; turned around, one of them would bend
                 // all that is near.
                 "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, \
@@ -324,7 +324,7 @@ impl Emitter<'_> {
         } else {
             "shaded"
         };
-        let _ = if is_normals {
+        let _ = if draws_normals {
             writeln!(
                 self.out,
                 "    let seen = (view.camera_from_world * vec4f({value}, 0.0)).xyz;\n    \

@@ -9,7 +9,7 @@ pub(super) fn expression(context: Context, stage: Stage) -> String {
         // An alpha cutoff may depend on a color that curvature tints; before the curvature pass
         // everything is flat.
         ContextSource::Pass { .. } | ContextSource::Fragment { is_derived: true, .. }
-            if stage.is_normals() =>
+            if stage.draws_normals() =>
         {
             zero(&Type::from_wgsl(context.wgsl_type()))
         }

@@ -71,11 +71,6 @@ impl<D: Editable> History<D> {
         &self.document
     }
 
-    /// Current document, without its past.
-    pub fn into_document(self) -> D {
-        self.document
-    }
-
     /// Applies an edit as an undo step of its own.
     ///
     /// # Errors

@@ -13,7 +13,7 @@ pub enum LightInput {
     Computed(ComputedInput),
 }
 
-/// Row of the table of inputs that are computed from several fields.
+/// Input that is computed from several fields: the number of its row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ComputedInput(u8);
 
@@ -28,7 +28,7 @@ struct InputRow {
     is_unit: bool,
 }
 
-/// Input that is computed from several fields.
+/// Row of the table of inputs that are computed from several fields.
 struct ComputedRow {
     input: InputRow,
     value: fn(&LightValues) -> Value,
@@ -139,8 +139,12 @@ impl LightInput {
     }
 
     /// Sort key of the input in lists.
-    fn place(self) -> (LightField, bool) {
-        (self.row().after, !matches!(self, Self::Field(_)))
+    fn place(self) -> (LightField, u8) {
+        let number = match self {
+            Self::Field(_) => 0,
+            Self::Computed(ComputedInput(index)) => index + 1,
+        };
+        (self.row().after, number)
     }
 }
 

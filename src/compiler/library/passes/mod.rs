@@ -142,7 +142,10 @@ mod tests {
         assert_eq!(PassId::all().next_back(), Some(PassId::LOOK));
         assert!(PassId::all().all(|pass| pass.writes_picture() == (pass == PassId::LOOK)));
         for stage in [Stage::Draw, Stage::Normals, Stage::DetailNormals] {
-            assert!(stage.draws_meshes() && stage.is_normals() != stage.is_picture(), "{stage:?}");
+            assert!(
+                stage.draws_meshes() && stage.draws_normals() != stage.is_picture(),
+                "{stage:?}"
+            );
         }
         assert!(!Stage::Eval.draws_meshes(), "samples are of no pass");
     }

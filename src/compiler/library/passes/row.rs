@@ -1,5 +1,7 @@
 //! Rows of the table of passes.
 
+use crate::library::Context;
+
 /// Stage: the purpose of a look's module.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Stage {
@@ -32,8 +34,8 @@ pub struct StageRow {
 pub enum StageValue {
     /// The look's output, or the output that is shown in its place.
     Output,
-    /// Context with this word.
-    Context(&'static str),
+    /// Context of the surface.
+    Context(Context),
     /// Input with this name of the look's output node.
     Input(&'static str),
 }
@@ -44,7 +46,7 @@ impl Stage {
         const NORMALS: StageRow = StageRow {
             help: "Draws normals and depth, for the curvature pass.",
             shade: "The normal that the curvature pass sees.",
-            value: StageValue::Context("normal"),
+            value: StageValue::Context(Context::NORMAL),
             draws_normals: true,
         };
         const LOOK: StageRow = StageRow {
@@ -71,7 +73,7 @@ impl Stage {
     }
 
     /// True for a stage that draws normals.
-    pub fn is_normals(self) -> bool {
+    pub fn draws_normals(self) -> bool {
         self.row().draws_normals
     }
 

@@ -84,7 +84,7 @@ impl FitTool {
             }
             goals => goals.to_vec(),
         };
-        let target = FitTarget { size: ground.size, wishes: painted };
+        let target = FitTarget { size: ground.size, goals: painted };
         let wake = self.wake.clone();
         let progress = Progress::observed(move |_| wake());
         let keep = if what == FitGoal::ThisLook { self.how.keep } else { KeptParts::default() };
