@@ -3,7 +3,7 @@
 //! A name that is a pronoun, a preposition, an adverb, a verb or a bare participle (`What`, `Of`,
 //! `Shown`) tells nobody what the type is, and comes again in the next module for another type.
 //! Such names are refused, in `src/` and in what the test programs share.
-//! Those that stand from before are listed in `words_to_rename.txt`; the list may only become
+//! Older names of such kinds are listed in `words_to_rename.txt`; the list may only become
 //! shorter, and `CHIARO_BLESS=1` removes renamed types from it.
 
 use std::collections::{BTreeMap, BTreeSet};
