@@ -17,7 +17,7 @@ Examples:
 The truth is the exact tier in f64, fed with what the GPU holds. Exit code 1 where a bound is \
 broken.";
 
-/// What `chiaro accuracy` is given.
+/// Arguments of `chiaro accuracy`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

@@ -27,7 +27,7 @@ with 95% confidence
 intervals. A node's time is what it adds to the look. Errors are against the reference's picture \
 in f64.";
 
-/// What `chiaro bench` is given.
+/// Arguments of `chiaro bench`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

@@ -27,7 +27,7 @@ Each problem has a severity, a code that stays the same between versions, a plac
 column, JSON path,
 node, port), and help. The exit code is 1 where there is an error; warnings alone give 0.";
 
-/// What `chiaro check` is given.
+/// Arguments of `chiaro check`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

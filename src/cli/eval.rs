@@ -60,7 +60,7 @@ fn help() -> String {
 /// Width of the help, in columns.
 const HELP_WIDTH: usize = 100;
 
-/// What `chiaro eval` is given.
+/// Arguments of `chiaro eval`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Arguments {

@@ -25,7 +25,7 @@ uniforms, bindings, attributes, passes, exposed parameters and how they become u
 MSL are unverified: no
 compiler for them runs in Chiaro's tests, and their files say so.";
 
-/// What `chiaro export` is given.
+/// Arguments of `chiaro export`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

@@ -35,7 +35,7 @@ most so many.
 Pixels at the outline of an object are left out, for a smooth picture has mixed them with what is \
 behind.";
 
-/// What `chiaro fit` is given.
+/// Arguments of `chiaro fit`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
@@ -97,7 +97,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// What may stay.
+/// Part of a look that `--keep` leaves as it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum KeepArgument {
     /// Directions of lights

@@ -26,7 +26,7 @@ Its paths are from its folder. Without one everything in the folder is, with a s
 folder in it.
 A look's paragraph is its `about`. A document that cannot be shown is left out and told of.";
 
-/// What `chiaro gallery` is given.
+/// Arguments of `chiaro gallery`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

@@ -15,7 +15,7 @@ Examples:
   chiaro new flat --template minimal  light and shadow, two colors
   chiaro new stage --template scene   stage.json, a scene, and stage-look.json, which it wears";
 
-/// What `chiaro new` is given.
+/// Arguments of `chiaro new`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
@@ -29,7 +29,7 @@ pub(super) struct Arguments {
     force: bool,
 }
 
-/// What to begin with.
+/// Document that `chiaro new` writes to begin with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Template {
     /// Fill, body, glow, gleam and rim: what a painter lays down

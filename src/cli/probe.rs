@@ -24,7 +24,7 @@ rounded to f32, as a GPU
 computes, and once in f64. Rows are in the order of computing, so the first one marked `!` is \
 where a broken pixel begins.";
 
-/// What `chiaro probe` is given.
+/// Arguments of `chiaro probe`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

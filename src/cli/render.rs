@@ -30,7 +30,7 @@ Examples:
   chiaro render scene.json -o frame.png --time 1.5 --backdrop none --json
   chiaro render look.json -o truth.png --on reference";
 
-/// What `chiaro render` is given.
+/// Arguments of `chiaro render`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

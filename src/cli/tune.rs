@@ -32,7 +32,7 @@ a thousand is farther from
 the truth; max bounds every pixel, which the exact tier itself may miss where f32 decides at a \
 crease or a silhouette.";
 
-/// What `chiaro tune` is given.
+/// Arguments of `chiaro tune`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 #[command(group = clap::ArgGroup::new("goal").required(true).args(["max_error", "max_time"]))]

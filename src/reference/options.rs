@@ -114,7 +114,8 @@ impl ReferenceOptions {
         Self { region: self.region.map(wider), ..*self }
     }
 
-    /// Those of `pixels` that are wanted.
+    /// The part of `pixels` within the region, which is widened to whole quads; all of `pixels`
+    /// where there is no region.
     pub(super) fn wanted(&self, pixels: Pixels) -> Option<Pixels> {
         let Some([left, top, right, bottom]) = self.region else { return Some(pixels) };
         // Quads are drawn whole, so the region is widened to them.

@@ -1,4 +1,4 @@
-//! What judges the long sweeps is in the keys of their ledgers.
+//! Keys of the ledgers of long sweeps: the sources that judge a sweep are in its keys.
 
 use std::collections::BTreeSet;
 use std::fs;

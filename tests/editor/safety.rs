@@ -563,6 +563,42 @@ impl Files for GatedDisk {
     }
 }
 
+/// The system does not tell of a folder that was replaced by another of the same name: the new one
+/// is watched since it was noticed, beside a scene as beside a look alone.
+#[test]
+fn a_replaced_folder_of_nodes_is_watched_beside_a_scene() {
+    let home = Home::new();
+    let nodes = home.file("nodes");
+    let write = |factor: &str| {
+        fs::write(nodes.join("twice.wgsl"), NODE.replace("2.0 * value", factor)).unwrap();
+    };
+    fs::create_dir(&nodes).unwrap();
+    write("2.0 * value");
+    let look = r#"{"nodes": [{"id": "mine", "kind": "twice", "values": {"value": 0.25}},
+        {"id": "output", "kind": "output"}],
+        "wires": [{"from": "mine", "to": "output.color"}]}"#;
+    fs::write(home.file("rim.json"), look).unwrap();
+    let scene = r#"{"chiaro": "scene",
+        "objects": [{"id": "ball", "mesh": "shape:sphere", "looks": "rim.json"}]}"#;
+    fs::write(home.file("scene.json"), scene).unwrap();
+    let mut hand = home.window(None);
+    hand.app_mut().open(&home.file("scene.json"));
+    hand.settle();
+    assert!(hand.look().graph.nodes.contains_key("mine"));
+    let wgsl = |hand: &User| hand.app().session().compilation().baked().map(|it| it.wgsl.clone());
+    let first = wgsl(&hand);
+
+    fs::rename(&nodes, home.file("away")).unwrap();
+    fs::create_dir(&nodes).unwrap();
+    write("7.5 * value");
+    hand.app_mut().look_at_files();
+    wait_until(&mut hand, |hand| wgsl(hand).is_some_and(|text| Some(text) != first));
+    let second = wgsl(&hand);
+    // Nothing asks whether this file has changed, so only the system can tell.
+    write("3.25 * value");
+    wait_until(&mut hand, |hand| wgsl(hand).is_some_and(|text| Some(text) != second));
+}
+
 #[test]
 fn frames_go_on_while_a_folder_of_nodes_is_walked_through() {
     let home = Home::new();

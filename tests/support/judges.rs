@@ -63,7 +63,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("fit", &["src/laboratory/fit"]),
     ("gallery", &["src/laboratory/gallery"]),
     ("sweeps", &["src/sweeps"]),
-    // What the test programs share. Ledgers, walks over folders and waiting judge nothing.
+    // Code that the test programs share. Ledgers, walks over folders and waiting judge nothing and
+    // are left out.
     (
         "support",
         &[

@@ -42,7 +42,7 @@ fn a_scene_with_its_look_mesh_image_and_hcbtf_comes_from_memory() {
     let mut assets = Assets::of(&AssetStore::reading_from(Arc::new(files())));
     let (setup, problems) =
         open(Path::new("nowhere/scene.json"), None, &mut assets).unwrap().into_parts();
-    let codes: Vec<_> = problems.iter().map(|problem| &problem.code[..]).collect();
+    let codes: Vec<_> = problems.iter().map(|problem| problem.code).collect();
     assert_eq!(codes, ["mesh-normals-made"], "{problems:?}");
     assert_eq!((setup.objects.len(), setup.objects[0].mesh.triangle_count()), (1, 1));
     let look = &setup.looks[0];

@@ -18,7 +18,7 @@ Examples:
   chiaro desktop --install    Chiaro is in the menu, and a double click on a look opens it
   chiaro desktop --remove     takes all of it away again";
 
-/// What `chiaro desktop` is given.
+/// Arguments of `chiaro desktop`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 #[group(required = true, multiple = false)]

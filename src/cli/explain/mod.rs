@@ -31,7 +31,7 @@ Costs are counted without a GPU: operations at each fragment in naga's IR (both 
 loops once), and
 bytes of memory. `chiaro bench` measures nodes.";
 
-/// What `chiaro explain` is given.
+/// Arguments of `chiaro explain`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

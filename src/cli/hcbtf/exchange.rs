@@ -12,7 +12,7 @@ use crate::output::Output;
 use crate::target::{OutputPath, outputs};
 use chiaro_scene::hcbtf::{SampleChoice, exchange};
 
-/// How samples lie in other programs' files.
+/// Arrangement of samples in other programs' files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum FormatChoice {
     /// The thesis's flattened texture, with padding rows and copies at the normal
@@ -37,7 +37,7 @@ impl From<FormatChoice> for exchange::ExchangeFormat {
     }
 }
 
-/// What `chiaro hcbtf import` is given.
+/// Arguments of `chiaro hcbtf import`.
 #[derive(Debug, clap::Args)]
 pub(super) struct ImportArguments {
     /// A PNG, a KTX2 file or a folder
@@ -100,7 +100,7 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
     Ok(())
 }
 
-/// What `chiaro hcbtf export` is given.
+/// Arguments of `chiaro hcbtf export`.
 #[derive(Debug, clap::Args)]
 pub(super) struct ExportArguments {
     /// An .hcbtf file

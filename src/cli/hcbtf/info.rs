@@ -11,7 +11,7 @@ use crate::figures::{bytes, count};
 use crate::output::Output;
 use chiaro_scene::hcbtf::{Device, FilledSamples, Limits, Provenance, needs, needs_at_most, sheet};
 
-/// What `chiaro hcbtf info` is given.
+/// Arguments of `chiaro hcbtf info`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Arguments {

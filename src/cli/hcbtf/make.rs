@@ -14,7 +14,7 @@ use crate::reference::{BakedLook, TILE_SAMPLES, bake_look_sampled};
 use crate::target::{OutputPath, outputs};
 use chiaro_scene::hcbtf::{Synthesis, synthesize};
 
-/// What `chiaro hcbtf synthesize` is given.
+/// Arguments of `chiaro hcbtf synthesize`.
 #[derive(Debug, clap::Args)]
 pub(super) struct SynthesizeArguments {
     /// An .hcbtf file
@@ -55,7 +55,7 @@ pub(super) fn synthesized(
     Ok(())
 }
 
-/// What `chiaro hcbtf bake` is given.
+/// Arguments of `chiaro hcbtf bake`.
 #[derive(Debug, clap::Args)]
 pub(super) struct BakeArguments {
     /// A look

@@ -40,7 +40,7 @@ sheet has views across and lights down. docs/format.md tells all about them.";
 
 const GRID_HELP: &str = "the thesis's, 32x32,6x10,6x10";
 
-/// What `chiaro hcbtf` is given.
+/// Arguments of `chiaro hcbtf`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

@@ -9,7 +9,7 @@ use crate::files::Outputs;
 use crate::output::Output;
 use crate::target::OutputPath;
 
-/// What `chiaro hcbtf new` is given.
+/// Arguments of `chiaro hcbtf new`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The name of the file; `.hcbtf` is added where it is missing

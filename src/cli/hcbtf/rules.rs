@@ -15,7 +15,7 @@ use chiaro_scene::hcbtf::{read_rules, write};
 /// Width of the help, in columns.
 const WIDTH: usize = 98;
 
-/// What `chiaro hcbtf rules` is given.
+/// Arguments of `chiaro hcbtf rules`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Arguments {

@@ -29,7 +29,7 @@ Examples:
   chiaro nodes --markdown           docs/nodes.md
   chiaro nodes --pictures docs/nodes/   the pictures in it";
 
-/// What `chiaro nodes` is given.
+/// Arguments of `chiaro nodes`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {

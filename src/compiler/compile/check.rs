@@ -57,7 +57,7 @@ pub struct TypedNode {
     pub name: String,
     /// The node's definition.
     pub def: Arc<NodeDef>,
-    /// Which of its functions, by index.
+    /// Index of the chosen function among those of the definition.
     pub variant: usize,
     /// In the order of the definition's inputs; `None` for inputs that the function does not take.
     pub inputs: Vec<Option<TypedInput>>,
@@ -205,9 +205,9 @@ fn check_all(
     if stops { Err(problems) } else { Ok(WithWarnings::new(graph, problems)) }
 }
 
-/// Whether an error is of a node that the picture depends on, or of no node at all. A node of a
-/// kind that there is not has no outputs; whatever it feeds cannot be typed, which stops the look
-/// where that is seen.
+/// True if an error concerns a node that the picture depends on, or no node at all. A node of an
+/// unknown kind has no outputs; a node that it feeds cannot be typed, which stops the look where
+/// that node is seen.
 fn concern_picture(problems: &[Diagnostic], flat: &FlatGraph, reached: &[bool]) -> bool {
     let errors = || problems.iter().filter(|problem| problem.is_error());
     if errors().any(|error| error.place.node.is_none()) {
@@ -368,7 +368,7 @@ fn find_root(
     }
 }
 
-/// Which nodes the roots depend on.
+/// For each node, true if the roots depend on it.
 fn reach(flat: &FlatGraph, roots: Vec<usize>) -> Vec<bool> {
     let mut reached = vec![false; flat.nodes.len()];
     let mut open = roots;

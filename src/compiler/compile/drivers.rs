@@ -1,9 +1,9 @@
-//! Wires that drive keys: which outputs those are, whether each is one number for an object, and in
-//! which order keys by them come about.
+//! Wires that drive keys: the outputs that these wires come from, the check that each is one number
+//! for an object, and the order in which the keys that they drive take effect.
 //!
-//! What a wire gives may itself be keyed. Sets of keys therefore take effect one after the other,
-//! each after those that move what drives it; sets that drive one another have no such order and
-//! are refused.
+//! The value of a wire may itself depend on keys. Sets of keys therefore take effect one after the
+//! other, each after the sets that move its driver; sets that drive one another have no such order
+//! and are refused.
 
 use std::collections::{HashMap, HashSet};
 
@@ -169,7 +169,8 @@ impl TypedGraph {
         found
     }
 
-    /// Which nodes may give something else while nobody edits the look.
+    /// For each node, true if its outputs may change while nobody edits the look: by keys that move
+    /// the targets of `set`, by a light, or by a context that is not constant.
     fn changing(&self, set: &[Target]) -> Vec<bool> {
         let mut found = self.moved_by(set);
         for &index in &self.order {
@@ -185,7 +186,7 @@ impl TypedGraph {
         found
     }
 
-    /// Which nodes depend on any of these targets.
+    /// For each node, true if it depends on any of the targets `moved`.
     fn moved_by(&self, moved: &[Target]) -> Vec<bool> {
         let is_moved = |target: &Target| moved.contains(target);
         let lights: HashSet<&LightId> = moved

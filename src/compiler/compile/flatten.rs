@@ -80,7 +80,7 @@ pub(super) struct FlatNode {
     pub name: String,
     /// The node's definition.
     pub def: Arc<NodeDef>,
-    /// Which implementation is asked for.
+    /// Implementation that the document asks for.
     pub tier: Tier,
     /// In the order of the definition's inputs.
     pub inputs: Vec<FlatInput>,
@@ -276,7 +276,7 @@ impl<'a> Flattener<'a> {
         }
     }
 
-    /// Whether one more problem may have suggestions.
+    /// True if one more problem may have suggestions; counts that problem.
     fn may_suggest(&self) -> bool {
         self.suggestions.set(self.suggestions.get() + 1);
         self.suggestions.get() <= MAX_SUGGESTIONS
@@ -793,7 +793,7 @@ impl<'a> Flattener<'a> {
         })
     }
 
-    /// Whether an input is wired or has a value in the document.
+    /// True if an input is wired or has a value in the document.
     fn is_set(&self, scope: usize, id: &NodeId, port: &PortName) -> bool {
         let here = &self.scopes[scope];
         here.wires.contains_key(&(id.as_str(), port.as_str()))
@@ -873,7 +873,8 @@ enum WireSource<'a> {
     },
 }
 
-/// Whether muting a node with these ports leaves something in the place of each of its outputs.
+/// True if a muted node with these ports has a substitute for each of its outputs: an input that is
+/// let through, or a zero.
 pub fn can_be_muted(inputs: &[Input], outputs: &[Output]) -> bool {
     outputs
         .iter()

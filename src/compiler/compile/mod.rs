@@ -43,7 +43,7 @@ pub use value::{document_value, typed_value};
 /// The largest `Look` uniform while every value is live; a longer look keeps fewer values live.
 pub const MAX_UNIFORM_BYTES: u32 = 16 * 1024;
 
-/// Which values stay uniforms, so that changing them compiles nothing.
+/// Choice of the values that stay uniforms, so that changing them compiles nothing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Live {
     /// Only what keys move; all else is folded. For a look at rest.
@@ -60,7 +60,7 @@ pub enum Live {
 /// Options of a compilation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CompileOptions {
-    /// Which values stay uniforms.
+    /// Choice of the values that stay uniforms.
     pub live: Live,
     /// Inputs that stay live where a look is too long for [`Live::All`].
     pub touched: HashSet<(NodePath, PortName)>,
@@ -68,15 +68,15 @@ pub struct CompileOptions {
     pub stage: Stage,
     /// The output to show in place of the look's own.
     pub root: Option<(NodePath, PortName)>,
-    /// Whether colors of a look in linear light are encoded for display where they leave the
+    /// True if colors of a look in linear light are encoded for display where they leave the
     /// shader.
     pub display: bool,
-    /// Whether the surface has an alpha cutoff of its own, which a mesh's material may ask for.
+    /// True if the surface has an alpha cutoff of its own, which a mesh's material may ask for.
     pub cutout: bool,
     /// Fields of lights that are known to be 0 for whoever wears the look: lights that are out or
     /// black, or that reach none of the objects.
     pub dark: BTreeSet<(LightId, LightField)>,
-    /// Whether nothing is folded, merged or removed: what pruning is held against.
+    /// True if nothing is folded, merged or removed, for a module to compare pruned ones with.
     pub unspecialized: bool,
 }
 
@@ -97,14 +97,14 @@ pub struct CompiledShader {
     pub host: HostProgram,
     /// The inputs whose values it reads from uniforms, in the order of [`HostInputs::params`].
     pub params: Arc<[Param]>,
-    /// Which bytes came from which node.
+    /// Map from the bytes of the source to the nodes that they came from.
     pub spans: SpanMap,
     /// The images that its nodes name, whether or not anything reads them.
     pub named_images: Vec<ImageUse>,
     /// The parts that were left out, each with its reason.
     pub removed: Vec<Removal>,
-    /// Which values are really uniforms: less than was asked for where the uniform would grow past
-    /// [`MAX_UNIFORM_BYTES`].
+    /// Choice of the values that are uniforms in this module: fewer than the options ask for where
+    /// the uniform would grow past [`MAX_UNIFORM_BYTES`].
     pub live: Live,
     /// The test whether the look cuts parts of the surface away, through which the back is seen.
     pub cutoff: AlphaCutoff,
@@ -113,9 +113,9 @@ pub struct CompiledShader {
 }
 
 impl CompiledShader {
-    /// Whether the look cuts parts of its surface away while inputs have these values in place of
-    /// the document's: the same for a module in which nothing was folded as for a baked one, so
-    /// that the reference and the GPU draw the same sides of a surface.
+    /// True if the look cuts parts of its surface away while inputs have the values of `params` in
+    /// place of the document's. The answer is the same for a module in which nothing was folded as
+    /// for a baked one, so that the reference and the GPU draw the same sides of a surface.
     pub fn cuts(&self, params: &HashMap<ParamId, Value>) -> bool {
         match self.cutoff {
             AlphaCutoff::None => false,

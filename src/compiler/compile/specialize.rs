@@ -66,7 +66,7 @@ pub(super) struct ComputedValue {
     pub(super) node: usize,
     /// The part of that node which the value is, where not the node's result: a port, or `shape`.
     pub(super) part: Option<String>,
-    /// Whether all its numbers are known to lie in [0, 1].
+    /// True if all numbers of the value are known to lie in [0, 1].
     pub(super) unit: bool,
     /// The range of each scalar; `None` where ranges are not followed.
     pub(super) ranges: Option<Ranges>,
@@ -80,7 +80,7 @@ pub enum ImageShape {
     Flat,
     /// A hand-painted 6D texture: `texture_2d_array<f32>`.
     Hcbtf {
-        /// Whether smaller levels of its tile are read.
+        /// True if smaller levels of the texture's tile are read.
         has_levels: bool,
         /// The storage within the texture, which the texture itself states.
         storage: Storage,
@@ -110,8 +110,8 @@ pub struct ImageUse {
     pub filter: String,
     /// `color` or `data`.
     pub encoding: String,
-    /// Whether its numbers are decoded to linear light as they are read: colors, in a look in
-    /// linear light.
+    /// True if the image's numbers are decoded to linear light when they are read: colors, in a
+    /// look in linear light.
     pub is_decoded: bool,
     /// The first node that reads it.
     pub node: NodePath,
@@ -127,7 +127,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Whether any fragment reads this.
+    /// True if any fragment reads `context`.
     pub fn context(&self, context: Context) -> bool {
         self.contexts.contains(&context)
     }
@@ -744,7 +744,8 @@ impl<'a> Builder<'a> {
         values
     }
 
-    /// Whether the look's alpha is at least its cutoff wherever it is drawn.
+    /// True if ranges prove that the look's alpha is at least its cutoff wherever the look is
+    /// drawn; the removed cutoff is then reported.
     fn never_cuts(&mut self, color: ValueId, cutoff: ValueId) -> bool {
         let bounds =
             |id: ValueId, scalar: usize| self.values[id].ranges.as_ref()?.get(scalar)?.bounds();
@@ -814,7 +815,7 @@ impl Builder<'_> {
     }
 }
 
-/// Which values the roots depend on.
+/// For each value, true if the roots depend on it.
 pub(super) fn reachable(
     values: &[ComputedValue],
     roots: impl Iterator<Item = ValueId>,

@@ -262,7 +262,7 @@ fn own_depth(expression: &Expression) -> u64 {
         | Expression::ImageSample { .. }
         | Expression::ImageLoad { .. } => 1,
         Expression::Math { fun, .. } => match fun {
-            // These functions are polynomials in the driver.
+            // Inverse trigonometric functions are polynomials in the driver.
             MathFunction::Asin | MathFunction::Acos | MathFunction::Atan | MathFunction::Atan2 => {
                 24
             }

@@ -235,7 +235,8 @@ pub trait LookSource {
 }
 
 /// Places the visible objects of a scene, with their meshes, relative to `folder`, and their looks.
-/// What could not be found is left out, with errors among the warnings.
+/// An object whose mesh cannot be found, and a look that cannot be found, are left out, with errors
+/// among the warnings.
 pub fn place_objects(
     scene: &Scene,
     folder: &Path,

@@ -1,4 +1,4 @@
-//! What comes to a fragment from the vertices of a mesh.
+//! Vertex attributes of a mesh, and the varyings by which they reach a fragment.
 
 use super::surface::ExpressionInputs;
 use crate::compile::Needs;
@@ -52,7 +52,7 @@ impl VertexAttribute {
 /// A number that is interpolated over triangles.
 #[derive(Debug)]
 pub(super) struct SurfaceVarying {
-    /// What expressions read as a member of `in`.
+    /// Name of the varying: expressions read it as a member of `in`.
     pub(super) name: &'static str,
     pub(super) wgsl_type: &'static str,
     /// The value at a vertex.

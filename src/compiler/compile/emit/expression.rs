@@ -6,7 +6,7 @@ use crate::interp::{Scalar, Value};
 use crate::library::{Conversion, Rate, Type};
 
 impl Emitter<'_> {
-    /// How a value is read where fragments are shaded.
+    /// WGSL expression that reads a value where fragments are shaded.
     pub(super) fn expression(&self, id: ValueId) -> String {
         let value = &self.special.values[id];
         if matches!(value.rate, Rate::Frame | Rate::Object) {

@@ -1,4 +1,4 @@
-//! What stands around a look: structs, bindings and entry points.
+//! Frame of the module around a look: structs, bindings and entry points.
 
 use std::fmt::Write as _;
 
@@ -31,7 +31,7 @@ pub(super) const RESERVED: &[&str] = &[
     "SAMPLES_PER_ROW",
 ];
 
-/// How many samples lie beside one another in an evaluation's target; each takes two by two pixels.
+/// Number of samples in a row of an evaluation's target; each sample takes two by two pixels.
 pub const SAMPLES_PER_ROW: u32 = 256;
 
 const VIEW: &str = "\
@@ -43,7 +43,7 @@ struct View {
 }
 ";
 
-/// The same where a look asks for the pixel's place.
+/// `View` of a look that reads the pixel's place in the picture.
 const VIEW_WITH_SCREEN: &str = "\
 struct View {
     clip_from_world: mat4x4f,
@@ -67,7 +67,7 @@ struct Object {
 ";
 
 impl Emitter<'_> {
-    /// Whether the picture's colors are encoded where they leave the shader.
+    /// True if the picture's colors are encoded for display where they leave the shader.
     fn encodes(&self) -> bool {
         self.options.display
             && self.options.stage.is_picture()

@@ -40,11 +40,11 @@ pub struct Binding {
     pub binding: u32,
     /// The variable's name.
     pub name: String,
-    /// What it holds.
+    /// Contents of the binding.
     pub kind: BindingKind,
 }
 
-/// What a binding holds.
+/// Contents of a binding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BindingKind {
     /// The `View` uniform.
@@ -68,7 +68,7 @@ pub enum BindingKind {
 /// An index into [`Needs::images`].
 pub type ImageBinding = usize;
 
-/// Which bytes of the source came from which node.
+/// Map from the bytes of the source to the nodes that they came from.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SpanMap {
     spans: Vec<(Range<usize>, NodePath)>,
@@ -142,7 +142,7 @@ struct Emitter<'a> {
     needs: Needs,
     names: Names,
     items: Items,
-    /// What a value is called: a local variable, or a member of `Look`.
+    /// WGSL name of each value: a local variable, a constant, or a member of `look`.
     value_names: HashMap<ValueId, String>,
     /// Struct constants: their names.
     constants: Vec<(ValueId, String)>,
@@ -284,7 +284,8 @@ impl<'a> Emitter<'a> {
         })
     }
 
-    /// What fragments read of the host, and the steps that compute it.
+    /// Plans the values that fragments read from the host, the drivers of keys, and the steps that
+    /// compute both.
     fn plan_host(&mut self, roots: &[ValueId]) {
         let mut frontier: Vec<ValueId> =
             roots.iter().copied().filter(|&id| self.is_host(id)).collect();

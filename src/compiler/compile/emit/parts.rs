@@ -40,7 +40,7 @@ enum Block {
 /// A function of its own.
 struct ShaderFunction {
     name: String,
-    /// What its result is called where it is called.
+    /// Name of the variable that holds the function's result in its caller.
     variable: String,
     blocks: Vec<Block>,
     inputs: Vec<ValueId>,
@@ -210,7 +210,7 @@ impl Emitter<'_> {
         self.type_name(&self.special.values[id].ty, self.special.values[id].node)
     }
 
-    /// What `shade` consists of: the look's calls, gathered into parts until they are few.
+    /// Blocks of `shade`: the look's calls, gathered into parts until the blocks are few.
     fn blocks(&mut self) -> Vec<Block> {
         let mut blocks: Vec<Block> = self.calls.iter().map(|&call| Block::Call(call)).collect();
         while blocks.len() > SHORT {

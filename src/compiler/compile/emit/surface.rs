@@ -1,5 +1,5 @@
-//! How a fragment's surroundings are found where a mesh is drawn: by the expressions of their rows,
-//! and what these read.
+//! Contexts (a fragment's surroundings) where a mesh is drawn: the WGSL expressions that their rows
+//! give, and the inputs that these expressions read.
 
 use crate::library::{Context, ContextSource, Stage, Type};
 
@@ -26,26 +26,27 @@ fn zero(ty: &Type) -> String {
     if *ty == Type::Float { "0.0".to_owned() } else { format!("{}(0.0)", ty.wgsl()) }
 }
 
-/// What an expression reads of the module around it.
+/// Inputs that an expression reads from the module around it.
 #[derive(Debug, Default)]
 pub(super) struct ExpressionInputs {
     /// The names of varyings, and `clip`.
     varyings: Vec<String>,
-    /// Whether it reads the unit `normal` toward the seen side, which is made of the varying.
+    /// True if the expression reads the unit `normal` toward the seen side, which is made of the
+    /// varying of the same name.
     pub(super) normal: bool,
-    /// Whether it reads how pixels lie in the picture.
+    /// True if the expression reads `view.screen`, the place of pixels in the picture.
     pub(super) screen: bool,
-    /// What it calls: functions of the library, and of WGSL itself.
+    /// Names of the functions that the expression calls, of the library and of WGSL itself.
     pub(super) functions: Vec<String>,
 }
 
 impl ExpressionInputs {
-    /// What a context reads where looks are drawn.
+    /// Inputs of a context's expression where looks are drawn.
     pub(super) fn of(context: Context) -> Self {
         Self::at(context, Stage::default())
     }
 
-    /// What a context reads in a module of a stage.
+    /// Inputs of a context's expression in a module of `stage`.
     pub(super) fn at(context: Context, stage: Stage) -> Self {
         Self::within(&expression(context, stage))
     }
@@ -74,7 +75,7 @@ impl ExpressionInputs {
         reads
     }
 
-    /// Whether it reads a varying, itself or by what is made of it.
+    /// True if the expression reads a varying, directly or through `normal`, which is made of one.
     pub(super) fn varying(&self, name: &str) -> bool {
         self.varyings.iter().any(|read| read == name) || (self.normal && name == "normal")
     }

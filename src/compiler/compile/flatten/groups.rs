@@ -126,7 +126,7 @@ impl<'a> UsedGroups<'a> {
         self.by_kind.get(kind).copied()
     }
 
-    /// Whether a node of the kind `inner` in the group `outer` has `outer` in it again.
+    /// True if a node of the kind `inner` in the group `outer` contains `outer` again.
     pub(super) fn is_recursive(&self, outer: GroupIndex, inner: GroupIndex) -> bool {
         let ring = self[outer].ring;
         ring.is_some() && ring == self[inner].ring

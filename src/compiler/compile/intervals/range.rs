@@ -15,9 +15,9 @@ const SMALLEST_NORMAL: f64 = f32::MIN_POSITIVE as f64;
 pub(in crate::compile) struct Floats {
     pub(in crate::compile) low: f64,
     pub(in crate::compile) high: f64,
-    /// Whether it may be NaN.
+    /// True if NaN is possible.
     pub(in crate::compile) nan: bool,
-    /// Whether a zero in it may be -0.
+    /// True if a zero in the range may be -0.
     pub(in crate::compile) minus_zero: bool,
 }
 
@@ -69,12 +69,12 @@ impl Floats {
         range
     }
 
-    /// Whether no number is possible.
+    /// True if no number is possible.
     pub(super) fn is_none(self) -> bool {
         self.low > self.high
     }
 
-    /// The only number that it can be; -0 counts as 0.
+    /// The only possible number, if there is just one and no NaN; -0 counts as 0.
     pub(in crate::compile) fn point(self) -> Option<f64> {
         (self.low == self.high && !self.nan && self.low.is_finite()).then_some(self.low)
     }
@@ -87,7 +87,7 @@ impl Floats {
         self.low == f64::NEG_INFINITY || self.high == f64::INFINITY
     }
 
-    /// Whether it is a number between two others, and never NaN.
+    /// True if every possible value is a number from `low` to `high`, never NaN.
     pub(in crate::compile) fn is_within(self, low: f64, high: f64) -> bool {
         !self.nan && !self.is_none() && low <= self.low && self.high <= high
     }
@@ -277,7 +277,8 @@ impl Range {
         }
     }
 
-    /// Every number that it can be lies between these, and it is no NaN. A truth value is 0 or 1.
+    /// Bounds of all possible numbers; `None` if NaN is possible or no number is. A truth value
+    /// counts as 0 or 1.
     pub(in crate::compile) fn bounds(self) -> Option<[f64; 2]> {
         match self {
             Self::Float(x) if x.nan || x.is_none() => None,
@@ -289,7 +290,7 @@ impl Range {
         }
     }
 
-    /// Whether it lies between two others wherever it is a number; NaN has no place of its own.
+    /// True if every possible number lies from `low` to `high`. NaN lies nowhere and is allowed.
     pub(in crate::compile) fn is_number_within(self, low: f64, high: f64) -> bool {
         match self {
             Self::Float(x) => Floats { nan: false, ..x }.is_within(low, high),
@@ -322,7 +323,7 @@ impl Range {
         }
     }
 
-    /// The only thing that it can be, to the bit.
+    /// The only possible value, exact to the bit, if there is just one.
     pub(in crate::compile) fn exactly(self) -> Option<interp::Scalar> {
         match self {
             Self::Float(x) => {
@@ -336,7 +337,7 @@ impl Range {
         }
     }
 
-    /// Whether a scalar of a result is what this says: for tests.
+    /// True if the range contains a scalar of a result. For tests.
     #[cfg(test)]
     pub(super) fn contains(self, scalar: interp::Scalar) -> bool {
         match (self, scalar) {

@@ -55,7 +55,8 @@ impl Builder<'_> {
     }
 }
 
-/// Whether a bound would change nothing but NaN, of which it makes no share either.
+/// True if every number of the range is a share, from 0 to 1. A bound would change nothing but NaN,
+/// of which a bound makes no share either.
 fn is_share(range: &Range) -> bool {
     range.is_number_within(0.0, 1.0)
 }

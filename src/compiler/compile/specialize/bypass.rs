@@ -46,12 +46,12 @@ impl Builder<'_> {
         })
     }
 
-    /// Whether a node's result lies in [0, 1] by its own rule.
+    /// True if a node's result lies in [0, 1] by the node's own rule, `unit_when`.
     pub(super) fn is_unit(&self, node: &TypedNode, inputs: &[Option<ValueId>]) -> bool {
         node.def.unit_when.as_ref().is_some_and(|conditions| self.are_met(node, inputs, conditions))
     }
 
-    /// Whether all conditions hold, however that is evidence.
+    /// True if all conditions hold, by evidence of any kind.
     pub(super) fn are_met(
         &self,
         node: &TypedNode,

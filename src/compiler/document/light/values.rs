@@ -18,11 +18,11 @@ pub struct LightValues {
     /// The fields of the light as shaders take them: directions of length 1 and places in world
     /// space, intensities up to [`MAX_INTENSITY`], distances 0 or [`MIN_LIGHT_DISTANCE`] and more.
     pub(super) world: Light,
-    /// Unit, toward a directional light, in its own frame.
+    /// Direction toward a directional light; unit, in the light's own frame.
     pub own_direction: DVec3,
     /// Rotation from world space to the light's own frame.
     pub own_from_world: DMat3,
-    /// Cosines of the inner and outer half-angles.
+    /// Cosines of the inner and outer half-angles of a spot light's cone.
     pub cone: [f64; 2],
     /// The kind of light.
     pub kind: LightKind,
@@ -50,43 +50,45 @@ impl LightValues {
         }
     }
 
-    /// Unit, toward a directional light, world space.
+    /// Direction toward a directional light; unit, in world space.
     pub fn direction(&self) -> DVec3 {
         self.world.direction.into()
     }
 
-    /// World space.
+    /// Position of a point or spot light, in scene units, in world space.
     pub fn position(&self) -> DVec3 {
         self.world.position.into()
     }
 
-    /// Unit, from the light outward, world space.
+    /// Direction in which a spot light shines, from the light outward; unit, in world space.
     pub fn aim(&self) -> DVec3 {
         self.world.aim.into()
     }
 
-    /// Straight RGB.
+    /// Color of the light, straight RGB in the look's color space.
     pub fn color(&self) -> DVec3 {
         self.world.color.into()
     }
 
-    /// 0 to [`MAX_INTENSITY`].
+    /// Intensity, a factor on the color, 0 to [`MAX_INTENSITY`].
     pub fn intensity(&self) -> f64 {
         self.world.intensity
     }
 
-    /// The distance beyond which nothing of it is left: 0, or [`MIN_LIGHT_DISTANCE`] and more.
+    /// Distance beyond which nothing of the light is left, in scene units: [`MIN_LIGHT_DISTANCE`]
+    /// and more, or 0 for no end.
     pub fn range(&self) -> f64 {
         self.world.range
     }
 
-    /// Lets it shine from a direction: unit, world space.
+    /// Makes a directional light shine from `direction`; unit, in world space.
     pub fn shine_from(&mut self, direction: DVec3) {
         self.world.direction = direction.into();
         self.own_direction = self.own_from_world * direction;
     }
 
-    /// Puts it at a place, a spot light shining along `aim`: unit, world space.
+    /// Moves the light to `position`, in scene units, and turns a spot light to shine along `aim`,
+    /// unit; both in world space.
     pub fn stand_at(&mut self, position: DVec3, aim: DVec3) {
         self.world.position = position.into();
         if self.kind == LightKind::Spot {
@@ -105,7 +107,8 @@ fn unit(direction: &[f64]) -> DVec3 {
     DVec3::from_slice(direction).try_normalize().unwrap_or(DVec3::Z)
 }
 
-/// Brings the numbers of a light's field to what shaders take. What is no number counts as 0.
+/// Converts the numbers of a light's field to world space and to the bounds of shaders. A factor,
+/// an angle or a distance that is NaN counts as 0.
 fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) {
     match quantity {
         LightQuantity::Direction => {
@@ -125,8 +128,8 @@ fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) 
     }
 }
 
-/// A distance of a light as the f32 of a shader and the f64 of the reference both hold it; what is
-/// no number counts as 0.
+/// A distance of a light as the f32 of a shader and the f64 of the reference both hold it; NaN
+/// counts as 0.
 fn light_distance(distance: f64) -> f64 {
     if distance > 0.0 { distance.clamp(MIN_LIGHT_DISTANCE, f64::from(f32::MAX)) } else { 0.0 }
 }

@@ -242,8 +242,9 @@ impl OpenScene {
     }
 
     /// The look to open where no object wears the open one: a look that can be read, of an object
-    /// that is seen if possible.
-    pub(crate) fn look_to_open(&self) -> Option<PathBuf> {
+    /// that is seen if possible. While the project's nodes are awaited, every look whose file exists
+    /// counts: its nodes may be among them.
+    pub(crate) fn look_to_open(&self, awaits_nodes: bool) -> Option<PathBuf> {
         let objects = &self.scene().objects;
         if objects.values().any(|object| self.wears_open(object)) {
             return None;
@@ -251,7 +252,9 @@ impl OpenScene {
         let visible = objects.values().filter(|object| object.visible);
         let hidden = objects.values().filter(|object| !object.visible);
         let mut names = visible.chain(hidden).flat_map(|object| object.looks.values());
-        let name = names.find(|name| matches!(self.snapshot.others.get(*name), Some(Some(_))))?;
+        let others = &self.snapshot.others;
+        let name =
+            names.find(|name| others.get(*name).is_some_and(|l| awaits_nodes || l.is_some()))?;
         Some(self.path_of(name))
     }
 

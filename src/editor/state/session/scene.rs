@@ -84,11 +84,12 @@ impl Session {
     /// The look that the scene lacks: the one that was open in it, or else one that an object
     /// wears. `None` where the open look is of the scene.
     pub(crate) fn look_to_open(&mut self) -> Option<LookToOpen> {
+        let awaits_nodes = self.project.reader.is_awaited();
         let open_scene = self.open_scene.as_mut()?;
         match open_scene.wanted.take() {
             Some(LookToOpen::File(path)) if open_scene.wears(&path) => Some(LookToOpen::File(path)),
             Some(LookToOpen::Unsaved) if open_scene.wears_unsaved() => Some(LookToOpen::Unsaved),
-            _ => open_scene.look_to_open().map(LookToOpen::File),
+            _ => open_scene.look_to_open(awaits_nodes).map(LookToOpen::File),
         }
     }
 
