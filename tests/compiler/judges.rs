@@ -18,7 +18,7 @@ fn sweeps() -> Vec<(String, BTreeSet<String>)> {
         if text.contains("Ledger::open(") && name != "tests/compiler/judges.rs" {
             assert!(
                 text.contains("ProofKey::of_judges(") && text.contains(&format!("\"{name}\"")),
-                "{name} keeps a ledger: its keys are made by `ProofKey::of_judges`, of the file itself"
+                "{name} keeps a ledger: `ProofKey::of_judges` makes its keys, of the file itself"
             );
             let judges = judges(&[&name]);
             sweeps.push((name, judges));

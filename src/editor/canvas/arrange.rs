@@ -226,8 +226,8 @@ impl<'a> LayeredGraph<'a> {
             / links.len() as f32
     }
 
-    /// Tops of a column's boxes, in order and without overlap, as near to their goals as least squares
-    /// allow; boxes that touch move together.
+    /// Tops of a column's boxes, in order and without overlap, as near to their goals as least
+    /// squares allow; boxes that touch move together.
     fn spread(&self, column: &[usize], goals: &[f32]) -> Vec<f32> {
         // Blocks of boxes that touch: the goal of the block's first box, the number of boxes, and
         // the block's height.

@@ -242,8 +242,8 @@ impl OpenScene {
     }
 
     /// The look to open where no object wears the open one: a look that can be read, of an object
-    /// that is seen if possible. While the project's nodes are awaited, every look whose file exists
-    /// counts: its nodes may be among them.
+    /// that is seen if possible. While the project's nodes are awaited, every look whose file
+    /// exists counts: its nodes may be among them.
     pub(crate) fn look_to_open(&self, awaits_nodes: bool) -> Option<PathBuf> {
         let objects = &self.scene().objects;
         if objects.values().any(|object| self.wears_open(object)) {
