@@ -35,7 +35,7 @@ fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark:
 
 /// Premultiplied paint at a place, of strokes from a picture; `ink` is the share of all strokes
 /// that are there.
-fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
+fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: SpacedPlace, ink: f32,
     style: Brush) -> vec4f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
@@ -79,7 +79,7 @@ fn brushed(image: texture_2d<f32>, image_sampler: sampler, at: Spaced, ink: f32,
 }
 
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
-fn bristles_laid(at: Spaced, ink: f32, style: Brush) -> vec2f {
+fn bristles_laid(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
     let level = octave_of(sqrt(area_square(at.stretch)));

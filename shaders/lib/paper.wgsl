@@ -15,7 +15,7 @@ fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
 
 /// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
 /// octaves are seen.
-fn paper_height(at: Spaced, fiber: f32, seed: u32) -> f32 {
+fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
     let w = bounded(sqrt(max(dot(x, x), dot(y, y))));

@@ -13,8 +13,8 @@ fn slope_change(center: Texel, here: vec2f, at: vec2i, offset: vec2f, weight: f3
 /// The derivative of the slope from what counts of the two sides, as [`derivative`] joins them.
 fn slope_derivative(forward: vec3f, backward: vec3f) -> vec2f {
     return vec2f(
-        derivative(Sides(forward.x, forward.z, backward.x, backward.z)),
-        derivative(Sides(forward.y, forward.z, backward.y, backward.z)),
+        derivative(SideDifferences(forward.x, forward.z, backward.x, backward.z)),
+        derivative(SideDifferences(forward.y, forward.z, backward.y, backward.z)),
     );
 }
 

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use chiaro_compiler::document::{
-    Document, Look, Scene, Storage, field_tables, look_schema, scene_schema,
+    Document, Look, Scene, Storage, field_tables, hcbtf_schema, look_schema, scene_schema,
 };
 use chiaro_language::diag::has_errors;
 use serde_json::Value;
@@ -32,9 +32,11 @@ fn held(file: &str, made: &str) {
 
 #[test]
 fn the_schemas_are_those_of_the_code() {
-    for (file, schema) in
-        [("look.schema.json", look_schema()), ("scene.schema.json", scene_schema())]
-    {
+    for (file, schema) in [
+        ("look.schema.json", look_schema()),
+        ("scene.schema.json", scene_schema()),
+        ("hcbtf.schema.json", hcbtf_schema()),
+    ] {
         held(file, &(serde_json::to_string_pretty(&schema).unwrap() + "\n"));
         assert!(jsonschema::draft202012::meta::is_valid(&schema), "{file} is no JSON Schema");
     }

@@ -5,6 +5,7 @@ use chiaro_test_support as support;
 mod cases;
 mod compile;
 mod document_format;
+mod document_hcbtf;
 mod document_history;
 mod document_random;
 mod document_read;

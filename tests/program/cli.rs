@@ -306,12 +306,12 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     assert_eq!(shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok().out, rules.out);
     shop.write("rules.json", r#"[{"rule": "blend", "sharpness": 99}]"#);
     shop.run(&["hcbtf", "rules", "other.hcbtf", "--set", "rules.json"])
-        .fails(1, &["hcbtf-rule", "`sharpness` is 99"]);
+        .fails(1, &["out-of-range", "rules[0].sharpness", "99 is out of range", "from 0 to 64"]);
     shop.write("rules.json", r#"[{"rule": "blnd"}, {"rule": "lambert", "amont": 1}, {}]"#);
     let told = [
-        "no rule `blnd`",
+        "`blnd` is not one of",
         "did you mean `blend`?",
-        "one of copy, lock, blend",
+        "`copy`, `lock`, `blend`",
         "`amont`",
         "did you mean `amount`?",
     ];
@@ -324,8 +324,9 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     let help = shop.run(&["hcbtf", "rules", "--help"]).ok().out;
     for told in [
         "  mirror    Highlight\n",
-        "sharpness (4): 0 to 64",
-        "from (straight above): a painted sample",
+        "sharpness (4): Sharpness of the falloff",
+        "a number from 0 to 64",
+        "from (straight above): Painted sample to copy",
     ] {
         assert!(help.contains(told), "no `{told}` in {help}");
     }
@@ -491,7 +492,7 @@ fn a_folder_knows_its_grid_its_rules_and_what_was_painted() {
     import("numbered", &[]).fails(0, &["5 numbered images", "2601 samples", "--grid"]);
     assert!(!import("numbered", &["--grid", "4x4,2x4,1x1"]).ok().err.contains("warning"));
     fs::write(shop.path("numbered/hcbtf.json"), "{").unwrap();
-    import("numbered", &[]).fails(1, &["hcbtf.json", "not-json"]);
+    import("numbered", &[]).fails(1, &["hcbtf.json", "truncated"]);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use chiaro::document::relief::{Channel, PRESETS, Pattern};
 use chiaro::document::{
     Address, Directions, Grid, Hcbtf, HcbtfAngle, HcbtfEdit, History, Relief, Rule, Strokes, Tile,
+    UnknownFields,
 };
 use chiaro::files::journal::{
     DocumentInfo, Journal, JournalSlot, Op, RecoveredDocument, recover, recover_any,
@@ -92,6 +93,12 @@ impl Edits {
         }
     }
 
+    /// Fields of a rule that this version does not know, now and then.
+    fn unknown(&mut self) -> UnknownFields {
+        let fields = self.chance(5).then(|| ("by".to_owned(), self.below(9).into()));
+        fields.into_iter().collect()
+    }
+
     /// A relief, mostly within its bounds.
     fn relief(&mut self, hcbtf: &Hcbtf) -> Relief {
         let mut relief = self.pick(&PRESETS).unwrap().1();
@@ -121,10 +128,19 @@ impl Edits {
             9 => HcbtfEdit::AddRule {
                 rule: self.rule(hcbtf),
                 index: self.chance(5).then_some(index),
+                unknown: self.unknown(),
             },
             10 => HcbtfEdit::SetRule { index, rule: self.rule(hcbtf) },
             11 if self.chance(5) => HcbtfEdit::RemoveRule { index },
-            11 => HcbtfEdit::SetRules { rules: (0..to).map(|_| self.rule(hcbtf)).collect() },
+            11 => HcbtfEdit::SetRules {
+                rules: (0..to).map(|_| self.rule(hcbtf)).collect(),
+                unknown: match self.unknown() {
+                    fields if to > 0 && !fields.is_empty() => {
+                        [((to - 1).to_string(), fields.into())].into_iter().collect()
+                    }
+                    _ => UnknownFields::new(),
+                },
+            },
             12 => HcbtfEdit::MoveRule { from: index, to },
             13 => HcbtfEdit::SetTiling { is_tiling: self.chance(5) },
             14 => HcbtfEdit::SetGrid { grid: self.grid() },

@@ -277,8 +277,8 @@ fn what_is_no_hcbtf_is_told() {
     );
     let valid = write(&sample()).unwrap();
     expect(&valid[..valid.len() / 2], "hcbtf-archive", &["cut off"]);
-    expect(&with(|all| all[0].1 = b"[1]".to_vec()), "wrong-type", &["object"]);
-    expect(&with(|all| all[0].1 = b"[".repeat(100_000)), "not-json", &[]);
+    expect(&with(|all| all[0].1 = b"[1]".to_vec()), "wrong-document", &["object"]);
+    expect(&with(|all| all[0].1 = b"[".repeat(100_000)), "too-deep", &[]);
 }
 
 /// Diagnostics of manifests: `tests/cases/hcbtf`, each in a file with its three samples.

@@ -6,11 +6,11 @@ use serde_json::json;
 
 use super::open;
 use crate::diag::Diagnostic;
-use crate::document::{Hcbtf, Rule};
+use crate::document::{HcbtfEdit, Rule, read_rules};
 use crate::files::{OutputKind, read_text};
 use crate::output::Output;
 use crate::target::outputs;
-use chiaro_scene::hcbtf::{read_rules, write};
+use chiaro_scene::hcbtf::write;
 
 /// Width of the help, in columns.
 const WIDTH: usize = 98;
@@ -28,17 +28,22 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let hcbtf = open(&arguments.file, output)?;
+    let mut hcbtf = open(&arguments.file, output)?;
     let Some(path) = &arguments.set else {
         output.json(&json!(hcbtf.rules));
         return Ok(());
     };
     let text = read_text(path).map_err(|problem| vec![*problem])?;
     let name = path.display().to_string();
-    let rules = read_rules(&text, &hcbtf.grid, &name)?;
+    let read = read_rules(&text, &hcbtf.grid, &name);
+    if read.has_errors() {
+        return Err(read.diagnostics);
+    }
+    output.diagnostics(&read.diagnostics);
+    let (rules, unknown) = read.value.unwrap_or_default();
+    hcbtf.apply(HcbtfEdit::SetRules { rules, unknown }).map_err(|problem| vec![*problem])?;
     let named = arguments.file.display().to_string();
-    let bytes =
-        write(&Hcbtf { rules, ..hcbtf }).map_err(|problem| vec![problem.in_file(named.clone())])?;
+    let bytes = write(&hcbtf).map_err(|problem| vec![problem.in_file(named.clone())])?;
     let mut outputs = outputs(false, [path]);
     outputs.changes(&arguments.file);
     outputs
@@ -60,9 +65,8 @@ fn help() -> String {
     for about in Rule::ABOUT {
         help += &format!("\n  {:<10}{}\n", about.word, about.label);
         help += &wrapped(&plain(about.does), 12);
-        for (name, what, default) in about.defaults() {
-            let default = default.map(|default| format!(" ({default})")).unwrap_or_default();
-            help += &wrapped(&format!("{name}{default}: {}", plain(what)), 14);
+        for field in about.fields() {
+            help += &wrapped(&plain(&field.line()), 14);
         }
     }
     help

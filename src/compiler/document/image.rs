@@ -1,6 +1,7 @@
-//! Images of documents as they lie in memory, for journals. Looks and scenes have an image by
-//! serde, from their descriptions; the image of HCBTFs is defined here. An image also holds data
-//! that no file has, such as the unknown fields of a removed part, which undo may bring back.
+//! Images of documents as they lie in memory, for journals. Looks, scenes and the parts of HCBTFs
+//! have an image by serde, from their descriptions; tiles, which no text holds, are packed. An
+//! image also holds data that no file has, such as the unknown fields of a removed part, which undo
+//! may bring back.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -10,7 +11,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::packed::PackedTile;
-use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Tile};
+use super::{Address, Editable, Grid, Hcbtf, Look, Rule, Scene, Tile, UnknownFields};
 
 /// Image of an HCBTF, with each tile once however many samples are equal to it.
 pub(super) struct HcbtfImage;
@@ -24,6 +25,8 @@ struct HcbtfText<'h> {
     /// Each sample, with the index of its tile.
     painted: Vec<(Address, usize)>,
     rules: Cow<'h, [Rule]>,
+    #[serde(default, skip_serializing_if = "UnknownFields::is_empty")]
+    unknown: UnknownFields,
 }
 
 impl HcbtfImage {
@@ -41,15 +44,22 @@ impl HcbtfImage {
             });
             painted.push((*address, *place));
         }
-        let Hcbtf { grid, is_tiling, painted: _, rules } = hcbtf;
-        HcbtfText { grid: *grid, is_tiling: *is_tiling, tiles, painted, rules: rules.into() }
-            .serialize(serializer)
+        let Hcbtf { grid, is_tiling, painted: _, rules, unknown } = hcbtf;
+        HcbtfText {
+            grid: *grid,
+            is_tiling: *is_tiling,
+            tiles,
+            painted,
+            rules: rules.into(),
+            unknown: unknown.clone(),
+        }
+        .serialize(serializer)
     }
 
     pub(super) fn deserialize<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Hcbtf, D::Error> {
-        let HcbtfText { grid, is_tiling, tiles, painted, rules } =
+        let HcbtfText { grid, is_tiling, tiles, painted, rules, unknown } =
             HcbtfText::deserialize(deserializer)?;
         // The bound is checked before anything is unpacked.
         if tiles.iter().map(PackedTile::texel_bytes).sum::<u64>() > Hcbtf::MAX_PAINTED_BYTES {
@@ -65,7 +75,7 @@ impl HcbtfImage {
             Ok((address, tile.clone()))
         };
         let painted = painted.into_iter().map(of).collect::<Result<_, D::Error>>()?;
-        Ok(Hcbtf { grid, is_tiling, painted, rules: rules.into_owned() })
+        Ok(Hcbtf { grid, is_tiling, painted, rules: rules.into_owned(), unknown })
     }
 }
 

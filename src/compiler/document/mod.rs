@@ -34,9 +34,10 @@ pub use edit::{
     Edit, EditResult, Editable, HcbtfEdit, History, HistoryNumbers, Patch, SceneEdit, Step,
 };
 pub use hcbtf::{
-    Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, MAX_ANGLE_STEPS,
-    MAX_TILE_SIDE, Placement, Relief, Rule, RuleAbout, StrokeGround, StrokeHighlight, StrokeShadow,
-    StrokeShape, StrokeTones, Strokes, Tile, relief,
+    Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, HcbtfListing,
+    HcbtfManifest, MAX_ANGLE_STEPS, MAX_TILE_SIDE, PaintedSample, Placement, Relief, Rule,
+    RuleAbout, RuleField, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones,
+    Strokes, Tile, read_rules, relief,
 };
 pub use image::JournalDocument;
 pub use light::{
@@ -46,7 +47,7 @@ pub use light::{
 pub use look::*;
 pub use read::Document;
 pub use scene::*;
-pub use shape::{field_tables, look_schema, scene_schema};
+pub use shape::{field_tables, hcbtf_schema, look_schema, scene_schema};
 pub use source::{LoadedDocument, SourceMap};
 pub use storage::Storage;
 pub use structure::{GraphId, InnerNode};

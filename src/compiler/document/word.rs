@@ -1,5 +1,7 @@
 //! Words that choices are written with.
 
+use super::hcbtf::relief::Channel;
+use super::hcbtf::{Angle, StrokeShape};
 use super::{ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier};
 
 /// Choice that is written as a word.
@@ -64,6 +66,21 @@ words!(Projection {
     Perspective "perspective" "lines meet at the eye",
     Orthographic "orthographic" "parallel lines stay parallel",
 });
+words!(Angle {
+    LightTheta "light_theta" "the light's angle from the normal",
+    LightPhi "light_phi" "the light's angle around the normal",
+    ViewTheta "view_theta" "the eye's angle from the normal",
+    ViewPhi "view_phi" "the eye's angle around the normal",
+});
+words!(StrokeShape {
+    Thread "thread" "round, and grows from its place",
+    Ribbon "ribbon" "flat, its middle at its place",
+    Dot "dot" "a flat round, its root the middle and its tip the rim",
+});
+words!(Channel {
+    Luminance "luminance" "bright texels stand high",
+    Alpha "alpha" "opaque texels stand high; the relief is then opaque everywhere",
+});
 
 #[cfg(test)]
 mod tests {
@@ -86,5 +103,8 @@ mod tests {
         agree_with_serde::<KeyScheme>();
         agree_with_serde::<Interpolation>();
         agree_with_serde::<Projection>();
+        agree_with_serde::<Angle>();
+        agree_with_serde::<StrokeShape>();
+        agree_with_serde::<Channel>();
     }
 }

@@ -5,7 +5,7 @@ use super::described::DescribedObject;
 use super::json::{JsonLayout, JsonWriter};
 use super::shape::ObjectShape;
 use super::source::SourceMap;
-use super::{Look, Scene, UnknownFields, VERSION};
+use super::{HcbtfListing, HcbtfManifest, Look, Scene, UnknownFields, VERSION};
 
 /// Methods that write a document. They belong to the types themselves, not to a trait, so that a
 /// caller can write a document without importing anything.
@@ -45,6 +45,22 @@ macro_rules! written {
 
 written!(Look);
 written!(Scene);
+
+macro_rules! written_whole {
+    ($document:ty) => {
+        impl $document {
+            /// Document as JSON in the canonical form, with a line end at its end.
+            pub fn to_text(&self) -> String {
+                let mut writer = JsonWriter::new();
+                document(&mut writer, self, &self.unknown);
+                writer.finish()
+            }
+        }
+    };
+}
+
+written_whole!(HcbtfManifest);
+written_whole!(HcbtfListing);
 
 /// Writes a document: its type first, then its fields.
 fn document<T: DescribedObject>(w: &mut JsonWriter, document: &T, unknown: &UnknownFields) {

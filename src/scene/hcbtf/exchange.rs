@@ -209,7 +209,7 @@ fn export_folder(
     progress: &Progress,
 ) -> Result<String, Vec<Diagnostic>> {
     make_folder(path).map_err(|problem| vec![problem.hint("choose another one")])?;
-    let (name, listing) = folder::listing(filled, which).map_err(alone)?;
+    let (name, listing) = folder::listing(filled, which);
     let mut set = FileSet::default();
     progress.begin(filled.grid().sample_count());
     let mut written = 0;

@@ -10,14 +10,12 @@ use std::sync::Arc;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::archive::{Archive, ArchiveWriter};
-use super::manifest::{
-    self, MAX_MANIFEST_BYTES, Manifest, NAME, SAMPLES, SampleEntry, THUMBNAIL, sample_name,
-};
+use super::manifest::{self, MAX_MANIFEST_BYTES, NAME, SAMPLES, THUMBNAIL, sample_name};
 use super::picture::{MAX_PNG_EXTRAS, decode, encode, reduced};
 use super::report::FileReport;
 use super::{MAX_FILE_BYTES, MAX_PAINTED, MAX_PAINTED_BYTES, MAX_RULES};
 use crate::diag::{Diagnostic, WithWarnings};
-use crate::document::{Address, Hcbtf, Rule, Tile};
+use crate::document::{Address, Hcbtf, HcbtfManifest, PaintedSample, Rule, Tile};
 use crate::files::{Files, ReadError};
 
 /// Longer side of a thumbnail, in texels.
@@ -89,7 +87,8 @@ fn read_into(bytes: &[u8], report: &mut FileReport) -> Option<Hcbtf> {
         return None;
     }
     let text = told(archive.read(NAME, MAX_MANIFEST_BYTES), report)?;
-    let Manifest { grid, is_tiling, rules, painted } = manifest::parse(&text, report)?;
+    let HcbtfManifest { grid, is_tiling, rules, painted, unknown } =
+        manifest::parse(&text, report)?;
     let needed = painted.len() as u64 * grid.texels() as u64 * 4;
     if needed > MAX_PAINTED_BYTES {
         report.add(too_much(needed));
@@ -97,7 +96,7 @@ fn read_into(bytes: &[u8], report: &mut FileReport) -> Option<Hcbtf> {
     }
     told_of_strays(&archive, &painted, report);
     let painted = samples(&mut archive, painted, grid.size, report);
-    let hcbtf = Hcbtf { grid, is_tiling, painted, rules };
+    let hcbtf = Hcbtf { grid, is_tiling, painted, rules, unknown };
     if !report.has_errors() {
         idle_rules(&hcbtf, report);
     }
@@ -116,7 +115,7 @@ fn too_much(bytes: u64) -> Diagnostic {
 }
 
 /// Warns of PNGs that the manifest does not name: somebody put them there and expects to see them.
-fn told_of_strays(archive: &Archive<'_>, painted: &[SampleEntry], report: &mut FileReport) {
+fn told_of_strays(archive: &Archive<'_>, painted: &[PaintedSample], report: &mut FileReport) {
     if archive.has_duplicates() {
         let message = "the zip file has two entries of one name; the last is taken";
         report.add(Diagnostic::warning("hcbtf-archive", message).hint("remove one of them"));
@@ -136,13 +135,15 @@ fn told_of_strays(archive: &Archive<'_>, painted: &[SampleEntry], report: &mut F
 /// Reads all painted samples, as many as can be read.
 fn samples(
     archive: &mut Archive<'_>,
-    painted: Vec<SampleEntry>,
+    painted: Vec<PaintedSample>,
     size: [u32; 2],
     report: &mut FileReport,
 ) -> BTreeMap<Address, Arc<Tile>> {
     let mut tiles: HashMap<String, Option<Arc<Tile>>> = HashMap::new();
     let mut samples: BTreeMap<Address, (Arc<Tile>, String)> = BTreeMap::new();
-    for SampleEntry { address, file } in painted {
+    for sample in painted {
+        let address = sample.address();
+        let file = sample.file;
         if let Some((_, other)) = samples.get(&address) {
             let message = format!("`{other}` and `{file}` are both the sample at {address}");
             let hint = "at the normal there is one sample, whatever the step around it: remove one \
@@ -152,7 +153,7 @@ fn samples(
         }
         // A file may be named twice; it is unpacked, and reported on, once.
         let tile =
-            tiles.entry(file.clone()).or_insert_with(|| sample(archive, &file, size, report));
+            tiles.entry(file.clone()).or_insert_with(|| tile_of(archive, &file, size, report));
         if let Some(tile) = tile {
             samples.insert(address, (tile.clone(), file));
         }
@@ -160,7 +161,7 @@ fn samples(
     samples.into_iter().map(|(address, (tile, _))| (address, tile)).collect()
 }
 
-fn sample(
+fn tile_of(
     archive: &mut Archive<'_>,
     file: &str,
     size: [u32; 2],
@@ -233,7 +234,7 @@ pub fn write(hcbtf: &Hcbtf) -> Result<Vec<u8>, Box<Diagnostic>> {
     let cannot = |why: String| {
         Box::new(Diagnostic::error("cannot-write", format!("the HCBTF cannot be packed: {why}")))
     };
-    let text = manifest::text(hcbtf).map_err(|error| cannot(error.to_string()))?;
+    let text = manifest::text(hcbtf);
     let painted: Vec<(&Address, &Arc<Tile>)> = hcbtf.painted.iter().collect();
     let pngs = painted
         .into_par_iter()

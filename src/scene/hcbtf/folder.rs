@@ -96,7 +96,7 @@ pub fn load(
 /// The grid in the `hcbtf.json` of a folder, if there is one.
 pub(super) fn told_grid(files: &dyn Files, folder: &Path) -> Option<Grid> {
     let bytes = read_bytes(files, &folder.join(listing::NAME)).ok()?;
-    listed(&bytes, &mut FileReport::new("")).map(|listing| listing.grid)
+    listed(&bytes, &mut FileReport::new("")).map(|listing| listing.0.grid)
 }
 
 /// The content of an `hcbtf.json`.
@@ -142,7 +142,7 @@ fn import_into(
         Some(name) => Some(listed(&told(read(name), name, report)?, report)?),
         None => None,
     };
-    let grid = listing.as_ref().map_or(grid, |listing| listing.grid);
+    let grid = listing.as_ref().map_or(grid, |listing| listing.0.grid);
     names.retain(|name| stem(name).is_some());
     names.sort();
     let placed = placed(&names, &grid, report)?;
@@ -166,8 +166,9 @@ fn import_into(
         report.stop();
     }
     let mut hcbtf = gathered(grid, painted);
-    if let Some(listing) = listing {
+    if let Some(Listing(listing)) = listing {
         (hcbtf.is_tiling, hcbtf.rules) = (listing.is_tiling, listing.rules);
+        hcbtf.unknown = listing.unknown;
     }
     if !report.has_errors() {
         other_grid.into_iter().for_each(|problem| report.add(problem));
@@ -313,18 +314,8 @@ fn placed<'a>(
 }
 
 /// The name and the text of the file that holds the fields that the images of [`export`] cannot.
-///
-/// # Errors
-/// Where the rules cannot be written.
-pub fn listing(
-    filled: &FilledSamples,
-    which: SampleChoice,
-) -> Result<(&'static str, String), Box<Diagnostic>> {
-    let text = listing::text(filled, which).map_err(|error| {
-        let message = format!("`{}` cannot be written: {error}", listing::NAME);
-        Box::new(Diagnostic::error("cannot-write", message))
-    })?;
-    Ok((listing::NAME, text))
+pub fn listing(filled: &FilledSamples, which: SampleChoice) -> (&'static str, String) {
+    (listing::NAME, listing::text(filled, which))
 }
 
 /// The paths of an earlier export's files in a folder: its `hcbtf.json`, and images that are named

@@ -51,7 +51,6 @@ pub use layers::{
     LayerOptions, LayeredTexture, MAX_LAYERS_BYTES, check_layers, from_layers, layers,
     layers_bytes, layers_size, stored, stored_size,
 };
-pub use manifest::read_rules;
 pub use memory::{Device, Limits, Need, needs, needs_at_most};
 pub use picture::BytePicture;
 pub use repaint::{Region, repaint};

@@ -43,6 +43,16 @@ impl FileReport {
         }
     }
 
+    /// Adds the diagnostics of a document that is the part that is being read, with its lines.
+    pub(super) fn add_document(&mut self, problems: Vec<Diagnostic>) {
+        for mut problem in problems {
+            let line = problem.place.at.take().map(|at| format!(", line {}", at.line));
+            let line = line.unwrap_or_default();
+            problem.message = format!("`{}`{line}: {}", self.part, problem.message);
+            self.add(problem);
+        }
+    }
+
     /// Notes that the work was stopped: no other problem is worth telling.
     pub(super) fn stop(&mut self) {
         self.told.clear();

@@ -32,8 +32,10 @@
 //! }
 //! ```
 
+mod choice;
 mod codecs;
 mod containers;
+mod hcbtf;
 mod identified;
 mod keys;
 mod parts;
@@ -44,7 +46,9 @@ use super::json::{JsonLayout, JsonWriter, ValueIndex};
 use super::read::reader::{Fields, Reader};
 use super::shape::{FieldKind, ObjectShape};
 
+pub(super) use choice::{described_choice, is_written_alike, write_choice};
 pub(super) use codecs::{CanvasColor, ColorCodec, DocumentSpace, FlatCodec, PlainCodec};
+pub(super) use hcbtf::Digests;
 pub(super) use identified::{Nodes, Objects};
 pub(super) use keys::{DecidedBy, KeyPlace, TargetValues};
 pub(super) use scene::{Backdrop, Looks, Scale};
@@ -191,13 +195,13 @@ macro_rules! described {
         $(#[doc = $help:literal])+
         $(#[derive($($derive:ident),*)])?
         $(#[serde($default:ident)])?
-        pub struct $name:ident($shape:literal, $layout:ident $(, by $identity:ident)?) {
+        pub struct $name:ident($shape:expr, $layout:ident $(, by $identity:ident)?) {
             $($rows:tt)*
         }
     ) => {
         described! {
             @rows {
-                [$($help)+] [$($($derive)*)?] [$($default)?] $name $shape $layout [$($identity)?]
+                [$($help)+] [$($($derive)*)?] [$($default)?] $name [$shape] $layout [$($identity)?]
             } [] [] [] $($rows)*
         }
     };
@@ -324,6 +328,15 @@ macro_rules! described {
     };
     (
         @rows $head:tt $members:tt [$($shape:tt)*] []
+        $(#[doc = $help:literal])+ $file:literal: $kind:expr, required; $($rest:tt)*
+    ) => {
+        described! {
+            @rows $head $members
+            [$($shape)* { [$($help)+] [none $file] [$kind] [required] }] [] $($rest)*
+        }
+    };
+    (
+        @rows $head:tt $members:tt [$($shape:tt)*] []
         $(#[doc = $help:literal])+ $file:literal: $kind:expr, json $json:literal; $($rest:tt)*
     ) => {
         described! {
@@ -352,7 +365,7 @@ macro_rules! described {
 
     (
         @rows {
-            [$($help:literal)+] [$($derive:ident)*] [$($default:ident)?] $name:ident $shape:literal
+            [$($help:literal)+] [$($derive:ident)*] [$($default:ident)?] $name:ident [$shape:expr]
             $layout:ident [$($identity:ident)?]
         }
         [$({

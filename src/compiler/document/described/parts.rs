@@ -1,7 +1,10 @@
 //! Switches, numbers, words, texts and ids as parts of documents.
 
 use super::FieldType;
-use crate::document::json::{JsonKind, JsonWriter, ValueIndex};
+use crate::diag::Diagnostic;
+use crate::document::hcbtf::relief::Channel;
+use crate::document::hcbtf::{Angle, StrokeShape};
+use crate::document::json::{JsonKind, JsonLayout, JsonWriter, ValueIndex};
 use crate::document::read::reader::Reader;
 use crate::document::shape::{self, FieldKind};
 use crate::document::word::WordChoice as _;
@@ -63,19 +66,75 @@ impl FieldType for f64 {
     }
 }
 
-/// Whole number within the bounds of its kind.
-impl FieldType for u8 {
+macro_rules! whole_numbers {
+    ($($whole:ty),*) => { $(
+        /// Whole number within the bounds of its kind.
+        impl FieldType for $whole {
+            fn read(
+                r: &mut Reader<'_>,
+                at: ValueIndex,
+                kind: &'static FieldKind,
+                extras: &mut UnknownFields,
+            ) -> Option<Self> {
+                <f64 as FieldType>::read(r, at, kind, extras).map(|number| number as Self)
+            }
+
+            fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
+                w.number(f64::from(*self));
+            }
+
+            fn is_same(&self, other: &Self) -> bool {
+                self == other
+            }
+        }
+
+        /// Fixed count of whole numbers, as of texels or a color in bytes.
+        impl<const N: usize> FieldType for [$whole; N] {
+            fn read(
+                r: &mut Reader<'_>,
+                at: ValueIndex,
+                kind: &'static FieldKind,
+                extras: &mut UnknownFields,
+            ) -> Option<Self> {
+                let numbers = <[f64; N] as FieldType>::read(r, at, kind, extras)?;
+                Some(numbers.map(|number| number as $whole))
+            }
+
+            fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
+                w.numbers(&self.map(f64::from));
+            }
+
+            fn is_same(&self, other: &Self) -> bool {
+                self == other
+            }
+        }
+    )* };
+}
+
+whole_numbers!(u8, u32);
+
+/// Two colors in bytes, between which something lies.
+impl FieldType for [[u8; 3]; 2] {
     fn read(
         r: &mut Reader<'_>,
         at: ValueIndex,
         kind: &'static FieldKind,
         extras: &mut UnknownFields,
     ) -> Option<Self> {
-        <f64 as FieldType>::read(r, at, kind, extras).map(|number| number as Self)
+        let FieldKind::Pair(color) = kind else { return None };
+        let items = r.list_at(at, kind, |r, at| <[u8; 3]>::read(r, at, color, extras))?;
+        let count = r.tree.children(at).count();
+        if count != 2 {
+            let message = format!("expected 2 colors, found {count}");
+            r.report(at, Diagnostic::error("wrong-count", message));
+            return None;
+        }
+        let colors: Vec<[u8; 3]> = items.into_iter().map(|(_, color)| color).collect();
+        colors.try_into().ok()
     }
 
-    fn write(&self, w: &mut JsonWriter, _unknown: Option<&UnknownFields>) {
-        w.number(f64::from(*self));
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
+        w.list(JsonLayout::Inline, self, |w, color| color.write(w, unknown));
     }
 
     fn is_same(&self, other: &Self) -> bool {
@@ -156,7 +215,18 @@ macro_rules! words {
     )* };
 }
 
-words!(ColorSpace, Interpolation, KeyScheme, LightKind, LightSpace, Projection, Tier);
+words!(
+    Angle,
+    Channel,
+    ColorSpace,
+    Interpolation,
+    KeyScheme,
+    LightKind,
+    LightSpace,
+    Projection,
+    StrokeShape,
+    Tier
+);
 
 macro_rules! ids {
     ($($id:ty),*) => { $(

@@ -8,7 +8,7 @@ use super::parts::{at, insert_at};
 use super::patch::Patch;
 use super::{EditResult, Editable, all_or_none, impossible};
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile, UnknownFields};
 
 /// Edit of an HCBTF.
 ///
@@ -37,10 +37,21 @@ pub enum HcbtfEdit {
     CopyTile { from: Address, to: Address },
     /// Leaves a painted sample to the rules again.
     DeleteTile { address: Address },
-    /// Changes all rules.
-    SetRules { rules: Vec<Rule> },
-    /// Adds a rule before the one at `index`; without one it comes last.
-    AddRule { rule: Rule, index: Option<usize> },
+    /// Changes all rules; `unknown` are the fields of the rules that this version does not know, by
+    /// index.
+    SetRules {
+        rules: Vec<Rule>,
+        #[serde(default, skip_serializing_if = "UnknownFields::is_empty")]
+        unknown: UnknownFields,
+    },
+    /// Adds a rule before the one at `index`; without one it comes last. `unknown` are its fields
+    /// that this version does not know.
+    AddRule {
+        rule: Rule,
+        index: Option<usize>,
+        #[serde(default, skip_serializing_if = "UnknownFields::is_empty")]
+        unknown: UnknownFields,
+    },
     /// Changes a rule.
     SetRule { index: usize, rule: Rule },
     /// Removes a rule.
@@ -130,24 +141,46 @@ impl Editable for Hcbtf {
                 self.painted(address).ok_or_else(|| unpainted(address))?;
                 set_tile(self, address, None)
             }
-            HcbtfEdit::SetRules { rules } => {
-                HcbtfEdit::SetRules { rules: replace(&mut self.rules, rules) }
+            HcbtfEdit::SetRules { rules, unknown } => {
+                let before = take_unknown(self);
+                put_unknown(self, unknown);
+                HcbtfEdit::SetRules { rules: replace(&mut self.rules, rules), unknown: before }
             }
-            HcbtfEdit::AddRule { rule, index } => {
-                HcbtfEdit::RemoveRule { index: insert_at(&mut self.rules, rule, index)? }
+            HcbtfEdit::AddRule { rule, index, unknown } => {
+                let index = insert_at(&mut self.rules, rule, index)?;
+                renumber_unknown(self, |old| Some(old + usize::from(old >= index)));
+                if !unknown.is_empty() {
+                    let mut all = take_unknown(self);
+                    all.insert(index.to_string(), unknown.into());
+                    put_unknown(self, all);
+                }
+                HcbtfEdit::RemoveRule { index }
             }
             HcbtfEdit::SetRule { index, rule } => {
                 HcbtfEdit::SetRule { index, rule: replace(at(&mut self.rules, index)?, rule) }
             }
             HcbtfEdit::RemoveRule { index } => {
                 at(&mut self.rules, index)?;
-                HcbtfEdit::AddRule { rule: self.rules.remove(index), index: Some(index) }
+                let unknown = unknown_of_rule(self, index);
+                renumber_unknown(self, |old| {
+                    (old != index).then(|| old - usize::from(old > index))
+                });
+                let rule = self.rules.remove(index);
+                HcbtfEdit::AddRule { rule, index: Some(index), unknown }
             }
             HcbtfEdit::MoveRule { from, to } => {
                 at(&mut self.rules, from)?;
                 at(&mut self.rules, to)?;
                 let rule = self.rules.remove(from);
                 self.rules.insert(to, rule);
+                renumber_unknown(self, |old| {
+                    Some(match old {
+                        _ if old == from => to,
+                        _ if from < old && old <= to => old - 1,
+                        _ if to <= old && old < from => old + 1,
+                        _ => old,
+                    })
+                });
                 if from == to { nothing() } else { HcbtfEdit::MoveRule { from: to, to: from } }
             }
             HcbtfEdit::SetTiling { is_tiling } => {
@@ -225,15 +258,49 @@ fn set_grid(hcbtf: &mut Hcbtf, grid: Grid) -> HcbtfEdit {
         }
         stays
     });
-    let rules = hcbtf.rules.clone();
-    hcbtf.rules.retain(|rule| rule.check(&grid).is_ok());
-    if hcbtf.rules.len() < rules.len() {
-        back.push(HcbtfEdit::SetRules { rules });
+    let stays: Vec<bool> = hcbtf.rules.iter().map(|rule| rule.check(&grid).is_ok()).collect();
+    if stays.contains(&false) {
+        let rules = hcbtf.rules.clone();
+        let unknown = take_unknown(hcbtf);
+        back.push(HcbtfEdit::SetRules { rules, unknown: unknown.clone() });
+        put_unknown(hcbtf, unknown);
+        let kept = |old: usize| stays[..old].iter().filter(|stays| **stays).count();
+        renumber_unknown(hcbtf, |old| stays.get(old)?.then(|| kept(old)));
+        let mut each = stays.iter();
+        hcbtf.rules.retain(|_| each.next().copied().unwrap_or_default());
     }
     match back.len() {
         1 => back.remove(0),
         _ => HcbtfEdit::Group { edits: back },
     }
+}
+
+/// Takes the unknown fields of all rules out, by index.
+fn take_unknown(hcbtf: &mut Hcbtf) -> UnknownFields {
+    match hcbtf.unknown.remove("rules") {
+        Some(serde_json::Value::Object(fields)) => fields,
+        _ => UnknownFields::new(),
+    }
+}
+
+fn put_unknown(hcbtf: &mut Hcbtf, fields: UnknownFields) {
+    if !fields.is_empty() {
+        hcbtf.unknown.insert("rules".to_owned(), fields.into());
+    }
+}
+
+fn unknown_of_rule(hcbtf: &Hcbtf, index: usize) -> UnknownFields {
+    let fields = hcbtf.unknown.get("rules").and_then(|rules| rules.get(index.to_string()));
+    fields.and_then(|fields| fields.as_object()).cloned().unwrap_or_default()
+}
+
+/// Gives the unknown fields of each rule to the rule's new index; `None` for rules that are gone.
+fn renumber_unknown(hcbtf: &mut Hcbtf, to: impl Fn(usize) -> Option<usize>) {
+    let renumbered = take_unknown(hcbtf)
+        .into_iter()
+        .filter_map(|(index, fields)| Some((to(index.parse().ok()?)?.to_string(), fields)));
+    let renumbered = renumbered.collect();
+    put_unknown(hcbtf, renumbered);
 }
 
 /// Checks that an edit sets values that an HCBTF can hold, groups aside.
@@ -254,7 +321,7 @@ fn check(hcbtf: &Hcbtf, edit: &HcbtfEdit) -> Result<(), Box<Diagnostic>> {
             check_tile(&hcbtf.grid, *to, None)?;
             check_one_more(hcbtf, *to)
         }
-        HcbtfEdit::SetRules { rules } => check_rules(&hcbtf.grid, rules, 0),
+        HcbtfEdit::SetRules { rules, .. } => check_rules(&hcbtf.grid, rules, 0),
         HcbtfEdit::AddRule { rule, .. } => {
             check_rules(&hcbtf.grid, std::slice::from_ref(rule), hcbtf.rules.len())
         }

@@ -6,12 +6,20 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::UnknownFields;
+use super::described::{FieldType, described};
+use super::json::{JsonWriter, ValueIndex};
+use super::read::reader::Reader;
+use super::shape::{FieldKind, NumberBounds};
+
+mod file;
 pub mod relief;
 pub(in crate::document) mod rule;
 mod strokes;
 
+pub use file::{HcbtfListing, HcbtfManifest, PaintedSample, read_rules};
 pub use relief::Relief;
-pub use rule::{Rule, RuleAbout};
+pub use rule::{Rule, RuleAbout, RuleField};
 pub use strokes::{
     Bundle, Placement, StrokeGround, StrokeHighlight, StrokeShadow, StrokeShape, StrokeTones,
     Strokes,
@@ -22,17 +30,32 @@ pub const MAX_TILE_SIDE: u32 = 4095;
 /// Greatest number of steps of an angle.
 pub const MAX_ANGLE_STEPS: u32 = 255;
 
-/// Grid of directions over the hemisphere: rings from the normal down to the horizon, and steps
-/// around it.
-///
-/// Ring `theta` of `n` lies `theta / (n - 1)` of a quarter turn from the normal (thesis 10.2: 6
-/// rings, 18 degrees apart); step `phi` of `n` lies `phi / n` of a turn from v toward u.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Directions {
-    /// Number of rings: 1 is the normal alone.
-    pub theta: u32,
-    /// Number of steps around each ring.
-    pub phi: u32,
+/// Kind of a color as straight RGB bytes.
+pub(super) const BYTES: FieldKind = FieldKind::Numbers(3, 3, NumberBounds::whole(0.0, 255.0));
+/// Kind of a color as straight RGBA bytes.
+const RGBA_BYTES: FieldKind = FieldKind::Numbers(4, 4, NumberBounds::whole(0.0, 255.0));
+/// Kind of a seed.
+const SEED: FieldKind = FieldKind::Number(NumberBounds::whole(0.0, u32::MAX as f64));
+/// Kind of a number of steps of an angle.
+const STEPS: FieldKind = FieldKind::Number(NumberBounds::whole(1.0, MAX_ANGLE_STEPS as f64));
+
+/// Kind of a number from 0 to `most`.
+const fn amount(most: f64) -> FieldKind {
+    FieldKind::Number(NumberBounds::new(0.0, most))
+}
+
+described! {
+    /// Grid of directions over the hemisphere: rings from the normal down to the horizon, and steps
+    /// around it. Ring `theta` of `n` lies `theta / (n - 1)` of a quarter turn from the normal
+    /// (thesis 10.2: 6 rings, 18 degrees apart); step `phi` of `n` lies `phi / n` of a turn from v
+    /// toward u.
+    #[derive(Copy, Eq, Hash)]
+    pub struct Directions("grid of directions", Inline) {
+        /// Number of rings: 1 is the normal alone.
+        theta: u32, STEPS, required;
+        /// Number of steps around each ring.
+        phi: u32, STEPS, required;
+    }
 }
 
 impl Directions {
@@ -86,15 +109,18 @@ impl Directions {
     }
 }
 
-/// Grid of an HCBTF: the sizes of its six dimensions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub struct Grid {
-    /// Texels of a tile along u and along v; rows go down from where v is largest.
-    pub size: [u32; 2],
-    /// Directions toward the light.
-    pub light: Directions,
-    /// Directions toward the eye.
-    pub view: Directions,
+described! {
+    /// Grid of an HCBTF: the sizes of its six dimensions.
+    #[derive(Copy, Eq, Hash)]
+    pub struct Grid("grid", Inline) {
+        /// Texels of a tile along u and along v; rows go down from where v is largest.
+        size: [u32; 2],
+            FieldKind::Numbers(2, 2, NumberBounds::whole(1.0, MAX_TILE_SIDE as f64)), required;
+        /// Directions toward the light.
+        light: Directions, FieldKind::Object(Directions::shape), required;
+        /// Directions toward the eye.
+        view: Directions, FieldKind::Object(Directions::shape), required;
+    }
 }
 
 impl Grid {
@@ -329,6 +355,8 @@ pub struct Hcbtf {
     pub painted: BTreeMap<Address, Arc<Tile>>,
     /// Rules that fill the other samples.
     pub rules: Vec<Rule>,
+    /// Fields of later versions or of other programs.
+    pub unknown: UnknownFields,
 }
 
 impl Hcbtf {
@@ -341,7 +369,13 @@ impl Hcbtf {
 
     /// HCBTF without painted samples and rules.
     pub fn new(grid: Grid) -> Self {
-        Self { grid, is_tiling: true, painted: BTreeMap::new(), rules: Vec::new() }
+        Self {
+            grid,
+            is_tiling: true,
+            painted: BTreeMap::new(),
+            rules: Vec::new(),
+            unknown: UnknownFields::new(),
+        }
     }
 
     /// Painted tile of a sample; `None` where the sample is not painted.
@@ -365,23 +399,70 @@ impl<'de> Deserialize<'de> for Direction {
 
 impl Serialize for Address {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        AddressText { light: self.light, view: self.view }.serialize(serializer)
+        AddressFields { light: self.light, view: self.view }.serialize(serializer)
     }
 }
 
 impl<'de> Deserialize<'de> for Address {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let AddressText { light, view } = AddressText::deserialize(deserializer)?;
+        let AddressFields { light, view } = AddressFields::deserialize(deserializer)?;
         Ok(Self { light, view }.canonical())
     }
 }
 
-/// Form of an address in files.
-#[derive(Serialize, Deserialize)]
-#[serde(rename = "Address", deny_unknown_fields)]
-struct AddressText {
-    light: Direction,
-    view: Direction,
+/// Kind of a direction of the grid: ring and step, from 0.
+const DIRECTION: FieldKind =
+    FieldKind::Numbers(2, 2, NumberBounds::whole(0.0, (MAX_ANGLE_STEPS - 1) as f64));
+
+described! {
+    /// Sample of the grid: at the normal there is one, whatever the step.
+    #[derive(Copy)]
+    pub struct AddressFields("address", Inline) {
+        /// Direction toward the light: ring and step, from 0.
+        light: Direction, DIRECTION, required;
+        /// Direction toward the eye: ring and step, from 0.
+        view: Direction, DIRECTION, required;
+    }
+}
+
+impl FieldType for Direction {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
+        let [theta, phi] = FieldType::read(r, at, kind, extras)?;
+        Some(Self { theta, phi })
+    }
+
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
+        [self.theta, self.phi].write(w, unknown);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl FieldType for Address {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
+        let AddressFields { light, view } = FieldType::read(r, at, kind, extras)?;
+        Some(Self { light, view }.canonical())
+    }
+
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
+        AddressFields { light: self.light, view: self.view }.write(w, unknown);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
 }
 
 #[cfg(test)]

@@ -69,6 +69,7 @@ impl Reader<'_> {
     fn bounded(&mut self, at: ValueIndex, kind: &shape::FieldKind) -> usize {
         let most = match kind {
             shape::FieldKind::List(_, most) | shape::FieldKind::Map(_, most) => *most,
+            shape::FieldKind::Pair(_) => 2,
             _ => 10_000,
         };
         let count = self.tree.children(at).count();

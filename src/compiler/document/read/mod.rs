@@ -10,15 +10,16 @@ mod value;
 use std::path::Path;
 use std::sync::Arc;
 
-use super::described::{Codec as _, DescribedObject, PlainCodec};
+use super::described::{Codec as _, DescribedObject, FieldType, PlainCodec};
+use super::json::JsonWriter;
 use super::json::{self, JsonKind, ValueIndex};
 use super::problems::{LineIndex, Problems};
-use super::shape::{self, ObjectShape};
+use super::shape::{FieldKind, ObjectShape};
 use super::source::{LoadedDocument, SourceMap};
-use super::{Look, Scene, VERSION, read_text};
+use super::{HcbtfListing, HcbtfManifest, Look, Scene, UnknownFields, VERSION, read_text};
 use crate::diag::Diagnostic;
 use crate::files::Files;
-use reader::Reader;
+use reader::{PathStep, Reader, with_article};
 pub(super) use value::AxisAngle;
 
 /// Document of a file: a look or a scene.
@@ -92,6 +93,53 @@ impl Scene {
     }
 }
 
+impl HcbtfManifest {
+    /// Reads the manifest of an `.hcbtf` file from JSON; `file` is its name in diagnostics.
+    pub fn read(text: &str, file: &str) -> LoadedDocument<Self> {
+        with_structure(ParsedText::new(text, file).read(), Self::check)
+    }
+}
+
+impl HcbtfListing {
+    /// Reads the listing of a folder of images from JSON; `file` is its name in diagnostics.
+    pub fn read(text: &str, file: &str) -> LoadedDocument<Self> {
+        with_structure(ParsedText::new(text, file).read(), Self::check)
+    }
+}
+
+/// Reads a list that is a part of a document; `name` is the name of the list in diagnostics.
+pub(super) fn read_list<T: FieldType>(
+    text: &str,
+    file: &str,
+    name: &'static str,
+    kind: &'static FieldKind,
+    check: impl Fn(&(T, UnknownFields)) -> Vec<Diagnostic>,
+) -> LoadedDocument<(T, UnknownFields)> {
+    let mut parsed = ParsedText::new(text, file);
+    let value = parsed.value(name, kind);
+    with_structure(parsed.loaded(value), check)
+}
+
+/// Checks a value by the bounds of its kind: the value is written and read again, so that it obeys
+/// every bound of files.
+///
+/// # Errors
+/// A message that names the first wrong field and its bounds.
+pub(super) fn check_value<T: FieldType>(value: &T, kind: &'static FieldKind) -> Result<(), String> {
+    let mut writer = JsonWriter::trial();
+    value.write(&mut writer, None);
+    let mut parsed = ParsedText::new(&writer.finish(), "");
+    let read: Option<(T, UnknownFields)> = parsed.value("", kind);
+    let problems = parsed.loaded(read).diagnostics;
+    let Some(problem) = problems.into_iter().find(Diagnostic::is_error) else { return Ok(()) };
+    let hint = problem.hints.first().map(|hint| format!(": {hint}")).unwrap_or_default();
+    let message = format!("{}{hint}", problem.message);
+    Err(match problem.place.json_path {
+        Some(path) => format!("`{}`: {message}", path.trim_start_matches('.')),
+        None => message,
+    })
+}
+
 /// Result for a file that could not be read.
 fn failed<T>(path: &Path, problem: Diagnostic) -> LoadedDocument<T> {
     let file = path.display().to_string();
@@ -127,6 +175,7 @@ impl ParsedText {
         match said.as_deref() {
             Some("look") => Some("look"),
             Some("scene") => Some("scene"),
+            Some("hcbtf") => Some("hcbtf"),
             Some(_) => None,
             None if has("asset") && (has("meshes") || has("accessors")) => Some("glTF"),
             None if has("objects") && !has("nodes") => Some("scene"),
@@ -146,13 +195,40 @@ impl ParsedText {
     }
 
     fn read<T: DescribedObject>(mut self) -> LoadedDocument<T> {
-        let mut value = None;
-        if let Some(root) = self.root(T::shape()) {
-            let mut reader = Reader::new(&self.source.tree, &mut self.problems);
-            value = document(&mut reader, root);
-            let kept = std::mem::take(&mut reader.kept);
-            self.source.kept = kept;
-        }
+        let root = self.root(T::shape());
+        let value = root.and_then(|root| self.read_at(root, document));
+        self.loaded(value)
+    }
+
+    /// Value at the top, which is no document by itself.
+    fn value<T: FieldType>(
+        &mut self,
+        name: &'static str,
+        kind: &'static FieldKind,
+    ) -> Option<(T, UnknownFields)> {
+        let root = self.source.tree.root()?;
+        self.read_at(root, |r, at| {
+            if !name.is_empty() {
+                r.path.push(PathStep::Field(name));
+            }
+            let mut unknown = UnknownFields::new();
+            T::read(r, at, kind, &mut unknown).map(|value| (value, unknown))
+        })
+    }
+
+    fn read_at<T>(
+        &mut self,
+        at: ValueIndex,
+        read: impl FnOnce(&mut Reader<'_>, ValueIndex) -> Option<T>,
+    ) -> Option<T> {
+        let mut reader = Reader::new(&self.source.tree, &mut self.problems);
+        let value = read(&mut reader, at);
+        let kept = std::mem::take(&mut reader.kept);
+        self.source.kept = kept;
+        value
+    }
+
+    fn loaded<T>(self, value: Option<T>) -> LoadedDocument<T> {
         let diagnostics =
             self.problems.finish(&self.source.file, self.source.text(), &self.source.lines);
         LoadedDocument { value, source: self.source, diagnostics }
@@ -164,8 +240,8 @@ impl ParsedText {
         let root = tree.root()?;
         if tree.kind(root) != JsonKind::Object {
             let message = format!(
-                "expected a {}, which is an object, found {}",
-                shape.name,
+                "expected {}, which is an object, found {}",
+                with_article(shape.name),
                 tree.kind(root).noun()
             );
             let problem =
@@ -177,11 +253,12 @@ impl ParsedText {
             let hint = match kind {
                 "glTF" => "a scene names it as the `mesh` of an object",
                 "scene" => "open it as a scene",
+                "hcbtf" => "it lies in an `.hcbtf` file, which a look names",
                 _ => "open it as a look, or name it in the `looks` of a scene's object",
             };
             let problem = Diagnostic::error(
                 "wrong-document",
-                format!("this is a {kind}, not a {}", shape.name),
+                format!("this is {}, not {}", with_article(kind), with_article(shape.name)),
             );
             self.problems.push(tree.start(root), problem.hint(hint));
             return None;
@@ -204,7 +281,7 @@ impl ParsedText {
 fn document<T: DescribedObject>(r: &mut Reader<'_>, at: ValueIndex) -> Option<T> {
     let mut fields = r.object(at, T::shape())?;
     r.field(&fields, "chiaro", |r, at, kind| match kind {
-        shape::FieldKind::Word(words) => r.word_at(at, words),
+        FieldKind::Word(words) => r.word_at(at, words),
         _ => None,
     });
     let _: Option<f64> = PlainCodec::read(r, &mut fields, "version");

@@ -384,6 +384,9 @@ impl<'t> Reader<'t> {
 
 /// Name with `a` or `an` before it.
 pub(in crate::document) fn with_article(name: &str) -> String {
+    if name == "hcbtf" {
+        return "an HCBTF".to_owned();
+    }
     let article = if name.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {name}")
 }

@@ -4,8 +4,9 @@
 mod schema;
 mod tables;
 
-pub use schema::{look_schema, scene_schema};
+pub use schema::{hcbtf_schema, look_schema, scene_schema};
 pub use tables::field_tables;
+pub(super) use tables::kind_words;
 
 /// Shape of an object of a document.
 pub(super) struct ObjectShape {
@@ -15,6 +16,20 @@ pub(super) struct ObjectShape {
     pub(super) help: &'static str,
     /// Rows, in the order in which they are written.
     pub(super) rows: &'static [ShapeRow],
+}
+
+/// Shape of a choice between objects, by a word in one of their fields.
+pub(super) struct ChoiceShape {
+    /// Name of the choice in messages, e.g. `rule`.
+    pub(super) name: &'static str,
+    /// Field that holds the word.
+    pub(super) tag: &'static str,
+    /// Description of the choice, in a phrase.
+    pub(super) help: &'static str,
+    /// Words, each with its meaning.
+    pub(super) words: &'static [(&'static str, &'static str)],
+    /// Shapes of the objects, in the order of the words.
+    pub(super) objects: &'static [fn() -> &'static ObjectShape],
 }
 
 /// Row of a [`ObjectShape`].
@@ -80,6 +95,10 @@ pub(super) enum FieldKind {
     Looks,
     /// Object with a shape.
     Object(fn() -> &'static ObjectShape),
+    /// One of several objects, by a word in it.
+    Choice(fn() -> &'static ChoiceShape),
+    /// List of exactly two items.
+    Pair(&'static FieldKind),
     /// List of at most this many items.
     List(&'static FieldKind, usize),
     /// Object of at most this many members, by id.
@@ -134,8 +153,14 @@ impl NumberBounds {
 
 /// Text of a number, or its name where it has one.
 pub(super) fn number_name(number: f64) -> String {
-    if number == std::f64::consts::PI {
-        "pi".to_owned()
+    use std::f64::consts::{PI, TAU};
+    // Bounds of angles may be rounded up.
+    let is_about = |angle: f64| (angle..=angle + 3e-5).contains(&number.abs());
+    let sign = if number < 0.0 { "-" } else { "" };
+    if is_about(PI) {
+        format!("{sign}pi")
+    } else if is_about(TAU) {
+        format!("{sign}2 pi")
     } else if number == f64::from(f32::MAX) {
         "3.4e38".to_owned()
     } else if number == -f64::from(f32::MAX) {

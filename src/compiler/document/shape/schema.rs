@@ -9,7 +9,7 @@ use super::{
 };
 use crate::document::described::DescribedObject as _;
 use crate::document::read::AxisAngle;
-use crate::document::{Curve, Look, Ramp, Scene};
+use crate::document::{Curve, HcbtfManifest, Look, Ramp, Scene};
 
 const SLUG: &str = "^[A-Za-z_][A-Za-z0-9_-]{0,63}$";
 const INPUT: &str = r"^[A-Za-z_][A-Za-z0-9_-]{0,63}\.[A-Za-z_][A-Za-z0-9_-]{0,63}$";
@@ -31,6 +31,11 @@ pub fn look_schema() -> Value {
 /// JSON Schema of scenes, as `docs/scene.schema.json` has it.
 pub fn scene_schema() -> Value {
     schema(Scene::shape())
+}
+
+/// JSON Schema of the manifests of HCBTFs, as `docs/hcbtf.schema.json` has it.
+pub fn hcbtf_schema() -> Value {
+    schema(HcbtfManifest::shape())
 }
 
 fn schema(shape: &'static ObjectShape) -> Value {
@@ -142,6 +147,18 @@ fn kind(of: &FieldKind, definitions: &mut Definitions) -> Value {
             let shape = shape();
             refer(shape.name, definitions, |definitions| object(shape, definitions).into())
         }
+        FieldKind::Choice(choice) => {
+            let choice = choice();
+            refer(choice.name, definitions, |definitions| {
+                let objects = choice.objects.iter();
+                let objects: Vec<Value> =
+                    objects.map(|shape| kind(&FieldKind::Object(*shape), definitions)).collect();
+                json!({ "description": choice.help.trim(), "anyOf": objects })
+            })
+        }
+        FieldKind::Pair(item) => json!({
+            "type": "array", "items": kind(item, definitions), "minItems": 2, "maxItems": 2
+        }),
         FieldKind::List(item, most) => {
             json!({ "type": "array", "items": kind(item, definitions), "maxItems": most })
         }

@@ -1,19 +1,23 @@
 //! Tables of docs/format.md.
 
-use super::{FieldDefault, FieldKind, ObjectShape, number_name};
+use super::{ChoiceShape, FieldDefault, FieldKind, ObjectShape, number_name};
 use crate::document::described::DescribedObject as _;
-use crate::document::{Curve, LightField, Look, Ramp, Scene};
+use crate::document::{Curve, HcbtfManifest, LightField, Look, Ramp, Scene};
 
 /// Tables in Markdown, one for each kind of object, by the object's name, as docs/format.md has
 /// them.
 pub fn field_tables() -> Vec<(&'static str, String)> {
-    let mut shapes = Vec::new();
-    for top in [Look::shape(), Scene::shape()] {
-        collect(top, &mut shapes);
+    let mut found = Shapes::default();
+    for top in [Look::shape(), Scene::shape(), HcbtfManifest::shape()] {
+        found.collect(top);
     }
-    let rules = ("hcbtf-rules", crate::document::hcbtf::rule::about::table());
-    let targets = ("light targets", light_targets());
-    shapes.into_iter().map(|shape| (shape.name, table(shape))).chain([rules, targets]).collect()
+    let choice = |choice: &'static ChoiceShape| match choice.name {
+        "rule" => (choice.name, crate::document::hcbtf::rule::about::table()),
+        name => (name, choice_table(choice)),
+    };
+    let objects = found.objects.into_iter().map(|shape| (shape.name, table(shape)));
+    let choices = found.choices.into_iter().map(choice);
+    objects.chain(choices).chain([("light targets", light_targets())]).collect()
 }
 
 /// List of the fields of lights that are targets.
@@ -39,26 +43,65 @@ fn list_item(words: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// Collects the shape and the shapes of all objects in it, each once.
-fn collect(shape: &'static ObjectShape, found: &mut Vec<&'static ObjectShape>) {
-    if found.iter().any(|known| known.name == shape.name) {
-        return;
+/// Shapes of all objects and choices in a document, each once.
+#[derive(Default)]
+struct Shapes {
+    objects: Vec<&'static ObjectShape>,
+    choices: Vec<&'static ChoiceShape>,
+}
+
+impl Shapes {
+    /// Collects a shape and the shapes in it.
+    fn collect(&mut self, shape: &'static ObjectShape) {
+        if self.objects.iter().any(|known| known.name == shape.name) {
+            return;
+        }
+        self.objects.push(shape);
+        self.collect_fields(shape);
     }
-    found.push(shape);
-    for field in shape.fields() {
-        let inner = match &field.kind {
-            FieldKind::List(item, _) | FieldKind::Map(item, _) => item,
-            kind => kind,
-        };
-        match inner {
-            FieldKind::Object(shape) => collect(shape(), found),
-            FieldKind::Value => {
-                collect(Curve::shape(), found);
-                collect(Ramp::shape(), found);
+
+    fn collect_fields(&mut self, shape: &'static ObjectShape) {
+        for field in shape.fields() {
+            let mut inner = &field.kind;
+            while let FieldKind::List(item, _) | FieldKind::Map(item, _) = inner {
+                inner = item;
             }
-            _ => {}
+            match inner {
+                FieldKind::Object(shape) => self.collect(shape()),
+                FieldKind::Choice(choice) => self.collect_choice(choice()),
+                FieldKind::Value => {
+                    self.collect(Curve::shape());
+                    self.collect(Ramp::shape());
+                }
+                _ => {}
+            }
         }
     }
+
+    fn collect_choice(&mut self, choice: &'static ChoiceShape) {
+        if self.choices.iter().all(|known| known.name != choice.name) {
+            self.choices.push(choice);
+            choice.objects.iter().for_each(|shape| self.collect_fields(shape()));
+        }
+    }
+}
+
+/// Table of the objects of a choice, by their words.
+fn choice_table(choice: &'static ChoiceShape) -> String {
+    let mut table = format!("| {} | fields |\n| --- | --- |\n", choice.name);
+    for ((word, help), shape) in choice.words.iter().zip(choice.objects) {
+        let fields = shape().fields().filter(|field| field.name != choice.tag).map(|field| {
+            let default = match field.default {
+                FieldDefault::Json(json) => format!(" (`{}`)", json()),
+                _ => String::new(),
+            };
+            let help = field.help.trim_end_matches('.').replace('|', "\\|");
+            format!("`{}`{default}, {}: {help}", field.name, kind_words(&field.kind))
+        });
+        let fields = fields.collect::<Vec<_>>().join("; ");
+        table += &format!("| `{word}`: {} | {fields} |\n", help.trim().trim_end_matches('.'));
+    }
+    table
 }
 
 fn table(shape: &'static ObjectShape) -> String {
@@ -84,15 +127,17 @@ fn table(shape: &'static ObjectShape) -> String {
     table
 }
 
-fn kind_words(kind: &FieldKind) -> String {
+/// Values that a kind takes, in words.
+pub(in crate::document) fn kind_words(kind: &FieldKind) -> String {
     match kind {
         FieldKind::Bool => "`true` or `false`".to_owned(),
         FieldKind::Number(bounds) => bounds.describe(),
         FieldKind::Numbers(least, most, bounds) => {
             let count =
                 if least == most { format!("{least}") } else { format!("{least} to {most}") };
+            let whole = if bounds.whole { "whole " } else { "" };
             format!(
-                "{count} numbers from {} to {}",
+                "{count} {whole}numbers from {} to {}",
                 number_name(bounds.min),
                 number_name(bounds.max)
             )
@@ -115,6 +160,11 @@ fn kind_words(kind: &FieldKind) -> String {
         FieldKind::Value => "a [value](#values)".to_owned(),
         FieldKind::Looks => "a path, or an object of paths".to_owned(),
         FieldKind::Object(shape) => format!("{}, an object", linked(shape())),
+        FieldKind::Choice(choice) => {
+            let name = choice().name;
+            format!("a [{name}](#{name}), an object")
+        }
+        FieldKind::Pair(item) => format!("2 lists of {}", kind_words(item)),
         FieldKind::List(item, most) => format!("a list of {}, at most {most}", plural(item)),
         FieldKind::Map(item, most) => {
             format!("an object of {} by id, at most {most}", plural(item))
@@ -128,6 +178,7 @@ fn kind_words(kind: &FieldKind) -> String {
 fn plural(kind: &FieldKind) -> String {
     match kind {
         FieldKind::Object(shape) => linked(shape()),
+        FieldKind::Choice(choice) => format!("[{0}](#{0})", choice().name),
         FieldKind::Slug => "[ids](#ids)".to_owned(),
         FieldKind::Value => "[values](#values)".to_owned(),
         FieldKind::Numbers(..) => "`[x, y]`".to_owned(),

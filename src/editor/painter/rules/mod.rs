@@ -106,6 +106,7 @@ pub(super) fn show(
                     out.push(Command::Paint(PaintCommand::Edit(HcbtfEdit::AddRule {
                         rule,
                         index: None,
+                        unknown: Default::default(),
                     })));
                     ui.close();
                 }

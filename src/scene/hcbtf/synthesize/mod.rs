@@ -112,7 +112,7 @@ pub fn synthesize_filled(
         }
     };
     let rules = if keeps_rules { hcbtf.rules.clone() } else { Vec::new() };
-    Ok(Hcbtf { grid, is_tiling: true, painted, rules })
+    Ok(Hcbtf { painted, rules, ..Hcbtf::new(grid) })
 }
 
 /// True if a rule makes each texel only of texels at the same place.

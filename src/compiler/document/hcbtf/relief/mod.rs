@@ -4,52 +4,39 @@ mod light;
 mod pattern;
 mod presets;
 
-use serde::{Deserialize, Serialize};
-
 pub use light::{Finish, Glint, Illumination};
 pub use pattern::{Channel, Pattern};
 pub use presets::{PRESETS, Preset};
 
-use super::{Address, Grid};
+use super::{Address, BYTES, Grid, SEED, amount};
+use crate::document::described::DescribedObject as _;
+use crate::document::described::described;
+use crate::document::read::check_value;
+use crate::document::shape::FieldKind;
 
-/// Parameters of a generated relief of the tile: a height field with colors, as it is seen and lit
-/// from every direction. Lengths are in parts of the tile's width, texels being square; angles in
-/// radians; colors straight bytes as they are seen.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Relief {
-    /// Seed of the random scatter.
-    pub seed: u32,
-    /// Pattern of the relief.
-    pub pattern: Pattern,
-    /// Depth from the lowest place to the highest, in tile widths.
-    pub depth: f64,
-    /// Height that stays in place when the eye moves: 0 the lowest, 1 the highest.
-    pub pivot: f64,
-    /// Sun and sky.
-    pub light: Illumination,
-    /// Specular reflection of the sun.
-    pub glint: Glint,
-    /// Style of drawing.
-    pub finish: Finish,
-}
-
-impl Default for Relief {
-    fn default() -> Self {
-        Self {
-            seed: 1,
-            pattern: Pattern::default(),
-            depth: 0.05,
-            pivot: 1.0,
-            light: Illumination::default(),
-            glint: Glint::default(),
-            finish: Finish::default(),
-        }
+described! {
+    /// Parameters of a generated relief of the tile: a height field with colors, as it is seen and
+    /// lit from every direction. Lengths are in parts of the tile's width, texels being square;
+    /// angles in radians; colors straight bytes as they are seen.
+    #[serde(default)]
+    pub struct Relief("relief", Inline) {
+        /// Seed of the random scatter.
+        seed: u32 = 1, SEED, always;
+        /// Pattern of the relief.
+        pattern: Pattern = Pattern::default(), FieldKind::Choice(Pattern::choice), always;
+        /// Depth from the lowest place to the highest, in tile widths.
+        depth: f64 = 0.05, amount(1.0), always;
+        /// Height that stays in place when the eye moves: 0 the lowest, 1 the highest.
+        pivot: f64 = 1.0, amount(1.0), always;
+        /// Sun and sky.
+        light: Illumination = Illumination::default(),
+            FieldKind::Object(Illumination::shape), always;
+        /// Specular reflection of the sun.
+        glint: Glint = Glint::default(), FieldKind::Object(Glint::shape), always;
+        /// Style of drawing.
+        finish: Finish = Finish::default(), FieldKind::Object(Finish::shape), always;
     }
 }
-
-/// Bounded number: its name, its value, and its least and greatest value.
-type BoundedNumber = (&'static str, f64, f64, f64);
 
 impl Relief {
     /// Greatest number of texels of a tile that can have a relief.
@@ -68,19 +55,17 @@ impl Relief {
         needed.into_iter()
     }
 
-    /// Checks the numbers of the relief.
+    /// Checks the relief: each number by its bounds, and that the grid is not too fine.
     ///
     /// # Errors
     /// The name of an invalid number and its bounds, or that the grid is too fine for a relief.
     pub fn check(&self, grid: &Grid) -> Result<(), String> {
-        let own = [("depth", self.depth, 0.0, 1.0), ("pivot", self.pivot, 0.0, 1.0)];
-        let all = own.into_iter().chain(self.pattern.bounds()).chain(self.light.bounds());
-        for (name, value, least, most) in all.chain(self.glint.bounds()).chain(self.finish.bounds())
-        {
-            if !(least..=most).contains(&value) {
-                return Err(format!("`{name}` is {value}; it must be from {least} to {most}"));
-            }
-        }
+        check_value(self, &FieldKind::Object(Self::shape))?;
+        self.check_whole(grid)
+    }
+
+    /// Checks what the bounds of single numbers do not tell.
+    pub(super) fn check_whole(&self, grid: &Grid) -> Result<(), String> {
         if let Some(address) = self.painted().find(|address| !grid.contains(*address)) {
             return Err(format!("the pattern names {address}, which is outside the grid"));
         }

@@ -4,6 +4,7 @@
 use serde_json::Value;
 
 use super::Rule;
+use crate::document::shape::{FieldDefault, FieldKind, ObjectShape, kind_words};
 
 /// Description of a rule for people.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,28 +15,15 @@ pub struct RuleAbout {
     pub label: &'static str,
     /// Effect of the rule; begins with `fills` or `changes`, and ends without a full stop.
     pub does: &'static str,
-    /// Fields of the rule in files, each with its meaning and bounds.
-    pub fields: &'static [(&'static str, &'static str)],
 }
-
-const SHARPNESS: (&str, &str) =
-    ("sharpness", "0 to 64; 1 is soft, at 8 nearly the nearest alone is seen");
-const FROM: (&str, &str) = ("from", "a painted sample");
-const WIDTH: (&str, &str) = ("width", "radians, 0 to pi");
 
 /// All rules: those that fill, then those that change.
 pub(super) const ABOUT: [RuleAbout; 12] = [
-    RuleAbout {
-        word: "copy",
-        label: "Copy",
-        does: "fills with one painted sample",
-        fields: &[FROM],
-    },
+    RuleAbout { word: "copy", label: "Copy", does: "fills with one painted sample" },
     RuleAbout {
         word: "lock",
         label: "Lock angles",
         does: "fills with the nearest painted sample that is equal in all other angles",
-        fields: &[("angles", "some of `light_theta`, `light_phi`, `view_theta`, `view_phi`")],
     },
     RuleAbout {
         word: "blend",
@@ -43,7 +31,6 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
         does: "fills with the mean of all painted samples, weighted by d^(-2 sharpness) and alpha; \
                d is the root of the sum \
                of the squared great-circle angles between the lights and between the views",
-        fields: &[SHARPNESS],
     },
     RuleAbout {
         word: "morph",
@@ -51,7 +38,6 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
         does: "fills with the two or three nearest painted samples, weighted as by `blend`, their \
                strokes moved toward each \
                other in place of faded; blended where nothing in them is alike",
-        fields: &[SHARPNESS],
     },
     RuleAbout {
         word: "mirror",
@@ -59,54 +45,31 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
         does: "fills with one color where the light is less than `width` off the mirrored view; \
                its alpha fades outward as a \
                raised cosine",
-        fields: &[("color", "RGBA bytes"), WIDTH],
     },
     RuleAbout {
         word: "specular",
         label: "Copy near the mirror",
         does: "fills with one painted sample where the light is at most `width` off the mirrored \
                view",
-        fields: &[FROM, WIDTH],
     },
-    RuleAbout {
-        word: "color",
-        label: "Color",
-        does: "fills with one color",
-        fields: &[("color", "RGBA bytes")],
-    },
+    RuleAbout { word: "color", label: "Color", does: "fills with one color" },
     RuleAbout {
         word: "strokes",
         label: "Strokes",
         does: "fills with strokes that stand on the tile, as each eye and each light see them \
                (docs/format.md, *Strokes*)",
-        fields: &[
-            ("seed", "another number scatters anew"),
-            ("ground", "what is seen between the strokes"),
-            ("shadow", "the shadows that they cast"),
-            ("bundles", "the strokes, by kind"),
-        ],
     },
     RuleAbout {
         word: "relief",
         label: "Relief",
         does: "fills with a height field as each eye sees it under each light (docs/format.md, *A \
                relief*)",
-        fields: &[
-            ("seed", "another number scatters anew"),
-            ("pattern", "what it is a relief of"),
-            ("depth", "from the lowest to the highest in widths of the tile, 0 to 1"),
-            ("pivot", "the height that stays when the eye moves, 0 to 1"),
-            ("light", "the sun and the sky"),
-            ("glint", "what shines"),
-            ("finish", "how it is drawn"),
-        ],
     },
     RuleAbout {
         word: "lambert",
         label: "Darken by Lambert",
         does: "changes: mixed with the shadow's color by 1 - cos(theta) of the light, times \
                `amount`",
-        fields: &[("shadow", "RGB bytes"), ("amount", "0 to 1")],
     },
     RuleAbout {
         word: "rotate",
@@ -115,7 +78,6 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
                Catmull-Rom's cubic kept \
                within the four nearest texels, exact at quarter turns of square tiles, wrapped \
                around where the tile repeats",
-        fields: &[("turns", "-1000 to 1000")],
     },
     RuleAbout {
         word: "recolor",
@@ -123,25 +85,67 @@ pub(super) const ABOUT: [RuleAbout; 12] = [
         does: "changes: multiplied by a color, `from` at the normal and `to` at the horizon, or \
                `from` at step 0 and `to` \
                half a turn away; at the normal itself the middle of both",
-        fields: &[("angle", "one, as in `lock`"), ("from", "RGB bytes"), ("to", "RGB bytes")],
     },
 ];
 
 impl RuleAbout {
     /// Rule of this kind as read from a file that has its word alone.
     pub fn fresh(&self) -> Option<Rule> {
-        serde_json::from_value(serde_json::json!({ "rule": self.word })).ok()
+        Rule::of_word(self.word)
     }
 
-    /// Fields of the rule with their meanings and defaults; `None` where a default has no short
-    /// text.
-    pub fn defaults(&self) -> Vec<(&'static str, &'static str, Option<String>)> {
-        let fresh =
-            self.fresh().and_then(|rule| serde_json::to_value(rule).ok()).unwrap_or_default();
-        self.fields
-            .iter()
-            .map(|(name, what)| (*name, *what, fresh.get(*name).and_then(told)))
-            .collect()
+    /// Fields of the rule, from the rows that it is read by.
+    pub fn fields(&self) -> Vec<RuleField> {
+        let choice = Rule::choice();
+        let index = choice.words.iter().position(|(word, _)| *word == self.word);
+        let shape: Option<&'static ObjectShape> = index.map(|index| choice.objects[index]());
+        let fields = shape.into_iter().flat_map(ObjectShape::fields);
+        let fields = fields.filter(|field| field.name != choice.tag).map(|field| {
+            let takes = match field.kind {
+                FieldKind::Object(_) | FieldKind::Choice(_) => None,
+                FieldKind::List(FieldKind::Object(_), _) => None,
+                _ => Some(kind_words(&field.kind)),
+            };
+            let default = match field.default {
+                FieldDefault::Json(json) => serde_json::from_str(&json()).ok(),
+                _ => None,
+            };
+            RuleField {
+                name: field.name,
+                takes,
+                help: field.help,
+                default: default.as_ref().and_then(told),
+            }
+        });
+        fields.collect()
+    }
+}
+
+/// Description of a field of a rule for people.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RuleField {
+    /// Name of the field in files.
+    pub name: &'static str,
+    /// Numbers or words that the field takes; `None` for an object of fields of its own.
+    pub takes: Option<String>,
+    /// Meaning of the field, with its unit.
+    pub help: &'static str,
+    /// Default, where it has a short text.
+    pub default: Option<String>,
+}
+
+impl RuleField {
+    /// Line of the field, with all that is said of it, without a full stop.
+    pub fn line(&self) -> String {
+        let default = self.default.iter().map(|default| format!(" ({default})"));
+        let takes = self.takes.iter().map(|takes| format!("; {takes}"));
+        let help = self.help.trim_end_matches('.');
+        format!(
+            "`{}`{}: {help}{}",
+            self.name,
+            default.collect::<String>(),
+            takes.collect::<String>()
+        )
     }
 }
 
@@ -170,11 +174,7 @@ pub(in crate::document) fn table() -> String {
             .to_owned();
     table += "| --- | --- | --- | --- |\n";
     for about in Rule::ABOUT {
-        let field = |(name, what, default): (&str, &str, Option<String>)| {
-            let default = default.map(|default| format!(" ({default})")).unwrap_or_default();
-            format!("`{name}`{default}: {what}")
-        };
-        let fields: Vec<String> = about.defaults().into_iter().map(field).collect();
+        let fields: Vec<String> = about.fields().iter().map(RuleField::line).collect();
         table += &format!(
             "| `{}` | {} | {} | {} |\n",
             about.word,
@@ -202,22 +202,16 @@ mod tests {
                 "{}",
                 about.word
             );
-            let written = serde_json::to_value(&fresh).unwrap();
-            let mut written: Vec<&str> = written
-                .as_object()
-                .unwrap()
-                .keys()
-                .map(String::as_str)
-                .filter(|name| *name != "rule")
-                .collect();
-            let mut listed: Vec<&str> = about.fields.iter().map(|(name, _)| *name).collect();
-            written.sort_unstable();
-            listed.sort_unstable();
-            assert_eq!(written, listed, "{}", about.word);
         }
-        let blend = &Rule::ABOUT[2].defaults()[0];
-        assert_eq!((blend.0, blend.2.as_deref()), ("sharpness", Some("4")));
-        assert_eq!(Rule::ABOUT[0].defaults()[0].2.as_deref(), Some("straight above"));
-        assert_eq!(Rule::ABOUT[1].defaults()[0].2.as_deref(), Some("view_phi"));
+        assert_eq!(Rule::choice().words.len(), Rule::ABOUT.len());
+        let first = |index: usize| Rule::ABOUT[index].fields().swap_remove(0);
+        assert_eq!((first(2).name, first(2).default.as_deref()), ("sharpness", Some("4")));
+        assert_eq!(first(2).takes.as_deref(), Some("a number from 0 to 64"));
+        assert_eq!(first(0).default.as_deref(), Some("straight above"));
+        assert_eq!(first(1).default.as_deref(), Some("view_phi"));
+        assert_eq!(
+            first(7).line(),
+            "`seed` (0): Seed of the random scatter; a whole number from 0 to 4294967295"
+        );
     }
 }

@@ -7,137 +7,129 @@ mod presets;
 
 use serde::{Deserialize, Serialize};
 
+use super::{BYTES, RGBA_BYTES, SEED, amount};
+use crate::diag::Diagnostic;
+use crate::document::UnknownFields;
+use crate::document::described::{DescribedObject as _, FieldType, described};
+use crate::document::json::{JsonWriter, ValueIndex};
+use crate::document::read::check_value;
+use crate::document::read::reader::Reader;
+use crate::document::shape::{FieldKind, NumberBounds};
+use crate::document::word::WordChoice as _;
+
 /// Half a turn as people may round it up: a little more than pi, in radians.
 const HALF: f64 = std::f64::consts::PI + 1e-5;
 /// Full turn, in radians.
 const TURN: f64 = 2.0 * HALF;
+/// Kind of a range of colors.
+const COLORS: FieldKind = FieldKind::Pair(&BYTES);
 
-/// Parameters of generated strokes that stand on the tile.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Strokes {
-    /// Seed of the random scatter.
-    pub seed: u32,
-    /// Ground between the strokes.
-    pub ground: StrokeGround,
-    /// Shadows that strokes cast.
-    pub shadow: StrokeShadow,
-    /// Bundles of strokes; at equal height, strokes of later bundles lie over those of earlier
-    /// ones.
-    pub bundles: Vec<Bundle>,
+/// Kind of a range of numbers from 0 to `most`.
+const fn range(most: f64) -> FieldKind {
+    FieldKind::Numbers(2, 2, NumberBounds::new(0.0, most))
 }
 
-/// Ground that is seen between the strokes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct StrokeGround {
-    /// Color, as straight RGBA bytes; an alpha of 0 leaves the strokes alone.
-    pub color: [u8; 4],
-    /// Share of the color that shows in any light, 0 to 2.
-    pub ambient: f64,
-    /// Share of the color added by Lambert's law, 0 to 2.
-    pub diffuse: f64,
+/// Kind of a number from `-most` to `most`.
+const fn either_way(most: f64) -> FieldKind {
+    FieldKind::Number(NumberBounds::new(-most, most))
 }
 
-impl Default for StrokeGround {
-    fn default() -> Self {
-        Self { color: [255; 4], ambient: 1.0, diffuse: 0.0 }
+described! {
+    /// Parameters of generated strokes that stand on the tile.
+    #[serde(default)]
+    pub struct Strokes("strokes", Inline) {
+        /// Seed of the random scatter.
+        seed: u32 = 0, SEED, always;
+        /// Ground between the strokes.
+        ground: StrokeGround = StrokeGround::default(),
+            FieldKind::Object(StrokeGround::shape), always;
+        /// Shadows that strokes cast.
+        shadow: StrokeShadow = StrokeShadow::default(),
+            FieldKind::Object(StrokeShadow::shape), always;
+        /// Bundles of strokes; at equal height, strokes of later bundles lie over those of earlier
+        /// ones.
+        bundles: Vec<Bundle> = Vec::new(),
+            FieldKind::List(&FieldKind::Object(Bundle::shape), Strokes::MAX_BUNDLES), always;
     }
 }
 
-/// Shadows that strokes cast on the ground and on each other.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct StrokeShadow {
-    /// Share of the light that shadows take, 0 to 1. They leave the part that shows in any light.
-    pub amount: f64,
-    /// Blur of the shadows' edges, as a share of the way that the shadow falls from the tallest
-    /// stroke, 0 to 1.
-    pub softness: f64,
-}
-
-impl Default for StrokeShadow {
-    fn default() -> Self {
-        Self { amount: 0.0, softness: 0.2 }
+described! {
+    /// Ground that is seen between the strokes.
+    #[serde(default)]
+    pub struct StrokeGround("ground", Inline) {
+        /// Color, as straight RGBA bytes; an alpha of 0 leaves the strokes alone.
+        color: [u8; 4] = [255; 4], RGBA_BYTES, always;
+        /// Share of the color that shows in any light.
+        ambient: f64 = 1.0, amount(2.0), always;
+        /// Share of the color added by Lambert's law.
+        diffuse: f64 = 0.0, amount(2.0), always;
     }
 }
 
-/// Bundle of strokes of one kind.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct Bundle {
-    /// Number and places of the strokes.
-    pub place: Placement,
-    /// Shape of a stroke.
-    pub shape: StrokeShape,
-    /// Least and greatest length, 0 to 4. Dots have none.
-    pub length: [f64; 2],
-    /// Least and greatest width, or diameter of a dot, 0 to 1.
-    pub width: [f64; 2],
-    /// Taper toward the root and toward the tip, each 0 to 1: 1 is a point.
-    pub taper: [f64; 2],
-    /// Least and greatest height of the root over the surface, 0 to 2. Flat strokes that differ by
-    /// next to nothing lie over each other in any order.
-    pub lift: [f64; 2],
-    /// Angle from the normal at the root, 0 to pi: 0 stands, a quarter of a turn lies.
-    pub lean: f64,
-    /// Additional lean at the tip, -pi to pi: grass nods.
-    pub bend: f64,
-    /// Direction of the lean, around the normal.
-    pub direction: f64,
-    /// Greatest deviation from that direction to either side, 0 to pi: pi is every direction.
-    pub spread: f64,
-    /// Turn around the normal from root to tip, to one side or the other, -2 pi to 2 pi.
-    pub curl: f64,
-    /// Turns of the strokes about their places while the eye goes once around: 0 stay, 1 keep
-    /// facing the eye.
-    pub turns: f64,
-    /// Range of colors at the root: each stroke has one between these two. Straight RGB as bytes.
-    pub root: [[u8; 3]; 2],
-    /// Range of colors at the tip, mixed as those at the root are.
-    pub tip: [[u8; 3]; 2],
-    /// Variation of brightness between strokes, 0 to 1.
-    pub variation: f64,
-    /// Share of the color that shows in any light, 0 to 2.
-    pub ambient: f64,
-    /// Share of the color added where the stroke faces the light, 0 to 2.
-    pub diffuse: f64,
-    /// Share of the color added where the light shines through the stroke from behind, 0 to 2.
-    pub translucent: f64,
-    /// Highlight of the stroke.
-    pub highlight: StrokeHighlight,
-    /// Tones of light in which the stroke shows; all where left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tones: Option<StrokeTones>,
-    /// Strength with which the grain of the paper shows through the stroke, 0 to 1.
-    pub grain: f64,
+described! {
+    /// Shadows that strokes cast on the ground and on each other.
+    #[serde(default)]
+    pub struct StrokeShadow("shadow", Inline) {
+        /// Share of the light that shadows take. They leave the part that shows in any light.
+        amount: f64 = 0.0, amount(1.0), always;
+        /// Blur of the shadows' edges, as a share of the way that the shadow falls from the tallest
+        /// stroke.
+        softness: f64 = 0.2, amount(1.0), always;
+    }
 }
 
-impl Default for Bundle {
-    fn default() -> Self {
-        Self {
-            place: Placement::default(),
-            shape: StrokeShape::default(),
-            length: [0.2, 0.3],
-            width: [0.02, 0.03],
-            taper: [0.0; 2],
-            lift: [0.0; 2],
-            lean: 0.0,
-            bend: 0.0,
-            direction: 0.0,
-            spread: 0.0,
-            curl: 0.0,
-            turns: 0.0,
-            root: [[0; 3]; 2],
-            tip: [[0; 3]; 2],
-            variation: 0.0,
-            ambient: 1.0,
-            diffuse: 0.0,
-            translucent: 0.0,
-            highlight: StrokeHighlight::default(),
-            tones: None,
-            grain: 0.0,
-        }
+described! {
+    /// Bundle of strokes of one kind.
+    #[serde(default)]
+    pub struct Bundle("bundle", Inline) {
+        /// Number and places of the strokes.
+        place: Placement = Placement::default(), FieldKind::Object(PlacementFields::shape), always;
+        /// Shape of a stroke.
+        shape: StrokeShape = StrokeShape::Thread, FieldKind::Word(StrokeShape::WORDS), always;
+        /// Least and greatest length. Dots have none.
+        length: [f64; 2] = [0.2, 0.3], range(4.0), always;
+        /// Least and greatest width, or diameter of a dot.
+        width: [f64; 2] = [0.02, 0.03], range(1.0), always;
+        /// Taper toward the root and toward the tip: 1 is a point.
+        taper: [f64; 2] = [0.0; 2], range(1.0), always;
+        /// Least and greatest height of the root over the surface. Flat strokes that differ by next
+        /// to nothing lie over each other in any order.
+        lift: [f64; 2] = [0.0; 2], range(2.0), always;
+        /// Angle from the normal at the root, in radians: 0 stands, a quarter of a turn lies.
+        lean: f64 = 0.0, amount(HALF), always;
+        /// Additional lean at the tip, in radians: grass nods.
+        bend: f64 = 0.0, either_way(HALF), always;
+        /// Direction of the lean, around the normal, in radians.
+        direction: f64 = 0.0, either_way(TURN), always;
+        /// Greatest deviation from that direction to either side, in radians: pi is every
+        /// direction.
+        spread: f64 = 0.0, amount(HALF), always;
+        /// Turn around the normal from root to tip, to one side or the other, in radians.
+        curl: f64 = 0.0, either_way(TURN), always;
+        /// Turns of the strokes about their places while the eye goes once around: 0 stay, 1 keep
+        /// facing the eye.
+        turns: f64 = 0.0, either_way(1000.0), always;
+        /// Range of colors at the root: each stroke has one between these two. Straight RGB as
+        /// bytes.
+        root: [[u8; 3]; 2] = [[0; 3]; 2], COLORS, always;
+        /// Range of colors at the tip, mixed as those at the root are.
+        tip: [[u8; 3]; 2] = [[0; 3]; 2], COLORS, always;
+        /// Variation of brightness between strokes.
+        variation: f64 = 0.0, amount(1.0), always;
+        /// Share of the color that shows in any light.
+        ambient: f64 = 1.0, amount(2.0), always;
+        /// Share of the color added where the stroke faces the light.
+        diffuse: f64 = 0.0, amount(2.0), always;
+        /// Share of the color added where the light shines through the stroke from behind.
+        translucent: f64 = 0.0, amount(2.0), always;
+        /// Highlight of the stroke.
+        highlight: StrokeHighlight = StrokeHighlight::default(),
+            FieldKind::Object(StrokeHighlight::shape), always;
+        /// Tones of light in which the stroke shows.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        tones: Option<StrokeTones> = None, FieldKind::Object(StrokeTones::shape), words "all";
+        /// Strength with which the grain of the paper shows through the stroke.
+        grain: f64 = 0.0, amount(1.0), always;
     }
 }
 
@@ -161,6 +153,74 @@ impl Default for Placement {
     }
 }
 
+/// Kind of a count of strokes.
+const COUNT: FieldKind = FieldKind::Number(NumberBounds::whole(0.0, Strokes::MAX_COUNT as f64));
+/// Kind of the points of a path.
+const PATH: FieldKind = FieldKind::List(
+    &FieldKind::Numbers(3, 3, NumberBounds::new(-4.0, 4.0)),
+    Strokes::MAX_PATH_POINTS,
+);
+
+described! {
+    /// Number and places of strokes: one of these fields.
+    #[serde(default)]
+    pub struct PlacementFields("placement", Inline) {
+        /// Number of strokes, evenly scattered.
+        scatter: Option<u32> = None, COUNT, words "";
+        /// About the number of strokes, in rows that are shifted by half.
+        lattice: Option<u32> = None, COUNT, words "";
+        /// Paths of strokes, each of points along u, along v and over the surface, from root to
+        /// tip.
+        paths: Option<Vec<Vec<[f64; 3]>>> = None,
+            FieldKind::List(&PATH, Strokes::MAX_PATH_POINTS), words "";
+    }
+}
+
+impl FieldType for Placement {
+    fn read(
+        r: &mut Reader<'_>,
+        at: ValueIndex,
+        kind: &'static FieldKind,
+        extras: &mut UnknownFields,
+    ) -> Option<Self> {
+        let fields = PlacementFields::read(r, at, kind, extras)?;
+        let names = ["scatter", "lattice", "paths"];
+        let given = names.iter().filter(|name| r.tree.member(at, name).is_some()).count();
+        match fields {
+            PlacementFields { scatter: Some(count), lattice: None, paths: None } => {
+                Some(Self::Scatter(count))
+            }
+            PlacementFields { scatter: None, lattice: Some(count), paths: None } => {
+                Some(Self::Lattice(count))
+            }
+            PlacementFields { scatter: None, lattice: None, paths: Some(paths) } => {
+                Some(Self::Paths(paths))
+            }
+            // The one field has been reported.
+            _ if given == 1 => None,
+            _ => {
+                let message = "a placement has one of the fields `scatter`, `lattice` and `paths`";
+                r.report(at, Diagnostic::error("wrong-count", message).hint("write one of them"));
+                None
+            }
+        }
+    }
+
+    fn write(&self, w: &mut JsonWriter, unknown: Option<&UnknownFields>) {
+        let mut fields = PlacementFields::default();
+        match self.clone() {
+            Self::Scatter(count) => fields.scatter = Some(count),
+            Self::Lattice(count) => fields.lattice = Some(count),
+            Self::Paths(paths) => fields.paths = Some(paths),
+        }
+        fields.write(w, unknown);
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
 /// Shape of a stroke.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -176,39 +236,37 @@ pub enum StrokeShape {
     Dot,
 }
 
-/// Highlight, which shadows take away.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct StrokeHighlight {
-    /// Color, as straight RGB bytes.
-    pub color: [u8; 3],
-    /// Amount of the color that is added, 0 to 2.
-    pub amount: f64,
-    /// Exponent of the cosine, 1 to 1000: threads by Kajiya and Kay (1989), flat strokes by Blinn
-    /// (1977).
-    pub sharpness: f64,
-}
-
-impl Default for StrokeHighlight {
-    fn default() -> Self {
-        Self { color: [255; 3], amount: 0.0, sharpness: 20.0 }
+described! {
+    /// Highlight, which shadows take away.
+    #[serde(default)]
+    pub struct StrokeHighlight("highlight", Inline) {
+        /// Color, as straight RGB bytes.
+        color: [u8; 3] = [255; 3], BYTES, always;
+        /// Amount of the color that is added.
+        amount: f64 = 0.0, amount(2.0), always;
+        /// Exponent of the cosine: threads by Kajiya and Kay (1989), flat strokes by Blinn (1977).
+        sharpness: f64 = 20.0, FieldKind::Number(NumberBounds::new(1.0, 1000.0)), always;
     }
 }
 
-/// Tones of light in which strokes show, so that darker may be more strokes (thesis 11.2). The tone
-/// of a light is the cosine of its angle from the normal.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StrokeTones {
-    /// Tone at which the first stroke appears. Larger than `all`: the darker, the more strokes
-    /// there are.
-    pub first: f64,
-    /// Tone from which on all strokes are there.
-    pub all: f64,
-    /// Slowness of each stroke's growth from nothing to its width, 0 to 1: at 0 the strokes appear
-    /// whole, one after the other, at 1 all of them grow from `first` to `all`.
-    #[serde(default)]
-    pub growth: f64,
+/// Kind of a tone.
+const TONE: FieldKind = FieldKind::Number(NumberBounds::new(-1.0, 2.0));
+
+described! {
+    /// Tones of light in which strokes show, so that darker may be more strokes (thesis 11.2). The
+    /// tone of a light is the cosine of its angle from the normal.
+    #[derive(Copy)]
+    pub struct StrokeTones("range of tones", Inline) {
+        /// Tone at which the first stroke appears. Larger than `all`: the darker, the more strokes
+        /// there are.
+        first: f64, TONE, required;
+        /// Tone from which on all strokes are there.
+        all: f64, TONE, required;
+        /// Slowness of each stroke's growth from nothing to its width: at 0 the strokes appear
+        /// whole, one after the other, at 1 all of them grow from `first` to `all`.
+        #[serde(default)]
+        growth: f64 = 0.0, amount(1.0), always;
+    }
 }
 
 impl StrokeTones {
@@ -236,24 +294,19 @@ impl Strokes {
     /// widths; it bounds the time of drawing.
     pub const MAX_LAYERS: f64 = 400.0;
 
-    /// Checks the numbers of the strokes.
+    /// Checks the strokes: each number by its bounds, and all of them together.
     ///
     /// # Errors
     /// A message that names the invalid number and its bounds.
     pub fn check(&self) -> Result<(), String> {
-        within("ground.ambient", self.ground.ambient, 0.0, 2.0)?;
-        within("ground.diffuse", self.ground.diffuse, 0.0, 2.0)?;
-        within("shadow.amount", self.shadow.amount, 0.0, 1.0)?;
-        within("shadow.softness", self.shadow.softness, 0.0, 1.0)?;
-        if self.bundles.len() > Self::MAX_BUNDLES {
-            return Err(format!(
-                "there are {} bundles; at most {} can be",
-                self.bundles.len(),
-                Self::MAX_BUNDLES
-            ));
-        }
+        check_value(self, &FieldKind::Object(Self::shape))?;
+        self.check_whole()
+    }
+
+    /// Checks what the bounds of single numbers do not tell.
+    pub(super) fn check_whole(&self) -> Result<(), String> {
         for (index, bundle) in self.bundles.iter().enumerate() {
-            bundle.check().map_err(|why| format!("in bundle {index}, {why}"))?;
+            bundle.check_whole().map_err(|why| format!("in bundle {index}, {why}"))?;
         }
         let points: usize = self.bundles.iter().map(|bundle| bundle.place.points()).sum();
         if points > Self::MAX_PATH_POINTS {
@@ -275,39 +328,17 @@ impl Strokes {
 }
 
 impl Bundle {
-    fn check(&self) -> Result<(), String> {
-        for (name, pair, most) in [
-            ("length", self.length, 4.0),
-            ("width", self.width, 1.0),
-            ("taper", self.taper, 1.0),
-            ("lift", self.lift, 2.0),
-        ] {
-            pair.into_iter().try_for_each(|value| within(name, value, 0.0, most))?;
+    fn check_whole(&self) -> Result<(), String> {
+        if self.tones.is_some_and(|tones| (tones.first - tones.all).abs() < 1e-6) {
+            return Err("`tones.first` and `tones.all` are equal; one must be larger".to_owned());
         }
-        within("lean", self.lean, 0.0, HALF)?;
-        within("bend", self.bend, -HALF, HALF)?;
-        within("direction", self.direction, -TURN, TURN)?;
-        within("spread", self.spread, 0.0, HALF)?;
-        within("curl", self.curl, -TURN, TURN)?;
-        within("turns", self.turns, -1000.0, 1000.0)?;
-        within("variation", self.variation, 0.0, 1.0)?;
-        within("ambient", self.ambient, 0.0, 2.0)?;
-        within("diffuse", self.diffuse, 0.0, 2.0)?;
-        within("translucent", self.translucent, 0.0, 2.0)?;
-        within("highlight.amount", self.highlight.amount, 0.0, 2.0)?;
-        within("highlight.sharpness", self.highlight.sharpness, 1.0, 1000.0)?;
-        within("grain", self.grain, 0.0, 1.0)?;
-        if let Some(tones) = self.tones {
-            within("tones.first", tones.first, -1.0, 2.0)?;
-            within("tones.all", tones.all, -1.0, 2.0)?;
-            within("tones.growth", tones.growth, 0.0, 1.0)?;
-            if (tones.first - tones.all).abs() < 1e-6 {
-                return Err(
-                    "`tones.first` and `tones.all` are equal; one must be larger".to_owned()
-                );
+        let Placement::Paths(paths) = &self.place else { return Ok(()) };
+        match paths.iter().flatten().find(|point| point[2] < 0.0) {
+            Some([_, _, height]) => {
+                Err(format!("a point of `paths` has the height {height}; it must be from 0 to 4"))
             }
+            None => Ok(()),
         }
-        self.place.check()
     }
 
     /// Greatest number of times that the bundle's strokes cover the tile.
@@ -334,34 +365,5 @@ impl Placement {
     /// Number of points of all paths.
     fn points(&self) -> usize {
         if let Self::Paths(paths) = self { paths.iter().map(Vec::len).sum() } else { 0 }
-    }
-
-    fn check(&self) -> Result<(), String> {
-        match self {
-            Self::Scatter(count) | Self::Lattice(count) if *count > Strokes::MAX_COUNT => {
-                Err(format!(
-                    "there are {count} strokes; at most {} can be in a bundle",
-                    Strokes::MAX_COUNT
-                ))
-            }
-            Self::Paths(paths) => {
-                for [u, v, height] in paths.iter().flatten() {
-                    within("paths: u", *u, -4.0, 4.0)?;
-                    within("paths: v", *v, -4.0, 4.0)?;
-                    within("paths: height", *height, 0.0, 4.0)?;
-                }
-                Ok(())
-            }
-            Self::Scatter(_) | Self::Lattice(_) => Ok(()),
-        }
-    }
-}
-
-fn within(name: &str, value: f64, least: f64, most: f64) -> Result<(), String> {
-    let is_within = (least..=most).contains(&value);
-    if is_within {
-        Ok(())
-    } else {
-        Err(format!("`{name}` is {value}; it must be from {least} to {most:.4}"))
     }
 }

@@ -10,7 +10,7 @@ use super::seen::{FARTHEST_VIEW, VisibleSurface};
 use super::transport::Transport;
 use super::*;
 use crate::document::relief::{Channel, Finish, Illumination, Pattern};
-use crate::document::{Rule, Tile};
+use crate::document::{Rule, Tile, read_rules};
 use crate::hcbtf::NotFilled;
 use crate::hcbtf::fill::fill;
 
@@ -454,12 +454,10 @@ fn numbers_out_of_bounds_are_told() {
             "{text}"
         );
     }
-    assert!(
-        serde_json::from_str::<Rule>(r#"{"rule":"relief","dept":1}"#)
-            .unwrap_err()
-            .to_string()
-            .contains("dept")
-    );
+    let read = read_rules(r#"[{ "rule": "relief", "dept": 1 }]"#, &GRID, "rules.json");
+    let told: Vec<String> = read.diagnostics.iter().map(ToString::to_string).collect();
+    assert!(told.len() == 1 && told[0].contains("`dept`"), "{told:?}");
+    assert!(told[0].contains("did you mean `depth`"), "{told:?}");
 }
 
 /// The sun warms as it sinks; a tile that stands upright counts from its own horizontal.

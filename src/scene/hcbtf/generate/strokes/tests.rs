@@ -417,17 +417,23 @@ fn numbers_are_bounded() {
     };
     wrong(
         |bundle| bundle.place = Placement::Scatter(5000),
-        "in bundle 1, there are 5000 strokes; at most 4096",
+        "`bundles[1].place.scatter`: 5000 is out of range: write a whole number from 0 to 4096",
     );
-    wrong(|bundle| bundle.length = [0.1, 5.0], "`length` is 5");
-    wrong(|bundle| bundle.lift = [0.0, f64::NAN], "`lift` is NaN");
-    wrong(|bundle| bundle.highlight.sharpness = 0.0, "`highlight.sharpness` is 0");
+    wrong(|bundle| bundle.length = [0.1, 5.0], "`bundles[1].length[1]`: 5 is out of range");
+    wrong(|bundle| bundle.lift = [0.0, f64::NAN], "`bundles[1].lift[1]`: `NaN`");
+    wrong(|bundle| bundle.highlight.sharpness = 0.0, "`bundles[1].highlight.sharpness`: 0 is out");
     wrong(
         |bundle| bundle.tones = Some(StrokeTones { first: 0.5, all: 0.5, growth: 0.0 }),
         "are equal",
     );
-    wrong(|bundle| bundle.place = Placement::Paths(vec![vec![[0.0, 9.0, 0.0]]]), "`paths: v` is 9");
-    wrong(|bundle| bundle.place = Placement::Paths(vec![vec![[0.5; 3]; 30_000]]), "30000 points");
+    wrong(
+        |bundle| bundle.place = Placement::Paths(vec![vec![[0.0, 9.0, 0.0]]]),
+        "paths[0][0][1]`: 9 is out of range",
+    );
+    wrong(|bundle| bundle.place = Placement::Paths(vec![vec![[0.5; 3]; 30_000]]), "are 30000 here");
+    let paths = vec![vec![[0.5; 3]; 15_000]; 2];
+    let many = Bundle { place: Placement::Paths(paths), ..Bundle::default() };
+    assert!(with(vec![many]).check().unwrap_err().contains("30000 points"));
     wrong(
         |bundle| {
             (bundle.place, bundle.length, bundle.width) =
@@ -435,7 +441,12 @@ fn numbers_are_bounded() {
         },
         "cover the tile 16002 times",
     );
-    assert!(with(vec![Bundle::default(); 40]).check().unwrap_err().contains("40 bundles"));
+    assert!(
+        with(vec![Bundle::default(); 40])
+            .check()
+            .unwrap_err()
+            .contains("there are 40 here; at most 32")
+    );
     // The most extreme strokes are drawn without harm: ends that meet, no points at all, strokes as
     // wide as the tile.
     let odd = |place: Placement, shape: StrokeShape| Bundle {
