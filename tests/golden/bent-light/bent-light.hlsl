@@ -57,7 +57,7 @@ struct Angle {
     float half_cos;
 };
 
-struct Bent {
+struct DirectionParts {
     float3 direction;
     int _pad1_0;
     float3 x_axis;
@@ -425,8 +425,8 @@ float3 view_2_(float3 view_2_1)
     return view_2_1;
 }
 
-Bent ConstructBent(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
-    Bent ret = (Bent)0;
+DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
+    DirectionParts ret = (DirectionParts)0;
     ret.direction = arg0;
     ret.x_axis = arg1;
     ret.y_axis = arg2;
@@ -434,21 +434,21 @@ Bent ConstructBent(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
     return ret;
 }
 
-Bent direction_within(float3 direction, float3 x_axis, float3 y_axis)
+DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
     const float3 _e7 = normalize_or(direction, float3(0.0, 0.0, 1.0));
     const float3 _e10 = normalize_or(x_axis, (0.0).xxx);
     const float3 _e13 = normalize_or(y_axis, (0.0).xxx);
-    const Bent bent_1 = ConstructBent(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
-    return bent_1;
+    const DirectionParts directionparts = ConstructDirectionParts(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
+    return directionparts;
 }
 
-float3 direction_moved(Bent bent, float2 by)
+float3 direction_moved(DirectionParts parts, float2 by)
 {
     float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
-    float3 moved = ((bent.direction + (step_.x * bent.x_axis)) + (step_.y * bent.y_axis));
-    const float3 _e18 = normalize_or(moved, bent.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : bent.direction);
+    float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    const float3 _e18 = normalize_or(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
 }
 
 float3x3 axes_around(float3 toward, float3 up)
@@ -495,7 +495,7 @@ Light light_toward(Light light, float3 direction_2)
 
 float3 shift_direction(float3 direction_3, float3 x_axis_1, float3 y_axis_1, float x_11, float y_2)
 {
-    const Bent _e5 = direction_within(direction_3, x_axis_1, y_axis_1);
+    const DirectionParts _e5 = direction_within(direction_3, x_axis_1, y_axis_1);
     const float3 _e7 = direction_moved(_e5, float2(x_11, y_2));
     return _e7;
 }

@@ -40,11 +40,11 @@ struct Ramp {
     uint count;
     uint interpolation;
 };
-struct Marked {
+struct StretchedPlace {
     vec2 place;
     vec3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
@@ -866,18 +866,19 @@ float blue_part(uint four, ivec2 cell_2) {
     return ((float(((four >> (8u * (uint(cell_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
 }
 
-Marked mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
+StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 _e4 = sin_cos_of(angle);
     vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
     vec3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned = vec2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec2 _e35 = bounded_vec2_(turned);
-    return Marked(_e35, clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
+    vec3 stretch_5 = clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    vec2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace(_e41, stretch_5);
 }
 
-Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
+SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
@@ -887,7 +888,7 @@ Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     vec2 p_7 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
     vec3 _e27 = bounded_vec3_(stretch);
     vec3 s_1 = clamp(_e27, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return Spaced(p_7, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    return SpacedPlace(p_7, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
 float area_square(vec3 stretch_1) {
@@ -954,7 +955,7 @@ float dots_of_octave(vec2 place_2, int zoom, float ink, vec3 stretch_3, float w_
     return _e95;
 }
 
-float stippled(Spaced at_1, float ink_1, Dots style_1) {
+float stippled(SpacedPlace at_1, float ink_1, Dots style_1) {
     float dots = 0.0;
     vec2 dx_1 = dFdx(at_1.place);
     vec2 dy_1 = dFdy(at_1.place);
@@ -992,7 +993,7 @@ MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_2);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_6 = (_e15 / vec2(size_1));
-    Marked _e28 = mark_place_of(place_6, vec3((1.0 / size_1), 0.0, 0.0), vec3(0.0, (1.0 / size_1), 0.0), angle_1);
+    StretchedPlace _e28 = mark_place_of(place_6, vec3((1.0 / size_1), 0.0, 0.0), vec3(0.0, (1.0 / size_1), 0.0), angle_1);
     return MarkPlace(_e28.place, _e28.stretch);
 }
 
@@ -1000,7 +1001,7 @@ float stippling(float value_1, vec2 place_3, vec3 stretch_4, float count_1, floa
     float _e8 = bounded(size);
     float _e12 = bounded(scatter);
     Dots style_2 = Dots(clamp(_e8, 0.0, 1.4), clamp(_e12, 0.0, 1.0), uint(seed_8));
-    Spaced _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
+    SpacedPlace _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
     float _e20 = factor_of(value_1, true);
     float _e23 = stippled(_e18, (1.0 - _e20), style_2);
     return _e23;

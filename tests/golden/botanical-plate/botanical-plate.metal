@@ -61,12 +61,12 @@ struct Ramp {
 struct type_15 {
     uint inner[256];
 };
-struct Marked {
+struct StretchedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
@@ -1114,7 +1114,7 @@ float blue_part(
     return (static_cast<float>((four >> (8u * (as_type<uint>(cell_2.x) & 3u))) & 255u) + 0.5) * 0.00390625;
 }
 
-Marked mark_place_of(
+StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
     metal::float3 across,
@@ -1126,11 +1126,12 @@ Marked mark_place_of(
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float2 _e35 = bounded_vec2_(turned);
-    return Marked {_e35, {}, metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most)};
+    metal::float3 stretch_5 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
+    metal::float2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace {_e41, {}, stretch_5};
 }
 
-Spaced spaced(
+SpacedPlace spaced(
     metal::float2 place_1,
     metal::float3 stretch,
     metal::float2 viewport_1,
@@ -1145,7 +1146,7 @@ Spaced spaced(
     metal::float2 p_7 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e27 = bounded_vec3_(stretch);
     metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return Spaced {p_7, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    return SpacedPlace {p_7, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 float area_square(
@@ -1234,7 +1235,7 @@ float dots_of_octave(
 }
 
 float stippled(
-    Spaced at_1,
+    SpacedPlace at_1,
     float ink_1,
     Dots style_1
 ) {
@@ -1280,7 +1281,7 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_6 = _e15 / metal::float2(size_1);
-    Marked _e28 = mark_place_of(place_6, metal::float3(1.0 / size_1, 0.0, 0.0), metal::float3(0.0, 1.0 / size_1, 0.0), angle_1);
+    StretchedPlace _e28 = mark_place_of(place_6, metal::float3(1.0 / size_1, 0.0, 0.0), metal::float3(0.0, 1.0 / size_1, 0.0), angle_1);
     return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
@@ -1297,7 +1298,7 @@ float stippling(
     float _e8 = bounded(size);
     float _e12 = bounded(scatter);
     Dots style_2 = Dots {metal::clamp(_e8, 0.0, 1.4), metal::clamp(_e12, 0.0, 1.0), as_type<uint>(seed_8)};
-    Spaced _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
+    SpacedPlace _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
     float _e20 = factor_of(value_1, true);
     float _e23 = stippled(_e18, 1.0 - _e20, style_2);
     return _e23;

@@ -746,7 +746,7 @@ fn blue_part(four: u32, cell: vec2i) -> f32 {
 }
 
 /// A place for marks.
-struct Marked {
+struct StretchedPlace {
     /// Coordinates along the strokes and across them.
     place: vec2f,
     /// Rates at which both coordinates change along the picture: products xx, xy and yy, per
@@ -756,32 +756,33 @@ struct Marked {
 
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
-fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> Marked {
+fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
     let turn = sin_cos_of(angle);
     let x = bounded_vec3(turn.y * along + turn.x * across);
     let y = bounded_vec3(turn.y * across - turn.x * along);
     let at = bounded_vec2(place);
     let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
     let most = vec3f(1e15);
-    return Marked(bounded_vec2(turned), clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most));
+    let stretch = clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most);
+    return StretchedPlace(bounded_vec2(turned), stretch);
 }
 
 /// A place in spacings of marks, with its stretch.
-struct Spaced {
+struct SpacedPlace {
     place: vec2f,
     stretch: vec3f,
 }
 
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
-fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> Spaced {
+fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
     let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
     let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
     // Beyond 2^22 a float has nothing left between whole numbers.
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
     let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
-    return Spaced(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
+    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -844,7 +845,7 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
 }
 
 /// The ink of dots whose number, and not whose size, makes the tone.
-fn stippled(at: Spaced, ink: f32, style: Dots) -> f32 {
+fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
     let w = bounded(sqrt(max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));

@@ -47,11 +47,11 @@ struct ProfileShape {
     float edge_deviation;
     uint kind;
 };
-struct Marked {
+struct StretchedPlace {
     vec2 place;
     vec3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
@@ -566,18 +566,19 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
     return (vec2(from_middle.x, -(from_middle.y)) / vec2(max(viewport.y, 1.0)));
 }
 
-Marked mark_place_of(vec2 place, vec3 along, vec3 across, float angle_1) {
+StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle_1) {
     vec2 _e4 = sin_cos_of(angle_1);
     vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
     vec3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned_1 = vec2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec2 _e35 = bounded_vec2_(turned_1);
-    return Marked(_e35, clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
+    vec3 stretch_3 = clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    vec2 _e41 = bounded_vec2_(turned_1);
+    return StretchedPlace(_e41, stretch_3);
 }
 
-Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
+SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
@@ -587,7 +588,7 @@ Spaced spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count) {
     vec2 p_3 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
     vec3 _e27 = bounded_vec3_(stretch);
     vec3 s_4 = clamp(_e27, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return Spaced(p_3, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_4));
+    return SpacedPlace(p_3, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_4));
 }
 
 float area_square(vec3 stretch_1) {
@@ -606,7 +607,7 @@ MarkPlace mark_place_object(float angle_2, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_2);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_4 = (_e15 / vec2(size));
-    Marked _e28 = mark_place_of(place_4, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
+    StretchedPlace _e28 = mark_place_of(place_4, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
     return MarkPlace(_e28.place, _e28.stretch);
 }
 
@@ -634,7 +635,7 @@ float paper_octave(vec2 place_2, int zoom, float w_1, float fiber, uint seed_3) 
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
-float paper_height(Spaced at, float fiber_1, uint seed_4) {
+float paper_height(SpacedPlace at, float fiber_1, uint seed_4) {
     float height_1 = 0.0;
     vec2 x_13 = dFdx(at.place);
     vec2 y_2 = dFdy(at.place);
@@ -658,7 +659,7 @@ float paper_height(Spaced at, float fiber_1, uint seed_4) {
 }
 
 PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_1, float tooth_1, float fiber_2, int seed_5, vec2 viewport_3) {
-    Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     float _e10 = paper_height(_e8, fiber_2, uint(seed_5));
     float _e12 = factor_of(value, true);
     float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);

@@ -64,7 +64,7 @@ struct ProfileShape {
     uint kind;
 };
 
-struct Marked {
+struct StretchedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -72,7 +72,7 @@ struct Marked {
     int _end_pad_0;
 };
 
-struct Spaced {
+struct SpacedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -707,14 +707,14 @@ float2 place_in_picture(float2 pixel, float2 viewport)
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
-Marked ConstructMarked(float2 arg0, float3 arg1) {
-    Marked ret = (Marked)0;
+StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+    StretchedPlace ret = (StretchedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Marked mark_place_of(float2 place, float3 along, float3 across, float angle_1)
+StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle_1)
 {
     const float2 _e4 = sin_cos_of(angle_1);
     const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
@@ -722,19 +722,20 @@ Marked mark_place_of(float2 place, float3 along, float3 across, float angle_1)
     const float2 _e17 = bounded_vec2_(place);
     float2 turned_1 = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     float3 most = (1000000000000000.0).xxx;
-    const float2 _e35 = bounded_vec2_(turned_1);
-    const Marked marked = ConstructMarked(_e35, clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
-    return marked;
+    float3 stretch_3 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    const float2 _e41 = bounded_vec2_(turned_1);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_3);
+    return stretchedplace;
 }
 
-Spaced ConstructSpaced(float2 arg0, float3 arg1) {
-    Spaced ret = (Spaced)0;
+SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+    SpacedPlace ret = (SpacedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
+SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
 {
     const float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
@@ -745,8 +746,8 @@ Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
     float2 p_3 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
     const float3 _e27 = bounded_vec3_(stretch);
     float3 s_4 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const Spaced spaced_1 = ConstructSpaced(p_3, (is_pixel ? float3(1.0, 0.0, 1.0) : s_4));
-    return spaced_1;
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_3, (is_pixel ? float3(1.0, 0.0, 1.0) : s_4));
+    return spacedplace;
 }
 
 float area_square(float3 stretch_1)
@@ -775,7 +776,7 @@ MarkPlace mark_place_object(float angle_2, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_4 = (_e15 / (size).xx);
-    const Marked _e28 = mark_place_of(place_4, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_2);
+    const StretchedPlace _e28 = mark_place_of(place_4, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_2);
     const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
@@ -806,7 +807,7 @@ float paper_octave(float2 place_2, int zoom, float w_1, float fiber, uint seed_3
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
-float paper_height(Spaced at, float fiber_1, uint seed_4)
+float paper_height(SpacedPlace at, float fiber_1, uint seed_4)
 {
     float height_1 = (float)0;
 
@@ -840,7 +841,7 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
 
 PaperGrain paper_grain(float value, float2 place_3, float3 stretch_2, float count_1, float tooth_1, float fiber_2, int seed_5, float2 viewport_3)
 {
-    const Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
+    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
     const float _e10 = paper_height(_e8, fiber_2, asuint(seed_5));
     const float _e12 = factor_of(value, true);
     const float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);

@@ -83,7 +83,7 @@ fn neighbor(center: Texel, at: vec2i, offset: vec2f) -> vec3f {
 }
 
 /// Sums for a derivative: the differences to both sides, each with its weight.
-struct Sides {
+struct SideDifferences {
     forward: f32,
     forward_weight: f32,
     backward: f32,
@@ -95,7 +95,7 @@ struct Sides {
 const WEIGHTS = array<f32, 3>(1.0, 0.85, 0.5);
 
 /// The derivative from the two sides as far as each counts; 0 where neither does.
-fn derivative(sides: Sides) -> f32 {
+fn derivative(sides: SideDifferences) -> f32 {
     let forward = sides.forward / max(sides.forward_weight, 1e-6);
     let backward = sides.backward / max(sides.backward_weight, 1e-6);
     // A side that hardly counts any more is left to the other one, gradually.
@@ -141,8 +141,8 @@ fn curvature_at(pixel: vec2i, first: i32, last: i32) -> f32 {
         }
     }
     let here = slope(center.normal);
-    var along_x = Sides(0.0, 0.0, 0.0, 0.0);
-    var along_y = Sides(0.0, 0.0, 0.0, 0.0);
+    var along_x = SideDifferences(0.0, 0.0, 0.0, 0.0);
+    var along_y = SideDifferences(0.0, 0.0, 0.0, 0.0);
     // A step is a share of the picture's height, so that a larger picture measures the same
     // curvature, not a finer one.
     let up = select(-1, 1, curvature.rows_up > 0.5);
@@ -182,8 +182,8 @@ fn slope_change(center: Texel, here: vec2f, at: vec2i, offset: vec2f, weight: f3
 /// The derivative of the slope from what counts of the two sides, as [`derivative`] joins them.
 fn slope_derivative(forward: vec3f, backward: vec3f) -> vec2f {
     return vec2f(
-        derivative(Sides(forward.x, forward.z, backward.x, backward.z)),
-        derivative(Sides(forward.y, forward.z, backward.y, backward.z)),
+        derivative(SideDifferences(forward.x, forward.z, backward.x, backward.z)),
+        derivative(SideDifferences(forward.y, forward.z, backward.y, backward.z)),
     );
 }
 

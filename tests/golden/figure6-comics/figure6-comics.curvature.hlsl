@@ -21,7 +21,7 @@ struct Texel {
     int _end_pad_2;
 };
 
-struct Sides {
+struct SideDifferences {
     float forward;
     float forward_weight;
     float backward;
@@ -110,7 +110,7 @@ float3 neighbor(Texel center_, int2 at_1, float2 offset)
     return float3(_e52, weight);
 }
 
-float derivative(Sides sides)
+float derivative(SideDifferences sides)
 {
     float forward = (sides.forward / max(sides.forward_weight, 1e-6));
     float backward = (sides.backward / max(sides.backward_weight, 1e-6));
@@ -162,8 +162,8 @@ int naga_neg(int val) {
     return asint(-asuint(val));
 }
 
-Sides ConstructSides(float arg0, float arg1, float arg2, float arg3) {
-    Sides ret = (Sides)0;
+SideDifferences ConstructSideDifferences(float arg0, float arg1, float arg2, float arg3) {
+    SideDifferences ret = (SideDifferences)0;
     ret.forward = arg0;
     ret.forward_weight = arg1;
     ret.backward = arg2;
@@ -179,8 +179,8 @@ float curvature_at(int2 pixel_1, int first, int last)
 {
     int2 at_2 = (int2)0;
     Texel center_1 = (Texel)0;
-    Sides along_x = ConstructSides(0.0, 0.0, 0.0, 0.0);
-    Sides along_y = ConstructSides(0.0, 0.0, 0.0, 0.0);
+    SideDifferences along_x = ConstructSideDifferences(0.0, 0.0, 0.0, 0.0);
+    SideDifferences along_y = ConstructSideDifferences(0.0, 0.0, 0.0, 0.0);
     int k_1 = (int)0;
 
     at_2 = pixel_1;
@@ -261,9 +261,9 @@ float curvature_at(int2 pixel_1, int first, int last)
             along_y.backward_weight = (_e163 + (weight_1 * _e106.z));
         }
     }
-    Sides _e170 = along_x;
+    SideDifferences _e170 = along_x;
     const float _e171 = derivative(_e170);
-    Sides _e172 = along_y;
+    SideDifferences _e172 = along_y;
     const float _e173 = derivative(_e172);
     float _e179 = curvature.viewport_height;
     float kappa = ((0.5 * (_e171 + _e173)) * _e179);

@@ -16,7 +16,7 @@ struct Texel {
     float object;
     float depth;
 };
-struct Sides {
+struct SideDifferences {
     float forward;
     float forward_weight;
     float backward;
@@ -71,7 +71,7 @@ vec3 neighbor(Texel center, ivec2 at_1, vec2 offset) {
     return vec3(_e52, weight);
 }
 
-float derivative(Sides sides) {
+float derivative(SideDifferences sides) {
     float forward = (sides.forward / max(sides.forward_weight, 1e-6));
     float backward = (sides.backward / max(sides.backward_weight, 1e-6));
     vec2 trust = vec2(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
@@ -111,8 +111,8 @@ ivec2 covered_near(ivec2 pixel) {
 float curvature_at(ivec2 pixel_1, int first, int last) {
     ivec2 at_2 = ivec2(0);
     Texel center_1 = Texel(vec3(0.0), 0.0, 0.0);
-    Sides along_x = Sides(0.0, 0.0, 0.0, 0.0);
-    Sides along_y = Sides(0.0, 0.0, 0.0, 0.0);
+    SideDifferences along_x = SideDifferences(0.0, 0.0, 0.0, 0.0);
+    SideDifferences along_y = SideDifferences(0.0, 0.0, 0.0, 0.0);
     int k_1 = 0;
     at_2 = pixel_1;
     ivec2 _e4 = at_2;
@@ -189,9 +189,9 @@ float curvature_at(ivec2 pixel_1, int first, int last) {
             along_y.backward_weight = (_e163 + (weight_1 * _e106.z));
         }
     }
-    Sides _e170 = along_x;
+    SideDifferences _e170 = along_x;
     float _e171 = derivative(_e170);
-    Sides _e172 = along_y;
+    SideDifferences _e172 = along_y;
     float _e173 = derivative(_e172);
     float _e179 = u_curvature.viewport_height;
     float kappa = ((0.5 * (_e171 + _e173)) * _e179);

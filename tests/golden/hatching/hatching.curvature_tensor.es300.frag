@@ -20,7 +20,7 @@ struct Texel {
     float object;
     float depth;
 };
-struct Sides {
+struct SideDifferences {
     float forward;
     float forward_weight;
     float backward;
@@ -75,7 +75,7 @@ vec3 neighbor(Texel center, ivec2 at_1, vec2 offset) {
     return vec3(_e52, weight_1);
 }
 
-float derivative(Sides sides) {
+float derivative(SideDifferences sides) {
     float forward_1 = (sides.forward / max(sides.forward_weight, 1e-6));
     float backward_1 = (sides.backward / max(sides.backward_weight, 1e-6));
     vec2 trust = vec2(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
@@ -119,8 +119,8 @@ vec3 slope_change(Texel center_1, vec2 here, ivec2 at_2, vec2 offset_1, float we
 }
 
 vec2 slope_derivative(vec3 forward, vec3 backward) {
-    float _e7 = derivative(Sides(forward.x, forward.z, backward.x, backward.z));
-    float _e13 = derivative(Sides(forward.y, forward.z, backward.y, backward.z));
+    float _e7 = derivative(SideDifferences(forward.x, forward.z, backward.x, backward.z));
+    float _e13 = derivative(SideDifferences(forward.y, forward.z, backward.y, backward.z));
     return vec2(_e7, _e13);
 }
 

@@ -43,12 +43,12 @@ struct Surface {
 };
 typedef metal::float4 Color;
 typedef metal::float4 Composite;
-struct Marked {
+struct StretchedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
@@ -608,7 +608,7 @@ float size_on_screen(
     return _e10;
 }
 
-Marked mark_place_of(
+StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
     metal::float3 across,
@@ -620,8 +620,9 @@ Marked mark_place_of(
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float2 _e35 = bounded_vec2_(turned);
-    return Marked {_e35, {}, metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most)};
+    metal::float3 stretch_2 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
+    metal::float2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace {_e41, {}, stretch_2};
 }
 
 metal::float3 gradient_on_picture(
@@ -633,7 +634,7 @@ metal::float3 gradient_on_picture(
     return g - (normal_1 * (metal::dot(g, view_1) / ((facing_2 >= 0.0) ? metal::max(facing_2, 0.125) : metal::min(facing_2, -0.125))));
 }
 
-Marked place_on_surface(
+StretchedPlace place_on_surface(
     metal::float2 place_1,
     metal::float3 along_1,
     metal::float3 across_1,
@@ -651,11 +652,11 @@ Marked place_on_surface(
     metal::float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
     metal::float3 _e28 = bounded_vec3_(_e26 * height);
     metal::float2 _e29 = bounded_vec2_(place_1);
-    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
     return _e30;
 }
 
-Marked place_across(
+StretchedPlace place_across(
     metal::float3 axis,
     metal::float3 position,
     metal::float3x3 world_from_normal,
@@ -669,11 +670,11 @@ Marked place_across(
     metal::float2 place_6 = metal::float2(metal::dot(_e12, _e11[0]), metal::dot(_e12, _e11[2]));
     metal::float3 _e20 = bounded_vec3_(world_from_normal * _e11[0]);
     metal::float3 _e23 = bounded_vec3_(world_from_normal * _e11[2]);
-    Marked _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
+    StretchedPlace _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
     return _e24;
 }
 
-Spaced spaced(
+SpacedPlace spaced(
     metal::float2 place_2,
     metal::float3 stretch,
     metal::float2 viewport,
@@ -688,7 +689,7 @@ Spaced spaced(
     metal::float2 p_2 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e27 = bounded_vec3_(stretch);
     metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return Spaced {p_2, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    return SpacedPlace {p_2, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 float octave_of(
@@ -818,7 +819,7 @@ float hatched(
 }
 
 float cross_hatched(
-    Spaced at,
+    SpacedPlace at,
     float ink_1,
     int layers,
     float cross,
@@ -897,7 +898,7 @@ float hatching(
     float _e30 = bounded(pressure);
     float _e34 = bounded(variation);
     Strokes style_4 = Strokes {metal::clamp(_e14, 0.0, 1.0), metal::clamp(_e18, 0.0, 10000.0), metal::clamp(_e22, 0.0, 1.0), metal::clamp(_e26, 0.0, 100.0), metal::clamp(_e30, 0.0, 1.0), metal::clamp(_e34, 0.0, 1.0), as_type<uint>(seed_4)};
-    Spaced _e40 = spaced(place_5, stretch_1, viewport_1, count_1);
+    SpacedPlace _e40 = spaced(place_5, stretch_1, viewport_1, count_1);
     float _e42 = factor_of(value, true);
     float _e45 = cross_hatched(_e40, 1.0 - _e42, layers_1, cross_1, style_4);
     return _e45;
@@ -913,7 +914,7 @@ MarkPlace mark_place_light(
     float magnification_2
 ) {
     metal::float3 toward_1 = light.direction * world_from_normal_1;
-    Marked _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_4, view_4, magnification_2, angle_3);
+    StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_4, view_4, magnification_2, angle_3);
     return MarkPlace {_e9.place, {}, _e9.stretch};
 }
 

@@ -39,7 +39,7 @@ struct Angle {
     float half_sin;
     float half_cos;
 };
-struct Bent {
+struct DirectionParts {
     vec3 direction;
     vec3 x_axis;
     vec3 y_axis;
@@ -324,18 +324,18 @@ Angle angle_between_directions(vec3 a_1, vec3 b_1) {
     return _e8;
 }
 
-Bent direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
+DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
     vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
     vec3 _e10 = normalize_or(x_axis, vec3(0.0));
     vec3 _e13 = normalize_or(y_axis, vec3(0.0));
-    return Bent(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
+    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
 }
 
-vec3 direction_moved(Bent bent, vec2 by) {
+vec3 direction_moved(DirectionParts parts, vec2 by) {
     vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
-    vec3 moved = ((bent.direction + (step_.x * bent.x_axis)) + (step_.y * bent.y_axis));
-    vec3 _e18 = normalize_or(moved, bent.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : bent.direction);
+    vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    vec3 _e18 = normalize_or(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
@@ -362,13 +362,13 @@ vec3 half_vector(Light light, vec3 view) {
 }
 
 vec3 shift_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_13, float y_3) {
-    Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     vec3 _e7 = direction_moved(_e5, vec2(x_13, y_3));
     return _e7;
 }
 
 vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_14, float y_4) {
-    Bent _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
     vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_14, y_4), vec2(0.0))) * side));
     return _e21;
@@ -376,7 +376,7 @@ vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_14,
 
 vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amount, float sharpness) {
     bool local_2 = false;
-    Bent _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_2 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
     float aside_1 = clamp(((apart * apart) / max(square_2, 1e-20)), 0.0, 1.0);
@@ -396,7 +396,7 @@ vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amou
 }
 
 vec3 stretch_direction(vec3 direction_5, vec3 x_axis_4, vec3 y_axis_4, float x_15, float y_5) {
-    Bent _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
+    DirectionParts _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
     vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_15, y_5), vec2(1.0))) * _e5.place));
     return _e13;
 }

@@ -55,7 +55,7 @@ struct Angle {
     float half_cos;
 };
 
-struct Bent {
+struct DirectionParts {
     float3 direction;
     int _pad1_0;
     float3 x_axis;
@@ -429,8 +429,8 @@ Angle angle_between_directions(float3 a_1, float3 b_1)
     return angle_5;
 }
 
-Bent ConstructBent(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
-    Bent ret = (Bent)0;
+DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
+    DirectionParts ret = (DirectionParts)0;
     ret.direction = arg0;
     ret.x_axis = arg1;
     ret.y_axis = arg2;
@@ -438,21 +438,21 @@ Bent ConstructBent(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
     return ret;
 }
 
-Bent direction_within(float3 direction, float3 x_axis, float3 y_axis)
+DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
     const float3 _e7 = normalize_or(direction, float3(0.0, 0.0, 1.0));
     const float3 _e10 = normalize_or(x_axis, (0.0).xxx);
     const float3 _e13 = normalize_or(y_axis, (0.0).xxx);
-    const Bent bent_1 = ConstructBent(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
-    return bent_1;
+    const DirectionParts directionparts = ConstructDirectionParts(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
+    return directionparts;
 }
 
-float3 direction_moved(Bent bent, float2 by)
+float3 direction_moved(DirectionParts parts, float2 by)
 {
     float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
-    float3 moved = ((bent.direction + (step_.x * bent.x_axis)) + (step_.y * bent.y_axis));
-    const float3 _e18 = normalize_or(moved, bent.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : bent.direction);
+    float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    const float3 _e18 = normalize_or(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
 }
 
 float3x3 axes_around(float3 toward, float3 up)
@@ -491,14 +491,14 @@ float3 half_vector(Light light, float3 view)
 
 float3 shift_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_13, float y_3)
 {
-    const Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     const float3 _e7 = direction_moved(_e5, float2(x_13, y_3));
     return _e7;
 }
 
 float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_14, float y_4)
 {
-    const Bent _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
     const float3 _e21 = direction_moved(_e5, (-(max(float2(x_14, y_4), (0.0).xx)) * side));
     return _e21;
@@ -508,7 +508,7 @@ float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, fl
 {
     bool local_2 = (bool)0;
 
-    const Bent _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_2 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
     float aside_1 = clamp(((apart * apart) / max(square_2, 1e-20)), 0.0, 1.0);
@@ -529,7 +529,7 @@ float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, fl
 
 float3 stretch_direction(float3 direction_5, float3 x_axis_4, float3 y_axis_4, float x_15, float y_5)
 {
-    const Bent _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
+    const DirectionParts _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
     const float3 _e13 = direction_moved(_e5, (-(min(float2(x_15, y_5), (1.0).xx)) * _e5.place));
     return _e13;
 }

@@ -51,7 +51,7 @@ struct Angle {
     float half_sin;
     float half_cos;
 };
-struct Bent {
+struct DirectionParts {
     metal::float3 direction;
     metal::float3 x_axis;
     metal::float3 y_axis;
@@ -415,7 +415,7 @@ Angle angle_between_directions(
     return _e8;
 }
 
-Bent direction_within(
+DirectionParts direction_within(
     metal::float3 direction,
     metal::float3 x_axis,
     metal::float3 y_axis
@@ -423,17 +423,17 @@ Bent direction_within(
     metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
     metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
     metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
-    return Bent {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
+    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
 }
 
 metal::float3 direction_moved(
-    Bent bent,
+    DirectionParts parts,
     metal::float2 by
 ) {
     metal::float2 step = metal::clamp(by, metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 moved = (bent.direction + (step.x * bent.x_axis)) + (step.y * bent.y_axis);
-    metal::float3 _e18 = normalize_or(moved, bent.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e18 : bent.direction;
+    metal::float3 moved = (parts.direction + (step.x * parts.x_axis)) + (step.y * parts.y_axis);
+    metal::float3 _e18 = normalize_or(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? _e18 : parts.direction;
 }
 
 metal::float3x3 axes_around(
@@ -475,7 +475,7 @@ metal::float3 shift_direction(
     float x_13,
     float y_3
 ) {
-    Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float3 _e7 = direction_moved(_e5, metal::float2(x_13, y_3));
     return _e7;
 }
@@ -487,7 +487,7 @@ metal::float3 split_direction(
     float x_14,
     float y_4
 ) {
-    Bent _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
     metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_14, y_4), metal::float2(0.0))) * side);
     return _e21;
@@ -501,7 +501,7 @@ metal::float3 square_direction(
     float sharpness
 ) {
     bool local_2 = {};
-    Bent _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_2 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
     float aside_1 = metal::clamp((apart * apart) / metal::max(square_2, 0.00000000000000000001), 0.0, 1.0);
@@ -527,7 +527,7 @@ metal::float3 stretch_direction(
     float x_15,
     float y_5
 ) {
-    Bent _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
+    DirectionParts _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
     metal::float3 _e13 = direction_moved(_e5, -(metal::min(metal::float2(x_15, y_5), metal::float2(1.0))) * _e5.place);
     return _e13;
 }

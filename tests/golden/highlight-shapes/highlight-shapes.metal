@@ -43,7 +43,7 @@ struct Angle {
     float half_sin;
     float half_cos;
 };
-struct Bent {
+struct DirectionParts {
     metal::float3 direction;
     metal::float3 x_axis;
     metal::float3 y_axis;
@@ -410,7 +410,7 @@ Angle angle_between_directions(
     return _e8;
 }
 
-Bent direction_within(
+DirectionParts direction_within(
     metal::float3 direction,
     metal::float3 x_axis,
     metal::float3 y_axis
@@ -418,17 +418,17 @@ Bent direction_within(
     metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
     metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
     metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
-    return Bent {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
+    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
 }
 
 metal::float3 direction_moved(
-    Bent bent,
+    DirectionParts parts,
     metal::float2 by
 ) {
     metal::float2 step = metal::clamp(by, metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 moved = (bent.direction + (step.x * bent.x_axis)) + (step.y * bent.y_axis);
-    metal::float3 _e18 = normalize_or(moved, bent.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e18 : bent.direction;
+    metal::float3 moved = (parts.direction + (step.x * parts.x_axis)) + (step.y * parts.y_axis);
+    metal::float3 _e18 = normalize_or(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? _e18 : parts.direction;
 }
 
 metal::float3x3 axes_around(
@@ -486,7 +486,7 @@ metal::float3 split_direction(
     float x_12,
     float y_4
 ) {
-    Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
     metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_12, y_4), metal::float2(0.0))) * side);
     return _e21;
@@ -500,7 +500,7 @@ metal::float3 square_direction(
     float sharpness
 ) {
     bool local_2 = {};
-    Bent _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     float square_2 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
     float aside_1 = metal::clamp((apart * apart) / metal::max(square_2, 0.00000000000000000001), 0.0, 1.0);
@@ -530,7 +530,7 @@ Angle star_angle(
     float turn_1
 ) {
     metal::float3 z_3 = metal::float3(0.0, 0.0, 1.0);
-    Bent _e12 = direction_within(direction_4, x_axis_3, y_axis_3);
+    DirectionParts _e12 = direction_within(direction_4, x_axis_3, y_axis_3);
     metal::float3 _e14 = normalize_or(middle, z_3);
     Angle _e15 = angle_between(_e12.direction, _e14);
     float _e20 = angle_of_point(_e12.place.y, _e12.place.x);

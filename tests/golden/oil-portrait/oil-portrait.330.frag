@@ -46,11 +46,11 @@ struct Surface {
     float magnification;
     mat3x3 world_from_normal;
 };
-struct Marked {
+struct StretchedPlace {
     vec2 place;
     vec3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
@@ -418,15 +418,16 @@ float blue_part(uint four, ivec2 cell_2) {
     return ((float(((four >> (8u * (uint(cell_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
 }
 
-Marked mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
+StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 _e4 = sin_cos_of(angle);
     vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
     vec3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned = vec2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec2 _e35 = bounded_vec2_(turned);
-    return Marked(_e35, clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
+    vec3 stretch_3 = clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    vec2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace(_e41, stretch_3);
 }
 
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
@@ -434,7 +435,7 @@ vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
     return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
 }
 
-Marked place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_1, vec3 view_1, float magnification, float angle_1) {
+StretchedPlace place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_1, vec3 view_1, float magnification, float angle_1) {
     vec3 _e11 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
     vec3 _e16 = normalize_or(view_1, vec3(0.0, 0.0, 1.0));
     float _e17 = bounded(magnification);
@@ -444,21 +445,21 @@ Marked place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_1
     vec3 _e26 = gradient_on_picture(across_1, _e11, _e16);
     vec3 _e28 = bounded_vec3_((_e26 * height));
     vec2 _e29 = bounded_vec2_(place_1);
-    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
     return _e30;
 }
 
-Marked place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_2) {
+StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_2) {
     mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
     vec3 _e12 = bounded_vec3_(position);
     vec2 place_4 = vec2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
     vec3 _e20 = bounded_vec3_((world_from_normal * _e11[0]));
     vec3 _e23 = bounded_vec3_((world_from_normal * _e11[2]));
-    Marked _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
+    StretchedPlace _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
     return _e24;
 }
 
-Spaced spaced(vec2 place_2, vec3 stretch, vec2 viewport_1, float count) {
+SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport_1, float count) {
     float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
@@ -468,7 +469,7 @@ Spaced spaced(vec2 place_2, vec3 stretch, vec2 viewport_1, float count) {
     vec2 p_2 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
     vec3 _e27 = bounded_vec3_(stretch);
     vec3 s_1 = clamp(_e27, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return Spaced(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    return SpacedPlace(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
 float area_square(vec3 stretch_1) {
@@ -542,7 +543,7 @@ vec2 bristles(vec2 uv, float width, uint seed_4) {
     return vec2(clamp(shade_1, 0.0, 1.0), ((along_2 * side) * (1.0 - (0.9 * _e74))));
 }
 
-vec2 bristles_laid(Spaced at, float ink, Brush style_2) {
+vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
     uint tile[256] = BLUE_TILE;
     vec2 paint = vec2(0.0);
     int octave = 0;
@@ -624,7 +625,7 @@ vec2 bristles_laid(Spaced at, float ink, Brush style_2) {
 }
 
 BrushStrokes brush_strokes_bristles(float value, vec2 place_3, vec3 stretch_2, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_2) {
-    Spaced _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
+    SpacedPlace _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
     Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
     float _e14 = factor_of(value, true);
     vec2 _e17 = bristles_laid(_e10, (1.0 - _e14), _e12);
@@ -633,7 +634,7 @@ BrushStrokes brush_strokes_bristles(float value, vec2 place_3, vec3 stretch_2, f
 }
 
 MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_3, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
-    Marked _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
     return MarkPlace(_e7.place, _e7.stretch);
 }
 
@@ -643,7 +644,7 @@ MarkPlace mark_place_object(float angle_4, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_3);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_5 = (_e15 / vec2(size_2));
-    Marked _e28 = mark_place_of(place_5, vec3((1.0 / size_2), 0.0, 0.0), vec3(0.0, (1.0 / size_2), 0.0), angle_4);
+    StretchedPlace _e28 = mark_place_of(place_5, vec3((1.0 / size_2), 0.0, 0.0), vec3(0.0, (1.0 / size_2), 0.0), angle_4);
     return MarkPlace(_e28.place, _e28.stretch);
 }
 

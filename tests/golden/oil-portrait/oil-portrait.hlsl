@@ -65,7 +65,7 @@ struct Surface {
     int _end_pad_0;
 };
 
-struct Marked {
+struct StretchedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -73,7 +73,7 @@ struct Marked {
     int _end_pad_0;
 };
 
-struct Spaced {
+struct SpacedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -523,14 +523,14 @@ float blue_part(uint four, int2 cell_2)
     return ((float(((four >> (8u * (asuint(cell_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
 }
 
-Marked ConstructMarked(float2 arg0, float3 arg1) {
-    Marked ret = (Marked)0;
+StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+    StretchedPlace ret = (StretchedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
+StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     const float2 _e4 = sin_cos_of(angle);
     const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
@@ -538,9 +538,10 @@ Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
     const float2 _e17 = bounded_vec2_(place);
     float2 turned = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     float3 most = (1000000000000000.0).xxx;
-    const float2 _e35 = bounded_vec2_(turned);
-    const Marked marked = ConstructMarked(_e35, clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
-    return marked;
+    float3 stretch_3 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    const float2 _e41 = bounded_vec2_(turned);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_3);
+    return stretchedplace;
 }
 
 float3 gradient_on_picture(float3 g, float3 normal, float3 view)
@@ -549,7 +550,7 @@ float3 gradient_on_picture(float3 g, float3 normal, float3 view)
     return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
 }
 
-Marked place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_1, float3 view_1, float magnification, float angle_1)
+StretchedPlace place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_1, float3 view_1, float magnification, float angle_1)
 {
     const float3 _e11 = normalize_or(normal_1, float3(0.0, 0.0, 1.0));
     const float3 _e16 = normalize_or(view_1, float3(0.0, 0.0, 1.0));
@@ -560,31 +561,31 @@ Marked place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 
     const float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
     const float3 _e28 = bounded_vec3_((_e26 * height));
     const float2 _e29 = bounded_vec2_(place_1);
-    const Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
-    const Marked marked_1 = _e30;
-    return marked_1;
+    const StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    const StretchedPlace stretchedplace_1 = _e30;
+    return stretchedplace_1;
 }
 
-Marked place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_2, float3 view_2, float magnification_1, float angle_2)
+StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_2, float3 view_2, float magnification_1, float angle_2)
 {
     const float3x3 _e11 = axes_around(axis, float3(0.0, 1.0, 0.0));
     const float3 _e12 = bounded_vec3_(position);
     float2 place_4 = float2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
     const float3 _e20 = bounded_vec3_(mul(_e11[0], world_from_normal));
     const float3 _e23 = bounded_vec3_(mul(_e11[2], world_from_normal));
-    const Marked _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
-    const Marked marked_2 = _e24;
-    return marked_2;
+    const StretchedPlace _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
+    const StretchedPlace stretchedplace_2 = _e24;
+    return stretchedplace_2;
 }
 
-Spaced ConstructSpaced(float2 arg0, float3 arg1) {
-    Spaced ret = (Spaced)0;
+SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+    SpacedPlace ret = (SpacedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Spaced spaced(float2 place_2, float3 stretch, float2 viewport_1, float count)
+SpacedPlace spaced(float2 place_2, float3 stretch, float2 viewport_1, float count)
 {
     const float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
@@ -595,8 +596,8 @@ Spaced spaced(float2 place_2, float3 stretch, float2 viewport_1, float count)
     float2 p_2 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
     const float3 _e27 = bounded_vec3_(stretch);
     float3 s_1 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const Spaced spaced_1 = ConstructSpaced(p_2, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
-    return spaced_1;
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_2, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    return spacedplace;
 }
 
 float area_square(float3 stretch_1)
@@ -713,7 +714,7 @@ int2 naga_f2i32(float2 value) {
     return int2(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float2 bristles_laid(Spaced at, float ink, Brush style_2)
+float2 bristles_laid(SpacedPlace at, float ink, Brush style_2)
 {
     uint tile[256] = BLUE_TILE;
     float2 paint = (0.0).xx;
@@ -811,7 +812,7 @@ BrushStrokes ConstructBrushStrokes(float4 arg0, float arg1) {
 
 BrushStrokes brush_strokes_bristles(float value, float2 place_3, float3 stretch_2, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, float2 viewport_2)
 {
-    const Spaced _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
+    const SpacedPlace _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
     const Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
     const float _e14 = factor_of(value, true);
     const float2 _e17 = bristles_laid(_e10, (1.0 - _e14), _e12);
@@ -829,7 +830,7 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 
 MarkPlace mark_place_axis(float3 axis_1, float3 normal_3, float angle_3, float3 view_3, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
 {
-    const Marked _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    const StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
     const MarkPlace markplace = ConstructMarkPlace(_e7.place, _e7.stretch);
     return markplace;
 }
@@ -841,7 +842,7 @@ MarkPlace mark_place_object(float angle_4, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_3);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_5 = (_e15 / (size_2).xx);
-    const Marked _e28 = mark_place_of(place_5, float3((1.0 / size_2), 0.0, 0.0), float3(0.0, (1.0 / size_2), 0.0), angle_4);
+    const StretchedPlace _e28 = mark_place_of(place_5, float3((1.0 / size_2), 0.0, 0.0), float3(0.0, (1.0 / size_2), 0.0), angle_4);
     const MarkPlace markplace_1 = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace_1;
 }

@@ -60,12 +60,12 @@ typedef metal::float4 Composite;
 struct type_12 {
     uint inner[256];
 };
-struct Marked {
+struct StretchedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
@@ -546,7 +546,7 @@ float blue_part(
     return (static_cast<float>((four >> (8u * (as_type<uint>(cell_2.x) & 3u))) & 255u) + 0.5) * 0.00390625;
 }
 
-Marked mark_place_of(
+StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
     metal::float3 across,
@@ -558,8 +558,9 @@ Marked mark_place_of(
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float2 _e35 = bounded_vec2_(turned);
-    return Marked {_e35, {}, metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most)};
+    metal::float3 stretch_3 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
+    metal::float2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace {_e41, {}, stretch_3};
 }
 
 metal::float3 gradient_on_picture(
@@ -571,7 +572,7 @@ metal::float3 gradient_on_picture(
     return g - (normal * (metal::dot(g, view) / ((facing >= 0.0) ? metal::max(facing, 0.125) : metal::min(facing, -0.125))));
 }
 
-Marked place_on_surface(
+StretchedPlace place_on_surface(
     metal::float2 place_1,
     metal::float3 along_1,
     metal::float3 across_1,
@@ -589,11 +590,11 @@ Marked place_on_surface(
     metal::float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
     metal::float3 _e28 = bounded_vec3_(_e26 * height);
     metal::float2 _e29 = bounded_vec2_(place_1);
-    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
     return _e30;
 }
 
-Marked place_across(
+StretchedPlace place_across(
     metal::float3 axis,
     metal::float3 position,
     metal::float3x3 world_from_normal,
@@ -607,11 +608,11 @@ Marked place_across(
     metal::float2 place_4 = metal::float2(metal::dot(_e12, _e11[0]), metal::dot(_e12, _e11[2]));
     metal::float3 _e20 = bounded_vec3_(world_from_normal * _e11[0]);
     metal::float3 _e23 = bounded_vec3_(world_from_normal * _e11[2]);
-    Marked _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
+    StretchedPlace _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
     return _e24;
 }
 
-Spaced spaced(
+SpacedPlace spaced(
     metal::float2 place_2,
     metal::float3 stretch,
     metal::float2 viewport_1,
@@ -626,7 +627,7 @@ Spaced spaced(
     metal::float2 p_2 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e27 = bounded_vec3_(stretch);
     metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return Spaced {p_2, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    return SpacedPlace {p_2, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 float area_square(
@@ -743,7 +744,7 @@ int naga_mod(int lhs, int rhs) {
 }
 
 metal::float2 bristles_laid(
-    Spaced at,
+    SpacedPlace at,
     float ink,
     Brush style_2
 ) {
@@ -845,7 +846,7 @@ BrushStrokes brush_strokes_bristles(
     int seed_5,
     metal::float2 viewport_2
 ) {
-    Spaced _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
+    SpacedPlace _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
     Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
     float _e14 = factor_of(value, true);
     metal::float2 _e17 = bristles_laid(_e10, 1.0 - _e14, _e12);
@@ -862,7 +863,7 @@ MarkPlace mark_place_axis(
     metal::float3x3 world_from_normal_1,
     float magnification_2
 ) {
-    Marked _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
     return MarkPlace {_e7.place, {}, _e7.stretch};
 }
 
@@ -877,7 +878,7 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_3);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_5 = _e15 / metal::float2(size_2);
-    Marked _e28 = mark_place_of(place_5, metal::float3(1.0 / size_2, 0.0, 0.0), metal::float3(0.0, 1.0 / size_2, 0.0), angle_4);
+    StretchedPlace _e28 = mark_place_of(place_5, metal::float3(1.0 / size_2, 0.0, 0.0), metal::float3(0.0, 1.0 / size_2, 0.0), angle_4);
     return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 

@@ -26,7 +26,7 @@ struct Texel {
     float depth;
     char _pad3[12];
 };
-struct Sides {
+struct SideDifferences {
     float forward;
     float forward_weight;
     float backward;
@@ -90,7 +90,7 @@ metal::float3 neighbor(
 }
 
 float derivative(
-    Sides sides
+    SideDifferences sides
 ) {
     float forward = sides.forward / metal::max(sides.forward_weight, 0.000001);
     float backward = sides.backward / metal::max(sides.backward_weight, 0.000001);
@@ -158,8 +158,8 @@ float curvature_at(
 ) {
     metal::int2 at_2 = {};
     Texel center_1 = {};
-    Sides along_x = Sides {0.0, 0.0, 0.0, 0.0};
-    Sides along_y = Sides {0.0, 0.0, 0.0, 0.0};
+    SideDifferences along_x = SideDifferences {0.0, 0.0, 0.0, 0.0};
+    SideDifferences along_y = SideDifferences {0.0, 0.0, 0.0, 0.0};
     int k_1 = {};
     at_2 = pixel_1;
     metal::int2 _e4 = at_2;
@@ -239,9 +239,9 @@ float curvature_at(
             along_y.backward_weight = _e163 + (weight_2 * _e106.z);
         }
     }
-    Sides _e170 = along_x;
+    SideDifferences _e170 = along_x;
     float _e171 = derivative(_e170);
-    Sides _e172 = along_y;
+    SideDifferences _e172 = along_y;
     float _e173 = derivative(_e172);
     float _e179 = curvature.viewport_height;
     float kappa = (0.5 * (_e171 + _e173)) * _e179;

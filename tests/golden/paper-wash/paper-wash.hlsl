@@ -56,7 +56,7 @@ struct Ramp {
     int _end_pad_1;
 };
 
-struct Marked {
+struct StretchedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -64,7 +64,7 @@ struct Marked {
     int _end_pad_0;
 };
 
-struct Spaced {
+struct SpacedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -738,14 +738,14 @@ float2 place_in_picture(float2 pixel, float2 viewport)
     return (float2(from_middle.x, -(from_middle.y)) / (max(viewport.y, 1.0)).xx);
 }
 
-Marked ConstructMarked(float2 arg0, float3 arg1) {
-    Marked ret = (Marked)0;
+StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+    StretchedPlace ret = (StretchedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
+StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     const float2 _e4 = sin_cos_of(angle);
     const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
@@ -753,19 +753,20 @@ Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
     const float2 _e17 = bounded_vec2_(place);
     float2 turned = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     float3 most = (1000000000000000.0).xxx;
-    const float2 _e35 = bounded_vec2_(turned);
-    const Marked marked = ConstructMarked(_e35, clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
-    return marked;
+    float3 stretch_3 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    const float2 _e41 = bounded_vec2_(turned);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_3);
+    return stretchedplace;
 }
 
-Spaced ConstructSpaced(float2 arg0, float3 arg1) {
-    Spaced ret = (Spaced)0;
+SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+    SpacedPlace ret = (SpacedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_4)
+SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_4)
 {
     const float _e4 = bounded(count_4);
     float number = clamp(_e4, 0.0, 100000.0);
@@ -776,8 +777,8 @@ Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_4)
     float2 p_1 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
     const float3 _e27 = bounded_vec3_(stretch);
     float3 s_1 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const Spaced spaced_1 = ConstructSpaced(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
-    return spaced_1;
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    return spacedplace;
 }
 
 float area_square(float3 stretch_1)
@@ -806,7 +807,7 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_5 = (_e15 / (size).xx);
-    const Marked _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const StretchedPlace _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
     const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
@@ -841,7 +842,7 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float paper_height(Spaced at_1, float fiber_1, uint seed_4)
+float paper_height(SpacedPlace at_1, float fiber_1, uint seed_4)
 {
     float height_1 = (float)0;
 
@@ -875,7 +876,7 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
 
 PaperGrain paper_grain(float value_3, float2 place_3, float3 stretch_2, float count_5, float tooth_1, float fiber_2, int seed_5, float2 viewport_3)
 {
-    const Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
+    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
     const float _e10 = paper_height(_e8, fiber_2, asuint(seed_5));
     const float _e12 = factor_of(value_3, true);
     const float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);

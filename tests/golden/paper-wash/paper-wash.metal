@@ -55,12 +55,12 @@ struct Ramp {
     uint interpolation;
     char _pad4[8];
 };
-struct Marked {
+struct StretchedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
@@ -783,7 +783,7 @@ metal::float2 place_in_picture(
     return metal::float2(from_middle.x, -(from_middle.y)) / metal::float2(metal::max(viewport.y, 1.0));
 }
 
-Marked mark_place_of(
+StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
     metal::float3 across,
@@ -795,11 +795,12 @@ Marked mark_place_of(
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float2 _e35 = bounded_vec2_(turned);
-    return Marked {_e35, {}, metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most)};
+    metal::float3 stretch_3 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
+    metal::float2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace {_e41, {}, stretch_3};
 }
 
-Spaced spaced(
+SpacedPlace spaced(
     metal::float2 place_1,
     metal::float3 stretch,
     metal::float2 viewport_1,
@@ -814,7 +815,7 @@ Spaced spaced(
     metal::float2 p_1 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e27 = bounded_vec3_(stretch);
     metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return Spaced {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 float area_square(
@@ -842,7 +843,7 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_5 = _e15 / metal::float2(size);
-    Marked _e28 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    StretchedPlace _e28 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
     return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
@@ -885,7 +886,7 @@ int naga_f2i32(float value) {
 }
 
 float paper_height(
-    Spaced at_1,
+    SpacedPlace at_1,
     float fiber_1,
     uint seed_4
 ) {
@@ -921,7 +922,7 @@ PaperGrain paper_grain(
     int seed_5,
     metal::float2 viewport_3
 ) {
-    Spaced _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
     float _e10 = paper_height(_e8, fiber_2, as_type<uint>(seed_5));
     float _e12 = factor_of(value_3, true);
     float _e15 = caught_ink(1.0 - _e12, _e10, tooth_1);

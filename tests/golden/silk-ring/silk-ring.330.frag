@@ -27,7 +27,7 @@ struct Angle {
     float half_sin;
     float half_cos;
 };
-struct Bent {
+struct DirectionParts {
     vec3 direction;
     vec3 x_axis;
     vec3 y_axis;
@@ -305,18 +305,18 @@ Angle angle_between_directions(vec3 a_1, vec3 b_1) {
     return _e8;
 }
 
-Bent direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
+DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
     vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
     vec3 _e10 = normalize_or(x_axis, vec3(0.0));
     vec3 _e13 = normalize_or(y_axis, vec3(0.0));
-    return Bent(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
+    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
 }
 
-vec3 direction_moved(Bent bent, vec2 by) {
+vec3 direction_moved(DirectionParts parts, vec2 by) {
     vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
-    vec3 moved = ((bent.direction + (step_.x * bent.x_axis)) + (step_.y * bent.y_axis));
-    vec3 _e18 = normalize_or(moved, bent.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : bent.direction);
+    vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    vec3 _e18 = normalize_or(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
@@ -343,7 +343,7 @@ vec3 half_vector(Light light, vec3 view) {
 }
 
 vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_10, float y_2) {
-    Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_10, y_2), vec2(1.0))) * _e5.place));
     return _e13;
 }

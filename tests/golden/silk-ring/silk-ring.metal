@@ -43,7 +43,7 @@ struct Angle {
     float half_sin;
     float half_cos;
 };
-struct Bent {
+struct DirectionParts {
     metal::float3 direction;
     metal::float3 x_axis;
     metal::float3 y_axis;
@@ -399,7 +399,7 @@ Angle angle_between_directions(
     return _e8;
 }
 
-Bent direction_within(
+DirectionParts direction_within(
     metal::float3 direction,
     metal::float3 x_axis,
     metal::float3 y_axis
@@ -407,17 +407,17 @@ Bent direction_within(
     metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
     metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
     metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
-    return Bent {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
+    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
 }
 
 metal::float3 direction_moved(
-    Bent bent,
+    DirectionParts parts,
     metal::float2 by
 ) {
     metal::float2 step = metal::clamp(by, metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 moved = (bent.direction + (step.x * bent.x_axis)) + (step.y * bent.y_axis);
-    metal::float3 _e18 = normalize_or(moved, bent.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e18 : bent.direction;
+    metal::float3 moved = (parts.direction + (step.x * parts.x_axis)) + (step.y * parts.y_axis);
+    metal::float3 _e18 = normalize_or(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? _e18 : parts.direction;
 }
 
 metal::float3x3 axes_around(
@@ -459,7 +459,7 @@ metal::float3 stretch_direction(
     float x_10,
     float y_2
 ) {
-    Bent _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
     metal::float3 _e13 = direction_moved(_e5, -(metal::min(metal::float2(x_10, y_2), metal::float2(1.0))) * _e5.place);
     return _e13;
 }

@@ -317,7 +317,7 @@ fn angle_between_directions(a: vec3f, b: vec3f) -> Angle {
 }
 
 /// A direction with the two axes along which it is bent.
-struct Bent {
+struct DirectionParts {
     /// Unit.
     direction: vec3f,
     x_axis: vec3f,
@@ -328,20 +328,20 @@ struct Bent {
 
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
-fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> Bent {
+fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
     let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
     let x = normalize_or(x_axis, vec3f(0.0));
     let y = normalize_or(y_axis, vec3f(0.0));
-    return Bent(d, x, y, vec2f(dot(d, x), dot(d, y)));
+    return DirectionParts(d, x, y, vec2f(dot(d, x), dot(d, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
-fn direction_moved(bent: Bent, by: vec2f) -> vec3f {
+fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
     // Farther than a million the direction lies along the axis.
     let step = clamp(by, vec2f(-1e6), vec2f(1e6));
-    let moved = bent.direction + step.x * bent.x_axis + step.y * bent.y_axis;
+    let moved = parts.direction + step.x * parts.x_axis + step.y * parts.y_axis;
     // The direction of a sum of nearly 0 would be rounding's.
-    return select(bent.direction, normalize_or(moved, bent.direction), dot(moved, moved) > 1e-6);
+    return select(parts.direction, normalize_or(moved, parts.direction), dot(moved, moved) > 1e-6);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`

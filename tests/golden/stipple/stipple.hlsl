@@ -49,7 +49,7 @@ struct Surface {
     int _end_pad_0;
 };
 
-struct Marked {
+struct StretchedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -57,7 +57,7 @@ struct Marked {
     int _end_pad_0;
 };
 
-struct Spaced {
+struct SpacedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -457,14 +457,14 @@ float blue_part(uint four, int2 cell_2)
     return ((float(((four >> (8u * (asuint(cell_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
 }
 
-Marked ConstructMarked(float2 arg0, float3 arg1) {
-    Marked ret = (Marked)0;
+StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+    StretchedPlace ret = (StretchedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
+StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     const float2 _e4 = sin_cos_of(angle);
     const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
@@ -472,19 +472,20 @@ Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
     const float2 _e17 = bounded_vec2_(place);
     float2 turned = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     float3 most = (1000000000000000.0).xxx;
-    const float2 _e35 = bounded_vec2_(turned);
-    const Marked marked = ConstructMarked(_e35, clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
-    return marked;
+    float3 stretch_5 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    const float2 _e41 = bounded_vec2_(turned);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_5);
+    return stretchedplace;
 }
 
-Spaced ConstructSpaced(float2 arg0, float3 arg1) {
-    Spaced ret = (Spaced)0;
+SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+    SpacedPlace ret = (SpacedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
+SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
 {
     const float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
@@ -495,8 +496,8 @@ Spaced spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
     float2 p_1 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
     const float3 _e27 = bounded_vec3_(stretch);
     float3 s_1 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const Spaced spaced_1 = ConstructSpaced(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
-    return spaced_1;
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    return spacedplace;
 }
 
 float area_square(float3 stretch_1)
@@ -580,7 +581,7 @@ float dots_of_octave(float2 place_2, int zoom, float ink, float3 stretch_3, floa
     return _e95;
 }
 
-float stippled(Spaced at, float ink_1, Dots style_1)
+float stippled(SpacedPlace at, float ink_1, Dots style_1)
 {
     float dots = (float)0;
 
@@ -628,7 +629,7 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_4 = (_e15 / (size_1).xx);
-    const Marked _e28 = mark_place_of(place_4, float3((1.0 / size_1), 0.0, 0.0), float3(0.0, (1.0 / size_1), 0.0), angle_1);
+    const StretchedPlace _e28 = mark_place_of(place_4, float3((1.0 / size_1), 0.0, 0.0), float3(0.0, (1.0 / size_1), 0.0), angle_1);
     const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
@@ -646,7 +647,7 @@ float stippling(float value, float2 place_3, float3 stretch_4, float count_1, fl
     const float _e8 = bounded(size);
     const float _e12 = bounded(scatter);
     Dots style_2 = ConstructDots(clamp(_e8, 0.0, 1.4), clamp(_e12, 0.0, 1.0), asuint(seed_2));
-    const Spaced _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
+    const SpacedPlace _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
     const float _e20 = factor_of(value, true);
     const float _e23 = stippled(_e18, (1.0 - _e20), style_2);
     return _e23;

@@ -46,12 +46,12 @@ typedef metal::float4 Composite;
 struct type_11 {
     uint inner[256];
 };
-struct Marked {
+struct StretchedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     metal::float2 place;
     char _pad1[8];
     metal::float3 stretch;
@@ -482,7 +482,7 @@ float blue_part(
     return (static_cast<float>((four >> (8u * (as_type<uint>(cell_2.x) & 3u))) & 255u) + 0.5) * 0.00390625;
 }
 
-Marked mark_place_of(
+StretchedPlace mark_place_of(
     metal::float2 place,
     metal::float3 along,
     metal::float3 across,
@@ -494,11 +494,12 @@ Marked mark_place_of(
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
     metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float2 _e35 = bounded_vec2_(turned);
-    return Marked {_e35, {}, metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most)};
+    metal::float3 stretch_5 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
+    metal::float2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace {_e41, {}, stretch_5};
 }
 
-Spaced spaced(
+SpacedPlace spaced(
     metal::float2 place_1,
     metal::float3 stretch,
     metal::float2 viewport_1,
@@ -513,7 +514,7 @@ Spaced spaced(
     metal::float2 p_1 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e27 = bounded_vec3_(stretch);
     metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return Spaced {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
 }
 
 float area_square(
@@ -607,7 +608,7 @@ float dots_of_octave(
 }
 
 float stippled(
-    Spaced at,
+    SpacedPlace at,
     float ink_1,
     Dots style_1
 ) {
@@ -653,7 +654,7 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_4 = _e15 / metal::float2(size_1);
-    Marked _e28 = mark_place_of(place_4, metal::float3(1.0 / size_1, 0.0, 0.0), metal::float3(0.0, 1.0 / size_1, 0.0), angle_1);
+    StretchedPlace _e28 = mark_place_of(place_4, metal::float3(1.0 / size_1, 0.0, 0.0), metal::float3(0.0, 1.0 / size_1, 0.0), angle_1);
     return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
@@ -670,7 +671,7 @@ float stippling(
     float _e8 = bounded(size);
     float _e12 = bounded(scatter);
     Dots style_2 = Dots {metal::clamp(_e8, 0.0, 1.4), metal::clamp(_e12, 0.0, 1.0), as_type<uint>(seed_2)};
-    Spaced _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
+    SpacedPlace _e18 = spaced(place_3, stretch_4, viewport_3, count_1);
     float _e20 = factor_of(value, true);
     float _e23 = stippled(_e18, 1.0 - _e20, style_2);
     return _e23;

@@ -37,11 +37,11 @@ struct Surface {
     float magnification;
     mat3x3 world_from_normal;
 };
-struct Marked {
+struct StretchedPlace {
     vec2 place;
     vec3 stretch;
 };
-struct Spaced {
+struct SpacedPlace {
     vec2 place;
     vec3 stretch;
 };
@@ -485,15 +485,16 @@ float size_on_screen(float depth, float perspective, float scale) {
     return _e10;
 }
 
-Marked mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
+StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 _e4 = sin_cos_of(angle);
     vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
     vec3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned = vec2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec2 _e35 = bounded_vec2_(turned);
-    return Marked(_e35, clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
+    vec3 stretch_2 = clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    vec2 _e41 = bounded_vec2_(turned);
+    return StretchedPlace(_e41, stretch_2);
 }
 
 vec3 gradient_on_picture(vec3 g, vec3 normal_1, vec3 view_1) {
@@ -501,7 +502,7 @@ vec3 gradient_on_picture(vec3 g, vec3 normal_1, vec3 view_1) {
     return (g - (normal_1 * (dot(g, view_1) / ((facing_1 >= 0.0) ? max(facing_1, 0.125) : min(facing_1, -0.125)))));
 }
 
-Marked place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_2, vec3 view_2, float magnification, float angle_1) {
+StretchedPlace place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_2, vec3 view_2, float magnification, float angle_1) {
     vec3 _e11 = normalize_or(normal_2, vec3(0.0, 0.0, 1.0));
     vec3 _e16 = normalize_or(view_2, vec3(0.0, 0.0, 1.0));
     float _e17 = bounded(magnification);
@@ -511,21 +512,21 @@ Marked place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_2
     vec3 _e26 = gradient_on_picture(across_1, _e11, _e16);
     vec3 _e28 = bounded_vec3_((_e26 * height));
     vec2 _e29 = bounded_vec2_(place_1);
-    Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
     return _e30;
 }
 
-Marked place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_3, vec3 view_3, float magnification_1, float angle_2) {
+StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_3, vec3 view_3, float magnification_1, float angle_2) {
     mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
     vec3 _e12 = bounded_vec3_(position);
     vec2 place_6 = vec2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
     vec3 _e20 = bounded_vec3_((world_from_normal * _e11[0]));
     vec3 _e23 = bounded_vec3_((world_from_normal * _e11[2]));
-    Marked _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
+    StretchedPlace _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
     return _e24;
 }
 
-Spaced spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
+SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
@@ -535,7 +536,7 @@ Spaced spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     vec2 p_2 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
     vec3 _e27 = bounded_vec3_(stretch);
     vec3 s_1 = clamp(_e27, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return Spaced(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    return SpacedPlace(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
 float octave_of(float square) {
@@ -631,7 +632,7 @@ float hatched(vec2 place_4, float w_3, float level_1, float ink, Strokes style_2
     return mix(max(_e92, _e99), mean, _e110);
 }
 
-float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes style_3) {
+float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strokes style_3) {
     float free = 1.0;
     int i_1 = 0;
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
@@ -687,7 +688,7 @@ float hatching(float value_1, vec2 place_5, vec3 stretch_1, float count_1, float
     float _e30 = bounded(pressure);
     float _e34 = bounded(variation);
     Strokes style_4 = Strokes(clamp(_e14, 0.0, 1.0), clamp(_e18, 0.0, 10000.0), clamp(_e22, 0.0, 1.0), clamp(_e26, 0.0, 100.0), clamp(_e30, 0.0, 1.0), clamp(_e34, 0.0, 1.0), uint(seed_4));
-    Spaced _e40 = spaced(place_5, stretch_1, viewport_1, count_1);
+    SpacedPlace _e40 = spaced(place_5, stretch_1, viewport_1, count_1);
     float _e42 = factor_of(value_1, true);
     float _e45 = cross_hatched(_e40, (1.0 - _e42), layers_1, cross_1, style_4);
     return _e45;
@@ -695,7 +696,7 @@ float hatching(float value_1, vec2 place_5, vec3 stretch_1, float count_1, float
 
 MarkPlace mark_place_light(Light light, vec3 normal_4, float angle_3, vec3 view_4, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
     vec3 toward_1 = (light.direction * world_from_normal_1);
-    Marked _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_4, view_4, magnification_2, angle_3);
+    StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_4, view_4, magnification_2, angle_3);
     return MarkPlace(_e9.place, _e9.stretch);
 }
 

@@ -51,7 +51,7 @@ struct Surface {
     int _end_pad_0;
 };
 
-struct Marked {
+struct StretchedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -59,7 +59,7 @@ struct Marked {
     int _end_pad_0;
 };
 
-struct Spaced {
+struct SpacedPlace {
     float2 place;
     int _pad1_0;
     int _pad1_1;
@@ -589,14 +589,14 @@ float size_on_screen(float depth, float perspective, float scale)
     return _e10;
 }
 
-Marked ConstructMarked(float2 arg0, float3 arg1) {
-    Marked ret = (Marked)0;
+StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
+    StretchedPlace ret = (StretchedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
+StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     const float2 _e4 = sin_cos_of(angle);
     const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
@@ -604,9 +604,10 @@ Marked mark_place_of(float2 place, float3 along, float3 across, float angle)
     const float2 _e17 = bounded_vec2_(place);
     float2 turned = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
     float3 most = (1000000000000000.0).xxx;
-    const float2 _e35 = bounded_vec2_(turned);
-    const Marked marked = ConstructMarked(_e35, clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most));
-    return marked;
+    float3 stretch_2 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
+    const float2 _e41 = bounded_vec2_(turned);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_2);
+    return stretchedplace;
 }
 
 float3 gradient_on_picture(float3 g, float3 normal_1, float3 view_1)
@@ -615,7 +616,7 @@ float3 gradient_on_picture(float3 g, float3 normal_1, float3 view_1)
     return (g - (normal_1 * (dot(g, view_1) / ((facing_1 >= 0.0) ? max(facing_1, 0.125) : min(facing_1, -0.125)))));
 }
 
-Marked place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_2, float3 view_2, float magnification, float angle_1)
+StretchedPlace place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 normal_2, float3 view_2, float magnification, float angle_1)
 {
     const float3 _e11 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
     const float3 _e16 = normalize_or(view_2, float3(0.0, 0.0, 1.0));
@@ -626,31 +627,31 @@ Marked place_on_surface(float2 place_1, float3 along_1, float3 across_1, float3 
     const float3 _e26 = gradient_on_picture(across_1, _e11, _e16);
     const float3 _e28 = bounded_vec3_((_e26 * height));
     const float2 _e29 = bounded_vec2_(place_1);
-    const Marked _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
-    const Marked marked_1 = _e30;
-    return marked_1;
+    const StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
+    const StretchedPlace stretchedplace_1 = _e30;
+    return stretchedplace_1;
 }
 
-Marked place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_3, float3 view_3, float magnification_1, float angle_2)
+StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_normal, float3 normal_3, float3 view_3, float magnification_1, float angle_2)
 {
     const float3x3 _e11 = axes_around(axis, float3(0.0, 1.0, 0.0));
     const float3 _e12 = bounded_vec3_(position);
     float2 place_6 = float2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
     const float3 _e20 = bounded_vec3_(mul(_e11[0], world_from_normal));
     const float3 _e23 = bounded_vec3_(mul(_e11[2], world_from_normal));
-    const Marked _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
-    const Marked marked_2 = _e24;
-    return marked_2;
+    const StretchedPlace _e24 = place_on_surface(place_6, _e20, _e23, normal_3, view_3, magnification_1, angle_2);
+    const StretchedPlace stretchedplace_2 = _e24;
+    return stretchedplace_2;
 }
 
-Spaced ConstructSpaced(float2 arg0, float3 arg1) {
-    Spaced ret = (Spaced)0;
+SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
+    SpacedPlace ret = (SpacedPlace)0;
     ret.place = arg0;
     ret.stretch = arg1;
     return ret;
 }
 
-Spaced spaced(float2 place_2, float3 stretch, float2 viewport, float count)
+SpacedPlace spaced(float2 place_2, float3 stretch, float2 viewport, float count)
 {
     const float _e4 = bounded(count);
     float number = clamp(_e4, 0.0, 100000.0);
@@ -661,8 +662,8 @@ Spaced spaced(float2 place_2, float3 stretch, float2 viewport, float count)
     float2 p_2 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
     const float3 _e27 = bounded_vec3_(stretch);
     float3 s_1 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const Spaced spaced_1 = ConstructSpaced(p_2, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
-    return spaced_1;
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_2, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    return spacedplace;
 }
 
 float octave_of(float square)
@@ -780,7 +781,7 @@ float hatched(float2 place_4, float w_3, float level_1, float ink, Strokes style
     return lerp(max(_e92, _e99), mean, _e110);
 }
 
-float cross_hatched(Spaced at, float ink_1, int layers, float cross_, Strokes style_3)
+float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strokes style_3)
 {
     float free = 1.0;
     int i_1 = int(0);
@@ -854,7 +855,7 @@ float hatching(float value_1, float2 place_5, float3 stretch_1, float count_1, f
     const float _e30 = bounded(pressure);
     const float _e34 = bounded(variation);
     Strokes style_4 = ConstructStrokes(clamp(_e14, 0.0, 1.0), clamp(_e18, 0.0, 10000.0), clamp(_e22, 0.0, 1.0), clamp(_e26, 0.0, 100.0), clamp(_e30, 0.0, 1.0), clamp(_e34, 0.0, 1.0), asuint(seed_4));
-    const Spaced _e40 = spaced(place_5, stretch_1, viewport_1, count_1);
+    const SpacedPlace _e40 = spaced(place_5, stretch_1, viewport_1, count_1);
     const float _e42 = factor_of(value_1, true);
     const float _e45 = cross_hatched(_e40, (1.0 - _e42), layers_1, cross_1, style_4);
     return _e45;
@@ -870,7 +871,7 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 MarkPlace mark_place_light(Light light, float3 normal_4, float angle_3, float3 view_4, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
 {
     float3 toward_1 = mul(world_from_normal_1, light.direction);
-    const Marked _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_4, view_4, magnification_2, angle_3);
+    const StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_4, view_4, magnification_2, angle_3);
     const MarkPlace markplace = ConstructMarkPlace(_e9.place, _e9.stretch);
     return markplace;
 }
