@@ -8,6 +8,48 @@
 //!
 //! Each floor of the house is a crate under `src/`, lowest first; here its rooms go by the names
 //! that people say.
+//!
+//! ## Where things are
+//!
+//! Paths are from `src/`, or from the top; a test holds that they exist, and that a name after the
+//! path of a file is in that file. Reasons are in `docs/decisions.md`, words in `docs/glossary.md`.
+//!
+//! Documents:
+//! - Fields in files: rows in `compiler/document/look.rs`, `compiler/document/scene.rs` and
+//!   `compiler/document/hcbtf/`; types, readers and writers come of them in
+//!   `compiler/document/described/`.
+//! - Undo: `compiler/document/edit/history.rs` (`History`) in one document,
+//!   `editor/state/session/steps.rs` across all, by the times in `editor/state/document/times.rs`.
+//! - Diagnostics: `language/diag/mod.rs` has their form; each text is where the problem is found.
+//! - HCBTFs as one picture: `scene/hcbtf/sheet.rs`, `scene/hcbtf/contact.rs`.
+//!
+//! Shaders:
+//! - Order of nodes: `compiler/compile/emit/mod.rs` (`order_calls`).
+//! - Contexts, which nodes read of the surroundings: `compiler/library/context/table.rs`.
+//! - Passes: `compiler/library/passes/table.rs`.
+//! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`.
+//! - Languages of exports: `scene/export/mod.rs` (`LANGUAGES`).
+//!
+//! Lights:
+//! - Fields: rows in `compiler/document/light/mod.rs` (`light_fields!`).
+//! - Fading with distance, and the cone: `shaders/lib/light.wgsl` (`light_fading`, `light_cone`).
+//! - A scene's lights in place of a look's, by id: `scene/frame/plan/placement.rs` (`lights`),
+//!   `scene/frame/keys/rig.rs` (`keyed_values`).
+//! - Handles on the object: `editor/viewport/lights.rs`.
+//! - Light that is painted on the picture: `editor/tools/fitting/`, `laboratory/fit/solve.rs`.
+//!
+//! Measures:
+//! - Fragments in f64: `reference/modules.rs` (`Fragments`).
+//! - Distance of the GPU's picture from them: `laboratory/accuracy/error.rs` (`compare`).
+//! - Time: `laboratory/accuracy/cost.rs`; time and error are shown by `editor/panels/cost/`.
+//! - Counted operations: `language/wgsl/operations.rs`, `scene/frame/cost.rs`; shown by
+//!   `editor/panels/effects.rs`.
+//!
+//! Window:
+//! - Panels: `editor/panels/mod.rs` (`PANELS`) lists their rows, which are in the panels' files.
+//! - Shortcuts: rows in `editor/commands/table/`, listed by `editor/app/shortcuts_and_palette.rs`.
+//! - Unsaved work after a crash: `files/journal/` keeps it, `editor/state/safety/` offers it.
+//! - Documents that the last program ended over: `editor/state/crashes.rs` (`Suspect`).
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

@@ -3,14 +3,16 @@
 //! [`execute`] runs a plan's passes in order, as the renderer does: `geometry` has each vertex
 //! shaded once, and sorts the triangles into tiles; on each tile, `clip` cuts a triangle at the
 //! near and far planes, `setup` puts it on the screen's grid, `coverage` finds the samples that it
-//! covers, and `interpolate` the values at its pixels; `shade` has the pixels shaded in batches of
-//! 2x2 quads, and `tile` keeps depth and color of every sample. `fullscreen` shades all pixels of
+//! covers, and `interpolate` the values at its pixels; `batches` gathers their 2x2 quads and has
+//! them shaded, and `tile` keeps depth and color of every sample. `fullscreen` shades all pixels of
 //! an image.
 //!
 //! [`GatheredFragments`] keeps the fragments of chosen pixels, to shade them again with other
 //! values of a look.
 //!
 //! The rasterizer knows no WGSL: shaders stand behind the traits [`Shader`] and [`ShaderFactory`].
+//! Behind these traits, `modules` runs generated WGSL by the interpreter, in f64 or as f32 rounds.
+//! Pictures of the GPU are compared with the reference's in `laboratory::accuracy::error`.
 //!
 //! # Agreement with a GPU, and differences
 //! Clip space, viewport, culling, the top-left rule, sample positions, the depth test (less) and
@@ -29,6 +31,7 @@ use chiaro_compiler::{document, library};
 use chiaro_language::{diag, ids, interp, progress, wgsl};
 use chiaro_scene::{frame, hcbtf, threads};
 
+mod batches;
 mod clip;
 mod coverage;
 mod eval;
@@ -45,7 +48,6 @@ mod probe;
 mod raster;
 mod reference;
 mod setup;
-mod shade;
 mod shader;
 mod texels;
 mod tile;

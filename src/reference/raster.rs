@@ -14,12 +14,12 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::batches::{Batcher, Quad};
 use super::coverage::Edges;
 use super::geometry::{Geometry, TRIANGLES, TileGrid, Triangles};
 use super::interpolate::TrianglePlane;
 use super::options::ReferenceOptions;
 use super::pool;
-use super::shade::{Batcher, Quad};
 use super::texels::{Coverage, Texels};
 use super::tile::{PassTarget, TileSamples};
 use crate::diag::Diagnostic;

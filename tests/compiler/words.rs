@@ -1,4 +1,5 @@
-//! Names: a type's name says what the type is, and the glossary names types and modules that exist.
+//! Names: a type's name says what the type is, and the glossary and the library's map of the code
+//! name types, modules and files that exist.
 //!
 //! A name that is a pronoun, a preposition, an adverb, a verb or a bare participle (`What`, `Of`,
 //! `Shown`) tells nobody what the type is, and comes again in the next module for another type.
@@ -6,6 +7,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::path::PathBuf;
 
 use crate::support::files::below;
 use crate::support::root;
@@ -105,8 +107,13 @@ fn types_are_called_what_they_are() {
     assert!(riddles.is_empty(), "a name says what the thing is, and these do not: {riddles:#?}");
 }
 
-/// Types and modules in the glossary's last column exist; modules by their paths from `src/` or the
-/// top.
+/// The file that a path from `src/` or the top names, or the folder, where the path ends in `/`.
+fn place_of(path: &str) -> Option<PathBuf> {
+    let mut places = [root().join("src").join(path), root().join(path)].into_iter();
+    places.find(|place| if path.ends_with('/') { place.is_dir() } else { place.is_file() })
+}
+
+/// Types, modules and files in the glossary's last column exist.
 #[test]
 fn the_glossary_names_what_there_is() {
     let text = fs::read_to_string(root().join("docs/glossary.md")).unwrap();
@@ -124,17 +131,39 @@ fn the_glossary_names_what_there_is() {
         words += 1;
         let named = carriers.split('`').skip(1).step_by(2);
         for carrier in named {
-            let is_there = match carrier.strip_suffix('/') {
-                Some(module) => {
-                    root().join("src").join(module).is_dir() || root().join(module).is_dir()
-                }
-                None if carrier.ends_with(".rs") => root().join("src").join(carrier).is_file(),
-                None => declarations.contains_key(carrier),
+            let is_there = if carrier.contains('/') {
+                place_of(carrier).is_some()
+            } else {
+                declarations.contains_key(carrier)
             };
             assert!(is_there, "`{word}`: there is no `{carrier}`");
         }
     }
     assert!(words > 40, "{words} words");
+}
+
+/// Paths in the section "Where things are" of the library exist, and a name after the path of a
+/// file is in that file.
+#[test]
+fn things_are_where_the_library_says() {
+    let text = fs::read_to_string(root().join("src/lib.rs")).unwrap();
+    let (_, section) = text.split_once("//! ## Where things are\n").expect("the section is there");
+    let lines = section.lines().map_while(|line| line.strip_prefix("//!"));
+    let section: String = lines.take_while(|line| !line.starts_with(" #")).collect();
+    let mut paths = 0;
+    let mut last = None;
+    for word in section.split('`').skip(1).step_by(2) {
+        if word.contains('/') {
+            last = Some(place_of(word).unwrap_or_else(|| panic!("there is no `{word}`")));
+            paths += 1;
+            continue;
+        }
+        let file = last.as_ref().filter(|place| place.is_file());
+        let file = file.unwrap_or_else(|| panic!("`{word}` stands after no path of a file"));
+        let text = fs::read_to_string(file).unwrap();
+        assert!(text.contains(word), "there is no `{word}` in {}", file.display());
+    }
+    assert!(paths > 30, "{paths} paths");
 }
 
 #[test]

@@ -1,5 +1,6 @@
-//! Types every node of a look: which function it is, what its inputs are bound to, and in which
-//! order they run.
+//! Types every node of a look: which function it is, and what its inputs are bound to. Nodes are
+//! typed and specialized in an order in which each comes after those that it depends on; the order
+//! of calls in the shader is that of `emit`.
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::Arc;

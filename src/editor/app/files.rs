@@ -12,7 +12,7 @@ use crate::document::{Grid, Hcbtf};
 use crate::examples;
 use crate::frame::UNSAVED_HCBTF;
 use crate::panels::library;
-use crate::state::crashes::{CrashMark, CrashStep, DocumentOrigin};
+use crate::state::crashes::CrashMark;
 use crate::state::painting::work::OpenPainting;
 use crate::state::problem_text::sentence;
 use crate::state::scene::{LookToOpen, OpenScene};
@@ -100,12 +100,11 @@ impl App {
     /// Notes that a file is being read, until the returned mark is dropped. `None`, with a message,
     /// where the last program ended over that file.
     pub(super) fn begin_to_read(&mut self, path: &Path) -> Option<CrashMark> {
-        let crashes = self.session.journals.crashes.clone();
-        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == CrashStep::Read) {
+        let mark = self.session.journals.crashes.begin_to_read(path);
+        if mark.is_none() {
             self.safety.was_interrupted(path, &self.session);
-            return None;
         }
-        Some(crashes.begin(CrashStep::Read, || DocumentOrigin::of_file(path)))
+        mark
     }
 
     /// Saves to a file, and reports a failure. Returns true if the file is written.

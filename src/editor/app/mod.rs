@@ -14,7 +14,7 @@ pub(crate) mod path_field;
 mod recovery;
 pub(crate) mod recovery_bar;
 mod scene;
-pub(crate) mod sheet;
+pub(crate) mod shortcuts_and_palette;
 pub(crate) mod tour;
 mod welcome;
 
@@ -28,7 +28,7 @@ use crate::app::dialogs::{DialogKind, Dialogs};
 use crate::app::dock::{Dock, Workspace};
 use crate::app::look_export::{LookExportResult, LookExports};
 use crate::app::path_field::PathField;
-use crate::app::sheet::Sheet;
+use crate::app::shortcuts_and_palette::Sheet;
 use crate::app::tour::Tour;
 use crate::canvas::Canvas;
 use crate::commands::table::{self, CommandRow, KeyScope};

@@ -1,4 +1,5 @@
 //! Commands about the HCBTF that is being painted.
+//! Light that is painted on the picture: `app::fitting`.
 
 use std::path::{Path, PathBuf};
 

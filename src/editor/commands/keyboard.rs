@@ -1,4 +1,4 @@
-//! Owner of a frame's keys: the window, a text field or a dialog.
+//! Owner of a frame's keys: the window, a text field or a dialog. Which key does what: `table`.
 
 use eframe::egui;
 use eframe::egui::{Key, Modifiers};

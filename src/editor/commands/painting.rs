@@ -1,4 +1,5 @@
 //! Commands about the painted HCBTF, and the tools that paint it.
+//! Light that is painted on the picture: `commands::fit`.
 
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! Panels in which an HCBTF is painted.
+//! Panels in which an HCBTF is painted. Light that is painted on the picture: `panels::fit`.
 
 use super::table::{PanelPlace, PanelRow, Presence};
 use crate::commands::PanelId;

@@ -191,6 +191,14 @@ impl CrashLog {
         CrashMark { log: self.clone(), number }
     }
 
+    /// Notes that a file is being read until the returned mark is dropped; `None` where the last
+    /// program ended while reading that file, which is then not to be read.
+    pub(crate) fn begin_to_read(&self, path: &Path) -> Option<CrashMark> {
+        let is_held_back =
+            self.suspect_in(path).is_some_and(|suspect| suspect.step == CrashStep::Read);
+        (!is_held_back).then(|| self.begin(CrashStep::Read, || DocumentOrigin::of_file(path)))
+    }
+
     /// Removes the file of a window that closes in peace: steps that still go on are of no
     /// interest.
     pub(crate) fn close(&self) {

@@ -1,5 +1,9 @@
 //! Lights on the object: needles that show their directions, and handles that are dragged.
 //!
+//! Directional lights have needles, unless they are muted or others are soloed. Point and spot
+//! lights have none, and a spot's cone is not drawn: such lights are dragged by the middle of their
+//! lit part alone, which is marked for the light of the selected layer, of whichever kind.
+//!
 //! The middle of a light's lit part is dragged over the surface: the light turns so that the middle
 //! is under the pointer. Beyond the outline the middle goes on behind the object. The end of a
 //! needle is dragged around the object like a bead on a ball; a drag over the rim and back leads to

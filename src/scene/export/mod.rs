@@ -40,7 +40,8 @@ pub use files::{in_the_way, write};
 pub use language::{Language, TextFile};
 pub use spirv::spirv_words;
 
-/// All languages, in the order of the issue.
+/// All languages, in the order in which the window lists them: WGSL, three versions of GLSL, HLSL,
+/// MSL and SPIR-V.
 pub const LANGUAGES: [&Language; 7] = [
     &wgsl::LANGUAGE,
     &glsl_es300::LANGUAGE,

@@ -9,11 +9,12 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Arc, Weak};
 
 use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
+use indexmap::IndexMap;
 
 use super::camera::View;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
-use crate::document::{LightField, LightKind, Look, Target};
+use crate::document::{Light, LightField, LightKind, Look, Target};
 use crate::geometry::{Bounds, Mesh};
 use crate::ids::LightId;
 
@@ -117,11 +118,12 @@ fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
         || beyond(|c| -c.z)
 }
 
-/// Fields of a look's lights that are 0 for an object, each with the reason. Lights that keys or
-/// exposed parameters move are never dark.
+/// Fields of a look's lights that are 0 for an object, each with the reason; `lights` replace the
+/// look's. Lights that keys or exposed parameters move are never dark.
 pub(super) fn dark_lights(
     setup: &Setup,
     look: &Look,
+    lights: &IndexMap<LightId, Light>,
     placed: &ObjectPlacement,
     view: &View,
 ) -> Vec<((LightId, LightField), &'static str)> {
@@ -129,7 +131,7 @@ pub(super) fn dark_lights(
     let illumination = DQuat::from_array(setup.scene.illumination).normalize();
     let mut dark = Vec::new();
     for (id, own) in look.lights.iter().filter(|(id, _)| !moved.contains(id)) {
-        let light = setup.scene.lights.get(id).unwrap_or(own);
+        let light = lights.get(id).unwrap_or(own);
         let values = LightValues::new(light, illumination, view.rotation());
         if values.color() == DVec3::ZERO {
             dark.push(((id.clone(), LightField::Color), "it is black"));

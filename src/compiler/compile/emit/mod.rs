@@ -4,6 +4,9 @@
 //! declarations that are used, then the look itself as `shade` and, for long looks, functions of
 //! bounded length that it calls, and last the entry points. Values known before the fragment stand
 //! in the `Look` uniform or as literals.
+//!
+//! Calls of nodes stand in the order of `Emitter::order_calls`: depth first from the roots, each
+//! call after those that it reads. `parts` cuts that order into functions and keeps it.
 
 mod attributes;
 mod expression;

@@ -1,4 +1,5 @@
-//! Rows of the fields of a light.
+//! Form of the rows of a light's fields. The rows themselves, with defaults and bounds, are in
+//! `light` (`mod.rs`).
 
 use super::{Light, LightField, LightKind};
 use crate::document::Value;

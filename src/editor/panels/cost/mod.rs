@@ -1,5 +1,5 @@
-//! Cost of accuracy in time: the look and each of its nodes in each tier, measured in the
-//! background on request. A click on a tier adopts it.
+//! Measured time and error of the look and of each of its nodes, in each tier: measured in the
+//! background on request. A click on a tier adopts it. Counted operations are in `panels::effects`.
 
 mod panel;
 mod plot;

@@ -123,9 +123,9 @@ impl Card {
     /// Card of a file. The read is noted in the session's log of crashes, and a file that the
     /// program crashed on last time is not read.
     pub(crate) fn of_file(path: &Path, side: f32, session: &Session) -> Self {
-        let (crashes, files) = (&session.journals.crashes, &**session.assets.source());
+        let files = &**session.assets.source();
         let origin = CardOrigin::File(path.to_owned());
-        if crashes.suspect_in(path).is_some_and(|suspect| suspect.step == CrashStep::Read) {
+        let Some(_going) = session.journals.crashes.begin_to_read(path) else {
             return Self {
                 origin,
                 name: name_of(path),
@@ -133,8 +133,7 @@ impl Card {
                 key: 0,
                 side,
             };
-        }
-        let _going = crashes.begin(CrashStep::Read, || DocumentOrigin::of_file(path));
+        };
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
             let content = cover(files, path).map_or(CardContent::Unreadable, |cover| {
                 CardContent::Painting(Box::new(Painting::of(cover)))

@@ -1,5 +1,5 @@
-//! Order of steps across the look and the scene around it, so that undo takes back the last step of
-//! either.
+//! Times of a document's steps, and its gestures. `session::steps` compares the times of the look,
+//! the scene around it, the painting and the sketch, so that undo takes back the last step of any.
 
 use crate::state::revision::{DocumentRevision, GestureId, GestureNumber, StepTime};
 

@@ -1,6 +1,10 @@
 //! Safety of the user's work: unsaved work is kept in a journal and offered again, files changed by
 //! other programs are noticed, and settings are saved. Messages appear in a bar below the top one,
 //! and nothing asks in the middle of the work.
+//!
+//! Suspects, the documents that the last program ended over, are known to `state::crashes`. Readers
+//! of files ask there (`app::files`, and the cards of `panels::library`), [`Safety::resume`], and
+//! `session::holding`, so that a suspect is neither compiled nor drawn.
 
 pub(crate) mod disk;
 pub(crate) mod offers;

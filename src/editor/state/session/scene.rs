@@ -1,9 +1,8 @@
-//! Scene around the look, and one order of undo for both, the painting and the sketch.
+//! Scene around the look: opened, begun, edited, saved and left.
 
 use std::path::Path;
 
 use super::Session;
-use super::steps::{DocumentKind, Steps};
 use crate::diag::Diagnostic;
 use crate::document::{LoadedDocument, Scene, SceneEdit};
 use crate::examples;
@@ -12,7 +11,7 @@ use crate::ids::ObjectId;
 use crate::state::document::journal::VIEW;
 use crate::state::paths::absolute;
 use crate::state::revision::GestureId;
-use crate::state::scene::{LookToOpen, OPEN_LOOK, OpenScene, real, scene_of};
+use crate::state::scene::{LookToOpen, OPEN_LOOK, OpenScene, scene_of};
 
 impl Session {
     /// The scene around the look, if there is one.
@@ -244,94 +243,5 @@ impl Session {
         let is_read = open_scene.reload(text, self.revisions.step);
         self.scene_changed();
         is_read
-    }
-}
-
-/// Common order of undo for the look, the scene, the painting and the sketch on the picture.
-impl Session {
-    /// Notes that a step of the look was done.
-    pub(super) fn step_done(&mut self) {
-        self.revisions.step.advance();
-        if let Some(open_scene) = &mut self.open_scene {
-            open_scene.end_gesture();
-        }
-        if let Some(work) = &mut self.painting {
-            work.end_gesture();
-        }
-    }
-
-    /// Remembers the times of the look's steps, before another look comes.
-    pub(super) fn remember_times(&mut self) {
-        let times = std::mem::take(&mut self.look.times);
-        if let (Some(open_scene), Some(path)) = (&mut self.open_scene, &self.look.path) {
-            open_scene.left.insert(real(path), times);
-        }
-    }
-
-    /// Restores the remembered times of the steps of a look that a journal brought back.
-    pub(super) fn recall_times(&mut self) {
-        if let (Some(open_scene), Some(path)) = (&mut self.open_scene, &self.look.path) {
-            self.look.times = open_scene.left.remove(&real(path)).unwrap_or_default();
-        }
-        self.look.times.fit(self.look.history.steps());
-    }
-
-    /// Steps of all open documents, in the order in which they were done.
-    pub fn steps(&self) -> Steps<'_> {
-        Steps {
-            look: &self.look,
-            scene: self.open_scene.as_ref(),
-            painting: self.painting.as_ref().filter(|_| !self.hides_painting),
-            sketch: Some(&self.sketchbook.sketch).filter(|sketch| sketch.is_open),
-        }
-    }
-
-    /// Takes back the last step, of whichever document.
-    pub fn undo(&mut self) -> bool {
-        let of = self.steps().last();
-        match (of, &mut self.open_scene, &mut self.painting) {
-            (DocumentKind::Scene, Some(open_scene), _) => {
-                let did = open_scene.undo();
-                self.scene_changed();
-                did
-            }
-            (DocumentKind::Painting, _, Some(work)) => {
-                let did = work.undo();
-                self.painting_changed();
-                did
-            }
-            (DocumentKind::Sketch, ..) => self.sketchbook.sketch.undo(),
-            _ => self.undo_look(),
-        }
-    }
-
-    /// Repeats the step that was last taken back.
-    pub fn redo(&mut self) -> bool {
-        let of = self.steps().next();
-        match (of, &mut self.open_scene, &mut self.painting) {
-            (DocumentKind::Scene, Some(open_scene), _) => {
-                self.revisions.step.advance();
-                let did = open_scene.redo(self.revisions.step);
-                self.scene_changed();
-                did
-            }
-            (DocumentKind::Painting, _, Some(work)) => {
-                self.revisions.step.advance();
-                let did = work.redo(self.revisions.step);
-                self.painting_changed();
-                did
-            }
-            (DocumentKind::Sketch, ..) => {
-                self.revisions.step.advance();
-                self.sketchbook.sketch.redo(self.revisions.step)
-            }
-            _ => self.redo_look(),
-        }
-    }
-
-    /// Takes steps back or repeats them until `place` of them are done.
-    pub fn go_to(&mut self, place: usize) {
-        while self.steps().done() > place && self.undo() {}
-        while self.steps().done() < place && self.redo() {}
     }
 }

@@ -1,10 +1,15 @@
 //! Steps of all open documents, in one order: undo takes back the last of them.
+//!
+//! The session alone stamps steps: a method that does, repeats or reloads something takes the next
+//! number of `Revisions::step` and hands it to the document, whose `Times` keep it. Undo stamps
+//! nothing. The steps themselves are in the documents' histories, and in the sketch.
 
+use super::Session;
 use crate::document::Look;
 use crate::state::document::OpenDocument;
 use crate::state::painting::work::OpenPainting;
 use crate::state::revision::StepTime;
-use crate::state::scene::OpenScene;
+use crate::state::scene::{OpenScene, real};
 use crate::state::sketch::Sketch;
 
 /// Document that a step belongs to.
@@ -108,5 +113,95 @@ impl<'a> Steps<'a> {
         let of_painting = self.painting.map_or(0, |work| work.history().place());
         let of_sketch = self.sketch.map_or(0, Sketch::place);
         self.look.history.place() + of_scene + of_painting + of_sketch
+    }
+}
+
+/// Common order of undo for the look, the scene, the painting and the sketch on the picture.
+impl Session {
+    /// Notes that a step of the look was done: its time is taken, and gestures of the scene and the
+    /// painting end.
+    pub(super) fn step_done(&mut self) {
+        self.revisions.step.advance();
+        if let Some(open_scene) = &mut self.open_scene {
+            open_scene.end_gesture();
+        }
+        if let Some(work) = &mut self.painting {
+            work.end_gesture();
+        }
+    }
+
+    /// Remembers the times of the look's steps, before another look comes.
+    pub(super) fn remember_times(&mut self) {
+        let times = std::mem::take(&mut self.look.times);
+        if let (Some(open_scene), Some(path)) = (&mut self.open_scene, &self.look.path) {
+            open_scene.left.insert(real(path), times);
+        }
+    }
+
+    /// Restores the remembered times of the steps of a look that a journal brought back.
+    pub(super) fn recall_times(&mut self) {
+        if let (Some(open_scene), Some(path)) = (&mut self.open_scene, &self.look.path) {
+            self.look.times = open_scene.left.remove(&real(path)).unwrap_or_default();
+        }
+        self.look.times.fit(self.look.history.steps());
+    }
+
+    /// Steps of all open documents, in the order in which they were done.
+    pub fn steps(&self) -> Steps<'_> {
+        Steps {
+            look: &self.look,
+            scene: self.open_scene.as_ref(),
+            painting: self.painting.as_ref().filter(|_| !self.hides_painting),
+            sketch: Some(&self.sketchbook.sketch).filter(|sketch| sketch.is_open),
+        }
+    }
+
+    /// Takes back the last step, of whichever document.
+    pub fn undo(&mut self) -> bool {
+        let of = self.steps().last();
+        match (of, &mut self.open_scene, &mut self.painting) {
+            (DocumentKind::Scene, Some(open_scene), _) => {
+                let did = open_scene.undo();
+                self.scene_changed();
+                did
+            }
+            (DocumentKind::Painting, _, Some(work)) => {
+                let did = work.undo();
+                self.painting_changed();
+                did
+            }
+            (DocumentKind::Sketch, ..) => self.sketchbook.sketch.undo(),
+            _ => self.undo_look(),
+        }
+    }
+
+    /// Repeats the step that was last taken back.
+    pub fn redo(&mut self) -> bool {
+        let of = self.steps().next();
+        match (of, &mut self.open_scene, &mut self.painting) {
+            (DocumentKind::Scene, Some(open_scene), _) => {
+                self.revisions.step.advance();
+                let did = open_scene.redo(self.revisions.step);
+                self.scene_changed();
+                did
+            }
+            (DocumentKind::Painting, _, Some(work)) => {
+                self.revisions.step.advance();
+                let did = work.redo(self.revisions.step);
+                self.painting_changed();
+                did
+            }
+            (DocumentKind::Sketch, ..) => {
+                self.revisions.step.advance();
+                self.sketchbook.sketch.redo(self.revisions.step)
+            }
+            _ => self.redo_look(),
+        }
+    }
+
+    /// Takes steps back or repeats them until `place` of them are done.
+    pub fn go_to(&mut self, place: usize) {
+        while self.steps().done() > place && self.undo() {}
+        while self.steps().done() < place && self.redo() {}
     }
 }

@@ -1,4 +1,5 @@
-//! Placement of objects and camera, and the objects that are seen.
+//! Placement of objects and camera, the objects that are seen, and the lights that replace a look's
+//! lights of the same id.
 
 use std::borrow::Cow;
 

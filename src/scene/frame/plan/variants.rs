@@ -75,7 +75,7 @@ impl Planner {
                 let look = &scene.setup.looks[index];
                 let now = structural_look(&look.look, scene.options.time, &object.values);
                 let live = &scene.lives[index];
-                let dark = self.dark(scene, &now, live, number);
+                let dark = self.dark(scene, number, index, &now);
                 let (cutout, fields) = (has_cutout(object, index), fields(&dark));
                 let key = look_key(&now, live, cutout, &fields);
                 let variant = LookVariant { key, cutout, dark: fields };
@@ -133,12 +133,22 @@ impl Planner {
         if problems.is_empty() { Ok(()) } else { Err(problems) }
     }
 
-    fn dark(&self, scene: &PlacedScene<'_>, look: &Look, live: &Live, number: usize) -> DarkLights {
+    /// Fields of lights that are 0 for an object that wears a look, by the object's number and the
+    /// look's.
+    fn dark(
+        &self,
+        scene: &PlacedScene<'_>,
+        object: usize,
+        index: usize,
+        look: &Look,
+    ) -> DarkLights {
         // Values that may be edited at any time are never assumed to stay as they are.
-        if self.cull != CullMode::All || !matches!(live, Live::Keyed | Live::Exposed) {
+        if self.cull != CullMode::All || !matches!(scene.lives[index], Live::Keyed | Live::Exposed)
+        {
             return Vec::new();
         }
-        dark_lights(scene.setup, look, &scene.placed[number], &scene.view)
+        let lights = scene.lights(index);
+        dark_lights(scene.setup, look, &lights, &scene.placed[object], &scene.view)
     }
 
     fn compile_look(
