@@ -14,17 +14,17 @@ const FRAMES: u16 = 80;
 const QUIET: u16 = 30;
 
 /// Function that finds the point of the window to begin a drag at.
-type Find = fn(&App) -> Option<Pos2>;
+type PointFinder = fn(&App) -> Option<Pos2>;
 
 /// Drags, one after the other.
-const DRAGS: [(&str, Find); 3] = [
+const DRAGS: [(&str, PointFinder); 3] = [
     ("a line on the object", |app| app.viewport().curve("cutoff").first().copied()),
     ("a light", |app| app.viewport().middle()),
     ("the camera", |app| app.viewport().rect().map(|rect| rect.min + vec2(60.0, 60.0))),
 ];
 
 /// The window, and the progress of the hand.
-struct Driven {
+struct DragBenchmark {
     app: App,
     drag: usize,
     from: Option<Pos2>,
@@ -36,7 +36,7 @@ struct Driven {
     times: Vec<f64>,
 }
 
-impl Driven {
+impl DragBenchmark {
     fn finish(&mut self) {
         let (what, _) = DRAGS[self.drag];
         println!(
@@ -48,7 +48,7 @@ impl Driven {
     }
 }
 
-impl eframe::App for Driven {
+impl eframe::App for DragBenchmark {
     fn raw_input_hook(&mut self, ctx: &egui::Context, input: &mut RawInput) {
         // The last frame is presented when the next one asks for its input.
         self.times.extend(self.since_input.take().map(|clock| clock.seconds()));
@@ -100,7 +100,7 @@ pub(crate) fn run(look: &Path) {
         app.open(&look);
         app.session_mut().select(vec!["diffuse".into()]);
         let (in_time, times) = (0, Vec::new());
-        Ok(Box::new(Driven {
+        Ok(Box::new(DragBenchmark {
             app,
             drag: 0,
             from: None,

@@ -51,13 +51,13 @@ fn pixels(image: &image::RgbaImage, rect: Rect) -> Vec<u8> {
 
 /// Number of pictures of a part of the window that were in the very frame of their stamp.
 #[derive(Default)]
-struct Shown {
+struct PictureCount {
     in_time: u32,
     changed: u32,
     last: Vec<u8>,
 }
 
-impl Shown {
+impl PictureCount {
     fn tell(&mut self, shown: &[u8], right: Vec<u8>) {
         self.changed += u32::from(right != self.last);
         self.in_time += u32::from(shown == right && right != self.last);
@@ -72,7 +72,7 @@ fn stroke(hand: &mut User, texels: f64, what: &str) {
     let picture = hand.app().viewport().rect().expect("the picture is shown");
     let from = canvas.center() + vec2(30.0, 0.0);
     hand.hold(from);
-    let (mut on_tile, mut on_surface) = (Shown::default(), Shown::default());
+    let (mut on_tile, mut on_surface) = (PictureCount::default(), PictureCount::default());
     let (mut times, mut own) = (Vec::new(), Vec::new());
     for step in 1..=FRAMES {
         let turn = f32::from(step) * 0.31;

@@ -556,9 +556,9 @@ fn the_other_looks_are_read_again_when_they_change() {
 
 /// A file from the desktop.
 #[derive(Debug)]
-struct Dropped(PathBuf);
+struct DesktopFile(PathBuf);
 
-impl DroppedFile for Dropped {
+impl DroppedFile for DesktopFile {
     fn path(&self) -> &Path {
         &self.0
     }
@@ -573,7 +573,7 @@ fn drop_at(hand: &mut User, file: &Path, at: Pos2, modifiers: Modifiers) {
     hand.hover(at);
     hand.harness.event(Event::ModifiersChanged(modifiers));
     hand.harness.step();
-    hand.harness.input_mut().dropped_files.push(Arc::new(Dropped(file.to_owned())));
+    hand.harness.input_mut().dropped_files.push(Arc::new(DesktopFile(file.to_owned())));
     hand.harness.step();
     hand.harness.event(Event::ModifiersChanged(Modifiers::NONE));
     hand.settle();

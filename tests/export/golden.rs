@@ -413,7 +413,7 @@ fn uniforms_lie_in_glsl_where_the_description_says() {
 /// The value of a step of `host`: JSON as the description has it, or the value that a function
 /// gave.
 #[derive(Clone, Debug)]
-enum Evaluated {
+enum StepValue {
     Json(Json),
     Value(Value),
 }
@@ -468,11 +468,11 @@ fn evaluate(
         source: Some(functions),
         ..FunctionOptions::default()
     };
-    let mut values: Vec<Evaluated> = Vec::new();
+    let mut values: Vec<StepValue> = Vec::new();
     let index = |json: &Json| json.as_u64().expect("an index") as usize;
     for step in host["steps"].as_array().expect("steps") {
         let value = match step["op"].as_str().expect("an operation") {
-            "constant" => Evaluated::Json(step["value"].clone()),
+            "constant" => StepValue::Json(step["value"].clone()),
             "parameter" => {
                 let given = set(index(&step["parameter"])).map(|given| {
                     match (step["type"].as_str(), given) {
@@ -484,9 +484,9 @@ fn evaluate(
                         (_, given) => given,
                     }
                 });
-                Evaluated::Json(given.unwrap_or_else(|| step["value"].clone()))
+                StepValue::Json(given.unwrap_or_else(|| step["value"].clone()))
             }
-            "context" => Evaluated::Json(context(step)),
+            "context" => StepValue::Json(context(step)),
             "call" => {
                 let function = step["function"].as_str().expect("a function");
                 let program = Program::compile(&valid.module, function, options).expect(function);
@@ -497,15 +497,15 @@ fn evaluate(
                     .zip(program.parameters());
                 let arguments: Vec<_> = arguments
                     .map(|(argument, parameter)| match &values[index(argument)] {
-                        Evaluated::Json(json) => shaped(json, &parameter.shape),
-                        Evaluated::Value(value) => value.clone(),
+                        StepValue::Json(json) => shaped(json, &parameter.shape),
+                        StepValue::Value(value) => value.clone(),
                     })
                     .collect();
-                Evaluated::Value(program.call(&arguments, Precision::F64).expect(function))
+                StepValue::Value(program.call(&arguments, Precision::F64).expect(function))
             }
             "member" => match &values[index(&step["of"])] {
-                Evaluated::Json(json) => Evaluated::Json(json[index(&step["member"])].clone()),
-                Evaluated::Value(value) => Evaluated::Value(
+                StepValue::Json(json) => StepValue::Json(json[index(&step["member"])].clone()),
+                StepValue::Value(value) => StepValue::Value(
                     value.parts().expect("a struct")[index(&step["member"])].clone(),
                 ),
             },
@@ -515,8 +515,8 @@ fn evaluate(
     }
     let members = host["members"].as_array().expect("members");
     let numbers = |member: &Json| match &values[index(&member["step"])] {
-        Evaluated::Json(json) => flat_json(json),
-        Evaluated::Value(value) => flat(value),
+        StepValue::Json(json) => flat_json(json),
+        StepValue::Value(value) => flat(value),
     };
     members.iter().map(numbers).collect()
 }

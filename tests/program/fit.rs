@@ -14,7 +14,7 @@ use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, GatheredFragments, Modules};
 
-use hidden::{Hidden, difference, hidden, painted, picture, setup_of};
+use hidden::{HiddenLook, difference, hidden, painted, picture, setup_of};
 
 /// A look to begin from: a gray base without layers.
 fn nothing() -> Look {
@@ -25,7 +25,7 @@ fn nothing() -> Look {
     Look::read(text, "nothing.json").value.unwrap()
 }
 
-fn from_nothing(hidden: &Hidden, target: &FitTarget) -> FittedLook {
+fn from_nothing(hidden: &HiddenLook, target: &FitTarget) -> FittedLook {
     let setup = setup_of(nothing(), hidden.mesh);
     let (options, progress) = (FitOptions::default(), Progress::new());
     fit_layers(&setup, 0, Library::built_in(), target, hidden.layers, &options, &progress).unwrap()

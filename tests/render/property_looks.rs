@@ -24,7 +24,7 @@ struct Source {
 
 /// A graph that grows: every wire goes from an earlier node to a later one, so that there is no
 /// cycle.
-struct Growing {
+struct RandomGraph {
     nodes: Vec<Json>,
     wires: Vec<Json>,
     sources: Vec<Source>,
@@ -83,7 +83,7 @@ fn is_widened(def: &NodeDef, port: &PortName) -> bool {
     def.variants.iter().any(|variant| variant.parameters.iter().any(is_wide))
 }
 
-impl Growing {
+impl RandomGraph {
     fn new() -> Self {
         Self { nodes: Vec::new(), wires: Vec::new(), sources: Vec::new() }
     }
@@ -193,7 +193,7 @@ impl Growing {
 /// A look of `count` nodes or so, some of them in a group that is used twice.
 fn random_look(seed: u64, count: usize) -> Json {
     let random = &mut Random::new(seed);
-    let mut inner = Growing::new();
+    let mut inner = RandomGraph::new();
     inner.grow(8 + random.index(6), random);
     let color = inner
         .source_for(&Type::Color, random)
@@ -204,7 +204,7 @@ fn random_look(seed: u64, count: usize) -> Json {
     inner_wires.push(json!({"from": "scale", "to": "outputs.color"}));
     inner.nodes.push(json!({"id": "scale", "kind": "multiply"}));
 
-    let mut outer = Growing::new();
+    let mut outer = RandomGraph::new();
     outer.grow(count, random);
     for index in 0..random.index(3) {
         let id = format!("group_{index}");

@@ -11,19 +11,19 @@ use glam::{DVec2, DVec3, Vec3, Vec4};
 
 /// A mesh as input of another implementation of MikkTSpace, which follows the reference to the
 /// byte.
-struct Other<'m> {
+struct MikktspaceMesh<'m> {
     mesh: &'m Mesh,
     /// Tangents by corner.
     tangents: Vec<Option<[f32; 4]>>,
 }
 
-impl Other<'_> {
+impl MikktspaceMesh<'_> {
     fn index(&self, face: usize, corner: usize) -> usize {
         self.mesh.indices[face * 3 + corner] as usize
     }
 }
 
-impl Geometry for Other<'_> {
+impl Geometry for MikktspaceMesh<'_> {
     fn num_faces(&self) -> usize {
         self.mesh.triangle_count()
     }
@@ -51,7 +51,7 @@ impl Geometry for Other<'_> {
 
 /// The tangent of each corner by the other implementation.
 fn expected(mesh: &Mesh) -> Vec<Option<[f32; 4]>> {
-    let mut other = Other { mesh, tangents: vec![None; mesh.indices.len()] };
+    let mut other = MikktspaceMesh { mesh, tangents: vec![None; mesh.indices.len()] };
     generate_tangents(&mut other).expect("it has no errors");
     other.tangents
 }

@@ -82,16 +82,16 @@ fn a_folder_of_samples_comes_from_memory_and_its_size_is_bounded() {
         import(&files, from, ExchangeFormat::Folder, grid, 0, &Progress::new()).unwrap().value;
     assert_eq!(hcbtf.painted.len(), 1);
     // A folder of more entries than any HCBTF has samples is not looked through.
-    let told =
-        import(&Endless, from, ExchangeFormat::Folder, grid, 0, &Progress::new()).unwrap_err();
+    let told = import(&EndlessFolder, from, ExchangeFormat::Folder, grid, 0, &Progress::new())
+        .unwrap_err();
     assert_eq!(told[0].code, "too-large");
 }
 
 /// A folder without end.
 #[derive(Debug)]
-struct Endless;
+struct EndlessFolder;
 
-impl Files for Endless {
+impl Files for EndlessFolder {
     fn read(&self, path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
         MemoryFiles::default().read(path, most)
     }

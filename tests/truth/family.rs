@@ -23,7 +23,8 @@ struct Place {
     depth: f64,
 }
 
-type Truth = fn(SampleInputs<'_>, &Place) -> Vec<f64>;
+/// The truth of a shading node: the numbers of one output after another.
+type ShadingFormula = fn(SampleInputs<'_>, &Place) -> Vec<f64>;
 
 fn v3(numbers: &[f64]) -> DVec3 {
     DVec3::from_slice(numbers)
@@ -142,7 +143,7 @@ fn wide(roughness: f64) -> f64 {
 }
 
 #[expect(clippy::too_many_lines, reason = "a table: a few lines a node")]
-fn truth(kind: &str, word: &str) -> Option<Truth> {
+fn truth(kind: &str, word: &str) -> Option<ShadingFormula> {
     Some(match (kind, word) {
         ("half_vector", _) => |_, p| list(half(p.l, p.v)),
         ("axes", _) => |i, _| {

@@ -22,7 +22,7 @@ use serde_json::{Value as Json, json};
 const MOST: f64 = f32::MAX as f64;
 
 /// The truth of a node: the numbers of one output after another.
-type Truth = fn(SampleInputs<'_>) -> Vec<f64>;
+type NodeFormula = fn(SampleInputs<'_>) -> Vec<f64>;
 
 fn bounded(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x.clamp(-MOST, MOST) }
@@ -144,7 +144,7 @@ fn mixed_colors(mode: &str, inputs: SampleInputs<'_>) -> Vec<f64> {
 
 /// The truth of a kind by its documentation; `None` for kinds with tests of their own.
 #[expect(clippy::too_many_lines, reason = "a table: one line a node")]
-fn truth(kind: &str, word: &str) -> Option<Truth> {
+fn truth(kind: &str, word: &str) -> Option<NodeFormula> {
     Some(match (kind, word) {
         ("absolute", _) => |i| each(i, f64::abs),
         ("negate", _) => |i| each(i, |x| -x),

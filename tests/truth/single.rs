@@ -29,7 +29,7 @@ use serde_json::json;
 
 /// The largest difference between the GPU and the reference.
 #[derive(Clone, Copy, Debug)]
-enum Bound {
+enum ErrorBound {
     /// A number of steps of f32.
     Steps(u64),
     Absolute(f64),
@@ -58,12 +58,12 @@ impl Domain {
     }
 }
 
-use Bound::{Absolute, Steps};
 use Domain::{Between, Positive, Wide};
+use ErrorBound::{Absolute, Steps};
 
 /// An operation, its WGSL over `p`, its domain, the bound by WGSL, and the bound on software
 /// Vulkan.
-type Row = (&'static str, &'static str, Domain, Bound, Bound);
+type Row = (&'static str, &'static str, Domain, ErrorBound, ErrorBound);
 
 /// Operations that WGSL rounds correctly, or does not round. Division and square roots are correct
 /// on software Vulkan; WGSL allows 2.5 steps, and for the root the error of 1 / inverseSqrt(x) with

@@ -54,7 +54,7 @@ use crate::tools::fitting::FitTool;
 use crate::tools::probe::Probe;
 use crate::tools::wipe::Wipe;
 use crate::viewport::Viewport;
-use crate::viewport::picture::{MissingPicture, Picture};
+use crate::viewport::picture::{MissingPicture, ViewportPicture};
 use crate::widgets::{spots, theme};
 use files::PendingAction;
 use welcome::StartPage;
@@ -115,7 +115,7 @@ impl App {
         let library = Arc::new(Library::built_in().clone());
         let session = Session::reading_from(files, library, waker());
         let crashes = || session.journals.crashes.clone();
-        let picture = render_state.map(|state| Picture::new(state, crashes(), waker()));
+        let picture = render_state.map(|state| ViewportPicture::new(state, crashes(), waker()));
         let bench = Workbench::new(picture, crashes(), waker());
         Self {
             session,
@@ -333,7 +333,7 @@ impl App {
 
     /// True if a picture was requested that is not handed to the GPU yet.
     pub fn is_drawing(&self) -> bool {
-        self.bench.picture.as_ref().is_some_and(Picture::is_busy)
+        self.bench.picture.as_ref().is_some_and(ViewportPicture::is_busy)
     }
 
     /// Number of requested pictures.
@@ -343,7 +343,7 @@ impl App {
 
     /// Ratio of the screen's resolution to the picture's; 1 at rest.
     pub fn coarseness(&self) -> u32 {
-        self.bench.picture.as_ref().map_or(1, Picture::coarseness)
+        self.bench.picture.as_ref().map_or(1, ViewportPicture::coarseness)
     }
 
     /// Number of small pictures of layers and looks.
@@ -460,7 +460,7 @@ impl App {
         status.show(ui, |ui| {
             commands.extend(self.status(ui));
         });
-        if self.bench.picture.as_ref().is_some_and(Picture::is_unfinished) {
+        if self.bench.picture.as_ref().is_some_and(ViewportPicture::is_unfinished) {
             ui.ctx().request_repaint_after(UNFINISHED);
         }
         if self.start.is_some() {
@@ -519,7 +519,8 @@ impl App {
 
     /// True while the first picture is on its way. Behind the start page none is requested.
     fn awaits_first_picture(&self) -> bool {
-        let is_awaited = |picture: &Picture| !picture.is_there() && picture.problems.is_empty();
+        let is_awaited =
+            |picture: &ViewportPicture| !picture.is_there() && picture.problems.is_empty();
         self.start.is_none()
             && self.dock.shows(PanelId::PICTURE)
             && self.bench.picture.as_ref().is_some_and(is_awaited)
@@ -527,7 +528,7 @@ impl App {
     }
 
     fn has_picture(&self) -> bool {
-        self.bench.picture.as_ref().is_some_and(Picture::is_there)
+        self.bench.picture.as_ref().is_some_and(ViewportPicture::is_there)
     }
 
     /// Takes the results of exported shaders.

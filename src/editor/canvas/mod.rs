@@ -41,7 +41,7 @@ use inplace::{Item, TextEditInPlace};
 use marks::{IdleReason, Mark};
 use palette::Palette;
 use table::{CanvasItem, Socket, Table};
-use view::View;
+use view::CanvasView;
 
 /// Largest number of nodes in view that are named for screen readers; a far view of more nodes is a
 /// picture, not a form.
@@ -56,7 +56,7 @@ const READ_ONLY: &str = "This group is of the library: make it the look's own to
 /// The canvas and its state between frames.
 #[derive(Default)]
 pub struct Canvas {
-    view: View,
+    view: CanvasView,
     table: Table,
     buffer: Arc<Mesh>,
     gesture: Gesture,

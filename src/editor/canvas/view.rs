@@ -17,7 +17,7 @@ pub(crate) fn bounded(zoom: f32) -> f32 {
 
 /// View of a graph: a center and a zoom.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct View {
+pub(crate) struct CanvasView {
     /// Point of the graph at the canvas's center.
     pub(crate) center: Pos2,
     /// Points of the screen per point of the graph.
@@ -26,13 +26,13 @@ pub(crate) struct View {
     pub(crate) screen: Rect,
 }
 
-impl Default for View {
+impl Default for CanvasView {
     fn default() -> Self {
         Self { center: Pos2::ZERO, zoom: 1.0, screen: Rect::ZERO }
     }
 }
 
-impl View {
+impl CanvasView {
     pub(crate) fn to_screen(self, p: Pos2) -> Pos2 {
         self.screen.center() + (p - self.center) * self.zoom
     }
@@ -112,7 +112,7 @@ mod tests {
     #[test]
     fn zooming_keeps_the_point_under_the_pointer() {
         let screen = Rect::from_min_size(pos2(100.0, 50.0), vec2(800.0, 600.0));
-        let mut view = View { center: pos2(30.0, -20.0), zoom: 0.7, screen };
+        let mut view = CanvasView { center: pos2(30.0, -20.0), zoom: 0.7, screen };
         let at = pos2(333.0, 444.0);
         let before = view.to_graph(at);
         view.zoom_about(at, 1.7);
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn everything_fits() {
         let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
-        let mut view = View { screen, ..View::default() };
+        let mut view = CanvasView { screen, ..CanvasView::default() };
         let bounds = Rect::from_min_max(pos2(-500.0, 0.0), pos2(3000.0, 100.0));
         view.fit(bounds);
         assert!(view.visible().contains_rect(bounds));
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn what_is_opened_can_be_read() {
         let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
-        let mut view = View { screen, ..View::default() };
+        let mut view = CanvasView { screen, ..CanvasView::default() };
         let small = Rect::from_min_max(pos2(0.0, 0.0), pos2(1200.0, 300.0));
         view.begin(small, small);
         assert!(view.visible().contains_rect(small), "a graph that can be read is shown whole");

@@ -14,7 +14,7 @@ use crate::ids::NodeId;
 use crate::state::session::Session;
 
 /// Node whose values are shown, with its kind.
-pub(crate) struct Subject<'a> {
+pub(crate) struct InspectedNode<'a> {
     pub(crate) session: &'a Session,
     pub(crate) id: &'a NodeId,
     pub(crate) node: &'a Node,

@@ -3,7 +3,7 @@
 use eframe::egui;
 use eframe::egui::{Checkbox, ComboBox, DragValue, Id, RichText, Slider, TextEdit, Ui, vec2};
 
-use super::Subject;
+use super::InspectedNode;
 use super::keyed;
 use super::marks::{self, FieldTarget};
 use crate::catalog::Port;
@@ -88,7 +88,7 @@ fn name(ui: &mut Ui, label: RichText, help: &str, sense: egui::Sense) -> egui::R
 }
 
 /// Shows an input.
-pub(crate) fn show(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
+pub(crate) fn show(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &mut Vec<Command>) {
     ui.push_id(&port.name, |ui| {
         if let Some(wire) = subject.session.graph().wire_into(subject.id, &port.name) {
             return wired(ui, subject, port, wire, out);
@@ -166,7 +166,7 @@ fn help_of(port: &Port) -> String {
 /// Nodes that are selected with this one and have the same input free: a value that is set here is
 /// set there too.
 fn alike<'a>(
-    subject: &'a Subject<'_>,
+    subject: &'a InspectedNode<'_>,
     port: &'a Port,
 ) -> impl Iterator<Item = (&'a NodeId, &'a Node)> {
     let session = subject.session;
@@ -180,7 +180,7 @@ fn alike<'a>(
 }
 
 /// True if the selected nodes have different values here.
-fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
+fn is_mixed(subject: &InspectedNode<'_>, port: &Port) -> bool {
     let value = |id: &NodeId| {
         subject.session.keys().value_at(&subject.session.selection.target(id, &port.name))
     };
@@ -189,7 +189,7 @@ fn is_mixed(subject: &Subject<'_>, port: &Port) -> bool {
 }
 
 /// The edit that removes the nodes' own values.
-fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
+fn reset_edit(subject: &InspectedNode<'_>, port: &Port) -> Option<Edit> {
     let with_own = std::iter::once((subject.id, subject.node)).chain(alike(subject, port));
     let clears =
         with_own.filter(|(_, node)| node.values.contains_key(&port.name)).map(|(id, _)| {
@@ -204,7 +204,7 @@ fn reset_edit(subject: &Subject<'_>, port: &Port) -> Option<Edit> {
 }
 
 /// Sets a value of all selected nodes that have it, each in view: at its key, or the node's own.
-fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command {
+fn held(subject: &InspectedNode<'_>, port: &Port, widget: Id, value: Value) -> Command {
     let session = subject.session;
     let target = session.selection.target(subject.id, &port.name);
     let others: Vec<_> =
@@ -219,7 +219,13 @@ fn held(subject: &Subject<'_>, port: &Port, widget: Id, value: Value) -> Command
 }
 
 /// Shows the source of a wired input.
-fn wired(ui: &mut Ui, subject: &Subject<'_>, port: &Port, wire: &Wire, out: &mut Vec<Command>) {
+fn wired(
+    ui: &mut Ui,
+    subject: &InspectedNode<'_>,
+    port: &Port,
+    wire: &Wire,
+    out: &mut Vec<Command>,
+) {
     labelled(ui, &port.label, &help_of(port), |ui, _| {
         let Endpoint { node, .. } = &wire.from;
         let from = subject.session.graph().nodes.get(node);
@@ -249,7 +255,7 @@ fn default_button(ui: &mut Ui) -> bool {
 }
 
 /// Shows a button that removes the node's own value.
-fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>) {
+fn reset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port, out: &mut Vec<Command>) {
     // An input that reads its surroundings, or another input's value, has no widget for that, so
     // this button is the only way back.
     let is_own = subject.node.values.contains_key(&port.name);
@@ -267,7 +273,7 @@ fn reset(ui: &mut Ui, subject: &Subject<'_>, port: &Port, out: &mut Vec<Command>
 /// Shows a button that opens the HCBTF of this input to be painted; a new one where there is none.
 fn paint_button(
     ui: &mut Ui,
-    subject: &Subject<'_>,
+    subject: &InspectedNode<'_>,
     port: &Port,
     own: Option<&Value>,
     out: &mut Vec<Command>,
@@ -305,7 +311,7 @@ fn paint_button(
 fn widget(
     ui: &mut Ui,
     label: Id,
-    subject: &Subject<'_>,
+    subject: &InspectedNode<'_>,
     port: &Port,
     own: Option<&Value>,
 ) -> Option<(Id, Value)> {
@@ -353,7 +359,7 @@ pub(crate) fn plain(
 }
 
 /// Shows an input that has neither a value nor a default.
-fn unset(ui: &mut Ui, subject: &Subject<'_>, port: &Port) -> Option<(Id, Value)> {
+fn unset(ui: &mut Ui, subject: &InspectedNode<'_>, port: &Port) -> Option<(Id, Value)> {
     let width = port.ty.width();
     let of_all = |number: f64| match width {
         Some(1) => Some(Value::Number(number)),
@@ -490,7 +496,7 @@ fn choice(ui: &mut Ui, label: Id, port: &Port, value: Option<&Value>) -> Option<
 fn light_name(
     ui: &mut Ui,
     label: Id,
-    subject: &Subject<'_>,
+    subject: &InspectedNode<'_>,
     value: Option<&Value>,
 ) -> Option<(Id, Value)> {
     let id = match value {
@@ -539,7 +545,7 @@ fn path(ui: &mut Ui, label: Id, value: Option<&Value>) -> Option<(Id, Value)> {
 /// Shows the WGSL of a custom node.
 fn code(
     ui: &mut Ui,
-    subject: &Subject<'_>,
+    subject: &InspectedNode<'_>,
     port: &Port,
     own: Option<&Value>,
     out: &mut Vec<Command>,
@@ -562,7 +568,7 @@ type Editor = fn(&mut Ui, Id, Option<&Value>) -> Option<(Id, Value)>;
 /// Shows an editor that takes the whole width, below its label.
 fn wide(
     ui: &mut Ui,
-    subject: &Subject<'_>,
+    subject: &InspectedNode<'_>,
     port: &Port,
     own: Option<&Value>,
     out: &mut Vec<Command>,

@@ -13,13 +13,13 @@ use crate::render::Gpu;
 use crate::state::crashes::CrashLog;
 use crate::tools::PictureTools;
 use crate::viewport::Viewport;
-use crate::viewport::picture::Picture;
+use crate::viewport::picture::ViewportPicture;
 
 /// Parts of the window that panels draw, with their threads.
 pub(crate) struct Workbench {
     pub(crate) canvas: Canvas,
     pub(crate) viewport: Viewport,
-    pub(crate) picture: Option<Picture>,
+    pub(crate) picture: Option<ViewportPicture>,
     pub(crate) tools: PictureTools,
     pub(crate) cost: Cost,
     pub(crate) painting: Painting,
@@ -32,7 +32,7 @@ impl Workbench {
     /// `wake` is called from other threads when they have results; the drawing of thumbnails is
     /// noted in `crashes`.
     pub(crate) fn new(
-        picture: Option<Picture>,
+        picture: Option<ViewportPicture>,
         crashes: CrashLog,
         wake: impl Fn() + Clone + Send + Sync + 'static,
     ) -> Self {

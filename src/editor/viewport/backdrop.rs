@@ -2,7 +2,7 @@
 
 use eframe::egui::{self, Rect, Ui, vec2};
 
-use super::picture::Picture;
+use super::picture::ViewportPicture;
 use super::show;
 use crate::state::session::Session;
 use crate::tools::probe::picture_size;
@@ -12,7 +12,7 @@ pub(super) fn show_picture(
     ui: &Ui,
     rect: Rect,
     session: &Session,
-    picture: &mut Picture,
+    picture: &mut ViewportPicture,
     turns: bool,
     stops: f32,
 ) {

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DQuat, DVec3, Vec3};
 
-use super::layer::{Layer, ShadingType};
+use super::layer::{SelectedLayer, ShadingType};
 use super::surface::Surface;
 use crate::compile::LightValues;
 use crate::document::{Light, LightKind};
@@ -44,7 +44,7 @@ impl Field {
     /// the warp.
     pub(super) fn new(
         surface: &Surface,
-        layer: &Layer,
+        layer: &SelectedLayer,
         light: &LightValues,
     ) -> (Self, Option<(usize, f32)>) {
         let toward = match light.kind {

@@ -12,7 +12,7 @@ use eframe::egui::{
 };
 
 use super::field::{Field, Line, light_values};
-use super::layer::{Curve, Layer};
+use super::layer::{Curve, SelectedLayer};
 use super::surface::Surface;
 use crate::commands::Command;
 use crate::compile::LightValues;
@@ -49,7 +49,7 @@ struct Track {
 /// Inputs of the lines: for the same inputs the known lines are used.
 #[derive(Clone, Debug, PartialEq)]
 struct IsocurveInputs {
-    layer: Layer,
+    layer: SelectedLayer,
     light: LightValues,
 }
 
@@ -82,7 +82,12 @@ impl Isocurves {
     }
 
     /// Makes the lines anew where their inputs have changed.
-    pub(super) fn update(&mut self, session: &Session, surface: &Arc<Surface>, layer: &Layer) {
+    pub(super) fn update(
+        &mut self,
+        session: &Session,
+        surface: &Arc<Surface>,
+        layer: &SelectedLayer,
+    ) {
         let Some(light) = session.keys().light(&layer.light) else { return self.clear() };
         let light = light_values(light, session.view.orbit.illumination, surface);
         let is_same_surface =

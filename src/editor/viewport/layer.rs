@@ -85,7 +85,7 @@ impl Curve {
 
 /// Selected layer: a group with the inputs of a layer, or a profile with the nodes that feed it.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Layer {
+pub(super) struct SelectedLayer {
     pub(super) node: NodeId,
     pub(super) name: String,
     pub(super) light: LightId,
@@ -102,7 +102,7 @@ pub(super) struct Layer {
     pub(super) leaves_out: Option<&'static str>,
 }
 
-impl Layer {
+impl SelectedLayer {
     /// Offset, fall-off and cut-off as the profile uses them: in order, 0 to pi (docs/math.md D2).
     pub(super) fn angles(&self) -> [f64; 3] {
         self.in_order(|setting| setting.value)
@@ -214,7 +214,7 @@ impl<'a> NodeInGraph<'a> {
 }
 
 /// Layer of the node that was selected last, if there is one.
-pub(super) fn selected(session: &Session) -> Option<Layer> {
+pub(super) fn selected(session: &Session) -> Option<SelectedLayer> {
     if session.graph_view().is_read_only() {
         return None;
     }
@@ -228,7 +228,7 @@ pub(super) fn selected(session: &Session) -> Option<Layer> {
             to.dedup();
             to
         };
-        let found: Vec<Layer> =
+        let found: Vec<SelectedLayer> =
             fed(&place).iter().filter_map(|id| profile(&NodeInGraph::of(session, id)?)).collect();
         (found.len() == 1).then(|| found.into_iter().next()).flatten()
     })
@@ -239,7 +239,7 @@ pub(super) fn selected_light(session: &Session) -> Option<LightId> {
     NodeInGraph::of(session, session.selection.nodes.last()?)?.light()
 }
 
-fn group(place: &NodeInGraph<'_>) -> Option<Layer> {
+fn group(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
     let shading = ShadingType::of(place.word("type")?)?;
     let shape = place.shape()?;
     let (slope, amount) = (place.number("slope"), place.number("amount"));
@@ -258,7 +258,7 @@ fn group(place: &NodeInGraph<'_>) -> Option<Layer> {
     let colors = [("Convex color", "convex"), ("Concave color", "concave")];
     let colors =
         colors.into_iter().filter_map(|(label, port)| Some((label, place.color(port)?))).collect();
-    Some(Layer {
+    Some(SelectedLayer {
         node: place.id.clone(),
         name: place.name(),
         light: place.light()?,
@@ -272,7 +272,7 @@ fn group(place: &NodeInGraph<'_>) -> Option<Layer> {
     })
 }
 
-fn profile(place: &NodeInGraph<'_>) -> Option<Layer> {
+fn profile(place: &NodeInGraph<'_>) -> Option<SelectedLayer> {
     if place.node.kind != "profile" {
         return None;
     }
@@ -298,7 +298,7 @@ fn profile(place: &NodeInGraph<'_>) -> Option<Layer> {
     } else {
         None
     };
-    Some(Layer {
+    Some(SelectedLayer {
         node: place.id.clone(),
         name: place.name(),
         light: light.light()?,

@@ -39,13 +39,13 @@ use crate::state::worker::BackgroundJobs;
 use crate::tools::fitting::FitTool;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
-use crate::viewport::picture::Picture;
+use crate::viewport::picture::ViewportPicture;
 use crate::widgets::spots::{self, Spot};
 use crate::widgets::theme;
 use backdrop::{show_picture, stand_in};
 use export::{Destination, Exports, PictureExportResult};
 use isocurves::Isocurves;
-use layer::{Curve, Layer};
+use layer::{Curve, SelectedLayer};
 use place::{is_on_object, place_in, project};
 use show::{ReferenceImage, ReferencePlacement};
 use surface::{Key as SurfaceKey, Surface, Surfaces};
@@ -110,7 +110,7 @@ struct ViewportScene {
 /// Handles on the object in this frame.
 struct Handles {
     surface: Option<Arc<Surface>>,
-    layer: Option<Layer>,
+    layer: Option<SelectedLayer>,
     /// True if lines and handles are shown.
     is_on: bool,
     /// Places of the objects, where they have changed.
@@ -204,7 +204,7 @@ impl Viewport {
         &mut self,
         ui: &mut Ui,
         session: &Session,
-        picture: Option<&mut Picture>,
+        picture: Option<&mut ViewportPicture>,
         tools: &mut PictureTools,
     ) -> Vec<Command> {
         let mut out = Vec::new();

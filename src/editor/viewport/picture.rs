@@ -170,7 +170,7 @@ impl Pace {
 }
 
 /// Picture of the viewport.
-pub(crate) struct Picture {
+pub(crate) struct ViewportPicture {
     state: RenderState,
     gpu: Gpu,
     worker: Worker<PictureRequest, DrawnPicture>,
@@ -203,7 +203,7 @@ pub(crate) struct Picture {
     pub(crate) effects: Arc<Vec<Effect>>,
 }
 
-impl Picture {
+impl ViewportPicture {
     /// Creates a picture on the window's device. `wake` is called from another thread when there is
     /// a new one; the drawing is noted in `crashes`.
     pub(crate) fn new(

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{self, Align2, FontId, Rect, Role, Sense, Spinner, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::state::session::Session;
-use crate::viewport::picture::{MissingPicture, Picture};
+use crate::viewport::picture::{MissingPicture, ViewportPicture};
 use crate::widgets::theme;
 
 /// Time for which no sign is shown, in seconds.
@@ -37,7 +37,13 @@ impl PictureDelay {
     }
 
     /// Shows the sign over the picture, once a picture has been awaited for a while.
-    pub(super) fn show(&mut self, ui: &mut Ui, rect: Rect, session: &Session, picture: &Picture) {
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        rect: Rect,
+        session: &Session,
+        picture: &ViewportPicture,
+    ) {
         let awaited = picture.awaited(session);
         let is_made = matches!(awaited, Some(MissingPicture::Shader | MissingPicture::Picture));
         let (strength, calm) = self.tell(is_made, ui.input(|input| input.time));

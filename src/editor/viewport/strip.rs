@@ -7,7 +7,7 @@ use eframe::egui::{
     Align2, DragValue, Frame, Id, Margin, Rect, Response, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
 };
 
-use super::layer::{Curve, Layer, Setting};
+use super::layer::{Curve, SelectedLayer, Setting};
 use crate::commands::Command;
 use crate::document::Value;
 use crate::state::session::Session;
@@ -32,7 +32,7 @@ pub(super) fn show(
     ui: &mut Ui,
     rect: Rect,
     session: &Session,
-    layer: &Layer,
+    layer: &SelectedLayer,
     out: &mut Vec<Command>,
 ) {
     if rect.height() < LEAST_HEIGHT {
@@ -74,7 +74,7 @@ pub(super) fn show(
 }
 
 /// Shows the tab of the closed strip, with the layer's name.
-fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &Layer) -> Response {
+fn tab(ui: &mut Ui, room: Rect, id: Id, layer: &SelectedLayer) -> Response {
     let font = egui::TextStyle::Body.resolve(ui.style());
     let colors = theme::of(ui);
     let galley = ui.painter().layout_no_wrap(layer.name.clone(), font, colors.dim);
@@ -110,7 +110,7 @@ fn open(
     room: Rect,
     id: Id,
     session: &Session,
-    layer: &Layer,
+    layer: &SelectedLayer,
     widgets: &mut Vec<Id>,
     out: &mut Vec<Command>,
 ) {
@@ -144,7 +144,7 @@ fn open(
 fn angles(
     ui: &mut Ui,
     session: &Session,
-    layer: &Layer,
+    layer: &SelectedLayer,
     widgets: &mut Vec<Id>,
     out: &mut Vec<Command>,
 ) {
@@ -187,7 +187,7 @@ fn angles(
 fn surface(
     ui: &mut Ui,
     session: &Session,
-    layer: &Layer,
+    layer: &SelectedLayer,
     widgets: &mut Vec<Id>,
     out: &mut Vec<Command>,
 ) {

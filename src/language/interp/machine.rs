@@ -14,7 +14,7 @@ pub struct Machine<'p> {
     program: &'p Program,
     precision: Precision,
     memory: Memory<1>,
-    held: &'p [BoundContent],
+    contents: &'p [BoundContent],
 }
 
 /// Error of a program that ran for longer than allowed.
@@ -36,10 +36,10 @@ impl<'p> Machine<'p> {
     pub(super) fn new(
         program: &'p Program,
         precision: Precision,
-        held: &'p [BoundContent],
+        contents: &'p [BoundContent],
     ) -> Self {
-        let world = BoundResources { held, operations: &program.operations };
-        Self { program, precision, memory: Memory::new(program, precision, &world), held }
+        let resources = BoundResources { contents, operations: &program.operations };
+        Self { program, precision, memory: Memory::new(program, precision, &resources), contents }
     }
 
     /// Runs the program once. No state of an earlier call remains.
@@ -47,18 +47,19 @@ impl<'p> Machine<'p> {
     /// # Errors
     /// As [`Program::call`].
     pub fn call(&mut self, arguments: &[Value]) -> Result<Value, Diagnostic> {
-        let Program { name, parameters, result, result_slot, resources, .. } = self.program;
-        if self.held.len() != resources.len() {
+        let Program { name, parameters, result, result_slot, .. } = self.program;
+        if self.contents.len() != self.program.resources.len() {
             let message = format!("`{name}` reads resources, and none are bound");
             return Err(Diagnostic::error("interp-unbound", message)
                 .hint("bind them, and run what `Program::bind` gives"));
         }
         write_arguments(name, parameters, arguments, self.precision, &self.memory, 0)?;
-        let world = BoundResources { held: self.held, operations: &self.program.operations };
+        let resources =
+            BoundResources { contents: self.contents, operations: &self.program.operations };
         let (entry, steps) = (self.program.entry, &mut self.program.step_limit.clone());
         let outcome = match self.precision {
-            Precision::F64 => run::<Double>(self.program, &self.memory, &world, entry, steps),
-            Precision::F32 => run::<Single>(self.program, &self.memory, &world, entry, steps),
+            Precision::F64 => run::<Double>(self.program, &self.memory, &resources, entry, steps),
+            Precision::F32 => run::<Single>(self.program, &self.memory, &resources, entry, steps),
         };
         outcome.map_err(|endless| endless.diagnose(self.program))?;
         Ok(result.read(&mut (*result_slot..).map(|slot| self.memory.bits(slot, 0))))
@@ -108,7 +109,7 @@ fn wrong_shape(function: &str, parameter: &ProgramParameter, value: &Value) -> D
 pub(super) fn run<R: Rounding>(
     program: &Program,
     memory: &Memory<1>,
-    world: &BoundResources,
+    resources: &BoundResources,
     entry: JumpTarget,
     steps: &mut u64,
 ) -> Result<(), TimeLimitError> {
@@ -136,7 +137,7 @@ pub(super) fn run<R: Rounding>(
             Instruction::Return { link } => counter = memory.bits(link, 0) as usize,
             // The only lane has no neighbors to help.
             Instruction::Kill => {}
-            _ => step::<R, 1>(instruction, memory, Mask { lanes: ALL, is_full: true }, world),
+            _ => step::<R, 1>(instruction, memory, Mask { lanes: ALL, is_full: true }, resources),
         }
     }
 }

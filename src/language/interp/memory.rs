@@ -22,7 +22,7 @@ pub(super) struct Memory<const W: usize> {
 
 impl<const W: usize> Memory<W> {
     /// Memory of a program before it runs, the same in all lanes.
-    pub(super) fn new(program: &Program, precision: Precision, world: &BoundResources) -> Self {
+    pub(super) fn new(program: &Program, precision: Precision, resources: &BoundResources) -> Self {
         let row = |bits: u64| std::array::from_fn(|_| Cell::new(bits));
         let mut rows: Vec<LaneRow<W>> = program.image.iter().map(|&bits| row(bits)).collect();
         if precision == Precision::F32 {
@@ -31,7 +31,7 @@ impl<const W: usize> Memory<W> {
             }
         }
         for &(slot, source) in &program.bound_slots {
-            rows[slot as usize] = row(world.scalar(source));
+            rows[slot as usize] = row(resources.scalar(source));
         }
         Self { rows }
     }

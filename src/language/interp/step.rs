@@ -94,7 +94,7 @@ pub(super) fn step<R: Rounding, const W: usize>(
     instruction: Instruction,
     memory: &Memory<W>,
     mask: Mask,
-    world: &BoundResources,
+    resources: &BoundResources,
 ) {
     let lanes1 = |to, a| Lanes1 { to: memory.row(to), a: memory.row(a) };
     let lanes2 = |to, a, b| Lanes2 { to: memory.row(to), a: memory.row(a), b: memory.row(b) };
@@ -151,7 +151,7 @@ pub(super) fn step<R: Rounding, const W: usize>(
         Instruction::Derivative { op, to, a } => {
             derivative(op, memory.row(to), memory.row(a), |difference| R::round(difference));
         }
-        seldom => rare::<R, W>(seldom, memory, mask, world),
+        seldom => rare::<R, W>(seldom, memory, mask, resources),
     }
 }
 
@@ -161,7 +161,7 @@ fn rare<R: Rounding, const W: usize>(
     instruction: Instruction,
     memory: &Memory<W>,
     mask: Mask,
-    world: &BoundResources,
+    resources: &BoundResources,
 ) {
     match instruction {
         Instruction::FloatFma { to, a, b, c } => {
@@ -195,11 +195,13 @@ fn rare<R: Rounding, const W: usize>(
             for lane in mask.lanes(W) {
                 let from = memory.bits(pointer, lane) + u64::from(offset);
                 (0..count).for_each(|i| {
-                    memory.set(to + i, lane, world.load(buffer, from + u64::from(i)));
+                    memory.set(to + i, lane, resources.load(buffer, from + u64::from(i)));
                 });
             }
         }
-        Instruction::Image { operation } => image::execute::<R, W>(operation, memory, mask, world),
+        Instruction::Image { operation } => {
+            image::execute::<R, W>(operation, memory, mask, resources);
+        }
         // The loops handle instructions that move the counter or end lanes; `step` handles all
         // others.
         _ => debug_assert!(false, "{instruction:?} is no step"),

@@ -29,7 +29,7 @@ fn all_of(history: &History<Look>) -> Vec<(String, Look)> {
 }
 
 /// Random work, and the journal of it.
-struct Worked {
+struct RandomJournal {
     /// Size of the journal and state of the history after each line of the journal. The first is
     /// the beginning.
     stages: Vec<(u64, History<Look>)>,
@@ -38,7 +38,7 @@ struct Worked {
 
 /// Does random work with a journal: gestures of several edits, undo, redo, and now and then a
 /// journal begun anew.
-fn work(random: &mut Random, lines: usize, folder: &Path) -> Worked {
+fn work(random: &mut Random, lines: usize, folder: &Path) -> RandomJournal {
     let slot = JournalSlot::new(folder).unwrap();
     let about = DocumentInfo { name: "a look".into(), ..DocumentInfo::default() };
     let look = random.look();
@@ -72,7 +72,7 @@ fn work(random: &mut Random, lines: usize, folder: &Path) -> Worked {
     let bytes = fs::read(slot.path()).unwrap();
     assert_eq!(bytes.len() as u64, journal.size());
     slot.discard();
-    Worked { stages, bytes }
+    RandomJournal { stages, bytes }
 }
 
 fn one(random: &mut Random, history: &mut History<Look>, gesture: u64) -> Option<Op<Edit>> {
@@ -93,13 +93,13 @@ fn one(random: &mut Random, history: &mut History<Look>, gesture: u64) -> Option
 }
 
 /// Asserts that the first `cut` bytes give back the history after the last whole line.
-fn check(worked: &Worked, cut: usize, path: &Path) -> Result<(), TestCaseError> {
+fn check(journal: &RandomJournal, cut: usize, path: &Path) -> Result<(), TestCaseError> {
     let recovered = recover::<Look>(path);
-    if cut < worked.stages[0].0 as usize {
+    if cut < journal.stages[0].0 as usize {
         prop_assert!(recovered.is_err());
         return Ok(());
     }
-    let (_, expected) = worked.stages.iter().rfind(|(size, _)| *size as usize <= cut).unwrap();
+    let (_, expected) = journal.stages.iter().rfind(|(size, _)| *size as usize <= cut).unwrap();
     let recovered = recovered.map_err(|problem| TestCaseError::fail(problem.to_string()))?;
     prop_assert!(recovered.damage.is_empty(), "{:?}", recovered.damage);
     prop_assert_eq!(recovered.history.is_saved(), expected.is_saved());
@@ -123,20 +123,21 @@ proptest! {
     ) {
         let folder = tempfile::tempdir().unwrap();
         let mut random = Random::new(seed, size);
-        let worked = work(&mut random, lines, folder.path());
+        let journal = work(&mut random, lines, folder.path());
         let path = folder.path().join("cut");
-        let count = worked.bytes.len();
-        let edges = worked.stages.iter().flat_map(|(size, _)| [*size as usize - 1, *size as usize]);
+        let count = journal.bytes.len();
+        let ends = journal.stages.iter().map(|(size, _)| *size as usize);
+        let edges = ends.flat_map(|end| [end - 1, end]);
         for cut in cuts.iter().map(|cut| cut.index(count + 1)).chain(edges).chain([count]) {
-            fs::write(&path, &worked.bytes[..cut]).unwrap();
-            check(&worked, cut, &path)?;
+            fs::write(&path, &journal.bytes[..cut]).unwrap();
+            check(&journal, cut, &path)?;
             // Garbage behind the cut changes nothing, unless its first byte is the one that was cut
             // off.
             let mends =
-                worked.bytes[cut..].first().is_some_and(|byte| garbage.first() == Some(byte));
+                journal.bytes[cut..].first().is_some_and(|byte| garbage.first() == Some(byte));
             if !mends {
-                fs::write(&path, [&worked.bytes[..cut], &garbage].concat()).unwrap();
-                check(&worked, cut, &path)?;
+                fs::write(&path, [&journal.bytes[..cut], &garbage].concat()).unwrap();
+                check(&journal, cut, &path)?;
             }
         }
     }
@@ -148,28 +149,28 @@ proptest! {
         seed: u64, at: prop::sample::Index, change in 1..=255u8
     ) {
         let folder = tempfile::tempdir().unwrap();
-        let mut worked = work(&mut Random::new(seed, 4), 10, folder.path());
+        let mut journal = work(&mut Random::new(seed, 4), 10, folder.path());
         let path = folder.path().join("damaged");
-        let at = at.index(worked.bytes.len());
-        worked.bytes[at] ^= change;
-        fs::write(&path, &worked.bytes).unwrap();
+        let at = at.index(journal.bytes.len());
+        journal.bytes[at] ^= change;
+        fs::write(&path, &journal.bytes).unwrap();
         match recover::<Look>(&path) {
             Err(problem) => {
-                prop_assert!(at < worked.stages[0].0 as usize);
+                prop_assert!(at < journal.stages[0].0 as usize);
                 prop_assert_eq!(problem.code, "damaged-journal");
             }
             Ok(found) => {
-                let before = worked.stages.iter().rfind(|(size, _)| *size as usize <= at);
+                let before = journal.stages.iter().rfind(|(size, _)| *size as usize <= at);
                 let texts = |history: &History<Look>| history.document().to_text();
                 let is_before =
                     before.is_some_and(|(_, history)| texts(history) == texts(&found.history));
                 // A checksum's digit in the other case is no damage.
-                let is_all = worked
+                let is_all = journal
                     .stages
                     .last()
                     .is_some_and(|(_, history)| texts(history) == texts(&found.history));
                 prop_assert!(is_before || is_all);
-                let before_last = worked.stages.iter().rev().nth(1);
+                let before_last = journal.stages.iter().rev().nth(1);
                 let is_in_last = before_last.is_none_or(|(size, _)| at >= *size as usize);
                 prop_assert!(is_all || is_in_last || !found.damage.is_empty());
             }
@@ -181,11 +182,11 @@ proptest! {
 #[test]
 fn every_cut_of_one_journal() {
     let folder = tempfile::tempdir().unwrap();
-    let worked = work(&mut Random::new(11, 2), 8, folder.path());
+    let journal = work(&mut Random::new(11, 2), 8, folder.path());
     let path = folder.path().join("cut");
-    for cut in 0..=worked.bytes.len() {
-        fs::write(&path, &worked.bytes[..cut]).unwrap();
-        check(&worked, cut, &path).unwrap();
+    for cut in 0..=journal.bytes.len() {
+        fs::write(&path, &journal.bytes[..cut]).unwrap();
+        check(&journal, cut, &path).unwrap();
     }
 }
 

@@ -11,7 +11,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Pos2, Rect, vec2};
 use egui_kittest::kittest::Queryable as _;
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 use super::picture::Picture;
 
 fn mesh() -> Option<PathBuf> {
@@ -20,7 +20,7 @@ fn mesh() -> Option<PathBuf> {
 }
 
 /// The point of an angle's line that is nearest to the middle of the picture.
-fn on_line(artist: &Artist, port: &str) -> Pos2 {
+fn on_line(artist: &JourneyUser, port: &str) -> Pos2 {
     let center = artist.app().viewport().rect().unwrap().center();
     let points = artist.app().viewport().curve(port).into_iter();
     points
@@ -30,7 +30,7 @@ fn on_line(artist: &Artist, port: &str) -> Pos2 {
 
 /// Makes a gesture and asserts that it is one step.
 #[track_caller]
-fn one_step(artist: &mut Artist, gesture: impl FnOnce(&mut Artist)) {
+fn one_step(artist: &mut JourneyUser, gesture: impl FnOnce(&mut JourneyUser)) {
     let before = artist.steps();
     gesture(artist);
     artist.settle();
@@ -89,7 +89,7 @@ fn a_look_is_made_with_the_hand_on_the_object() {
     // A color is scrubbed in its picker.
     let color = artist.look().graph.nodes["diffuse"].values["convex"].clone();
     let swatch = artist.swatch("Convex color");
-    let fields = |artist: &Artist| -> Vec<Rect> {
+    let fields = |artist: &JourneyUser| -> Vec<Rect> {
         artist.harness.get_all_by_role(Role::SpinButton).map(|node| node.rect()).collect()
     };
     let known = fields(&artist);
@@ -105,7 +105,8 @@ fn a_look_is_made_with_the_hand_on_the_object() {
 
     // The highlight goes below the diffuse layer.
     one_step(&mut artist, |artist| {
-        let grip = |artist: &Artist, label: &str| artist.place(label).left_top() + vec2(60.0, 26.0);
+        let grip =
+            |artist: &JourneyUser, label: &str| artist.place(label).left_top() + vec2(60.0, 26.0);
         let (from, to) = (grip(artist, "Layer Highlight"), grip(artist, "Layer Diffuse"));
         artist.drag(from, to + vec2(0.0, 22.0));
     });

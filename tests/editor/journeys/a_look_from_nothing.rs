@@ -5,12 +5,12 @@ use std::path::Path;
 
 use eframe::egui::Role;
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/looks/figure1-layers.json");
 
 /// Types the profile and the warp of the selected layer. Angles in degrees.
-fn shape(artist: &mut Artist, angles: [&str; 3], colors: [&str; 2], slope: &str, warp: &str) {
+fn shape(artist: &mut JourneyUser, angles: [&str; 3], colors: [&str; 2], slope: &str, warp: &str) {
     for (label, text) in ["Offset", "Fall-off", "Cut-off"].into_iter().zip(angles) {
         artist.set(label, text);
     }
@@ -21,14 +21,14 @@ fn shape(artist: &mut Artist, angles: [&str; 3], colors: [&str; 2], slope: &str,
 }
 
 /// Types the direction of the only light, in the list of lights.
-fn direct(artist: &mut Artist, direction: [&str; 3]) {
+fn direct(artist: &mut JourneyUser, direction: [&str; 3]) {
     artist.tab("Lights");
     direct_shown(artist, direction);
     artist.tab("Layers");
 }
 
 /// Types the direction of the shown light: in the inspector, the light of the selected layer.
-fn direct_shown(artist: &mut Artist, direction: [&str; 3]) {
+fn direct_shown(artist: &mut JourneyUser, direction: [&str; 3]) {
     for (axis, text) in direction.into_iter().enumerate() {
         let fields = artist.fields_called("Direction");
         artist.type_over(fields[axis], text);
@@ -92,9 +92,9 @@ fn figure_1_is_built_layer_by_layer() {
     artist.look_from_the_front();
     let own = artist.picture();
     let mut example = studio.window_with(Path::new(EXAMPLE));
-    let apart = own.apart(&example.picture());
+    let difference = own.difference_from(&example.picture());
     // Angles were typed to a tenth of a degree, colors to 1/255.
-    assert!(apart.mean < 0.3 && apart.max <= 12, "{apart:?}");
+    assert!(difference.mean < 0.3 && difference.max <= 12, "{difference:?}");
     drop(example);
 
     // A hidden layer leaves the picture, and comes back.

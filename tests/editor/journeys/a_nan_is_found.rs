@@ -4,7 +4,7 @@
 
 use eframe::egui::{Key, vec2};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 /// A node that gives 0/0 where the tone is 0, in unlit places.
 const BROKEN: &str = "/// Glow
@@ -18,7 +18,7 @@ fn glow(tone: f32) -> f32 {
 }
 ";
 
-fn probe(artist: &mut Artist) {
+fn probe(artist: &mut JourneyUser) {
     // A point on the shaded side, down to the right.
     let rect = artist.app().viewport().rect().unwrap();
     let at = rect.center() + vec2(0.26, 0.26) * rect.height();
@@ -29,7 +29,7 @@ fn probe(artist: &mut Artist) {
 }
 
 /// Makes the window notice changed files at once, without waiting for the system's report.
-fn look_at_files(artist: &mut Artist) {
+fn look_at_files(artist: &mut JourneyUser) {
     artist.app_mut().look_at_files();
     artist.settle();
 }

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use chiaro::document::{Address, Hcbtf, Rule};
 use eframe::egui::{Key, Modifiers, Pos2, Role};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 /// Fills the tile at work with a color of the palette.
-fn flood(artist: &mut Artist, color: &str) {
+fn flood(artist: &mut JourneyUser, color: &str) {
     artist.press(&format!("Color {color}"));
     artist.press_a(Role::RadioButton, "Fill");
     let at = texel(artist, 8, 8);
@@ -18,11 +18,11 @@ fn flood(artist: &mut Artist, color: &str) {
 }
 
 /// The middle of a texel of the canvas.
-fn texel(artist: &Artist, x: i32, y: i32) -> Pos2 {
+fn texel(artist: &JourneyUser, x: i32, y: i32) -> Pos2 {
     artist.app().painting().screen([f64::from(x) + 0.5, f64::from(y) + 0.5]).unwrap()
 }
 
-fn painted(artist: &Artist) -> &Hcbtf {
+fn painted(artist: &JourneyUser) -> &Hcbtf {
     artist.app().session().painting().unwrap().hcbtf()
 }
 

@@ -4,15 +4,15 @@
 use chiaro::document::{Address, Tile};
 use eframe::egui::{Key, Modifiers, Pos2, Role};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 const SIDE: i32 = 16;
 
-fn texel(artist: &Artist, x: f64, y: f64) -> Pos2 {
+fn texel(artist: &JourneyUser, x: f64, y: f64) -> Pos2 {
     artist.app().painting().screen([x, y]).unwrap()
 }
 
-fn tile(artist: &Artist) -> Tile {
+fn tile(artist: &JourneyUser) -> Tile {
     let hcbtf = artist.app().session().painting().unwrap().hcbtf();
     hcbtf
         .painted(Address::default())
@@ -38,7 +38,7 @@ fn a_tile_is_painted_without_a_seam() {
     // A bow over the corner, across copies on all sides. The same bow in the middle makes the same
     // tile, moved by half.
     let bow = [[-4.0, 1.0], [0.5, -3.0], [5.0, 2.0]];
-    let along = |artist: &Artist, by: f64| -> Vec<Pos2> {
+    let along = |artist: &JourneyUser, by: f64| -> Vec<Pos2> {
         bow.iter().map(|[x, y]| texel(artist, x + by, y + by)).collect()
     };
     let path = along(&artist, 0.0);

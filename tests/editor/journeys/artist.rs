@@ -1,4 +1,5 @@
-//! `Artist`: a simulated user at a window that draws; `Studio`: a folder for the files made there.
+//! `JourneyUser`: a simulated user at a window that draws; `Studio`: a folder for the files made
+//! there.
 
 use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
@@ -37,12 +38,12 @@ impl Studio {
     }
 
     /// A new window, with a new look.
-    pub(super) fn window(&self) -> Artist {
-        Artist::at(User::drawing_with(|app, _| app.without_dialogs()))
+    pub(super) fn window(&self) -> JourneyUser {
+        JourneyUser::at(User::drawing_with(|app, _| app.without_dialogs()))
     }
 
     /// A new window in which a look is opened.
-    pub(super) fn window_with(&self, look: &Path) -> Artist {
+    pub(super) fn window_with(&self, look: &Path) -> JourneyUser {
         let mut artist = self.window();
         artist.open(look);
         artist
@@ -98,7 +99,7 @@ impl Studio {
     /// the same picture; the program without a window draws that picture too; and other compilers
     /// take the exported files. Gives the exported WGSL.
     #[track_caller]
-    pub(super) fn finish(&self, mut artist: Artist, name: &str) -> String {
+    pub(super) fn finish(&self, mut artist: JourneyUser, name: &str) -> String {
         let mesh = artist.app().session().view().orbit().mesh.clone();
         artist.save_under(&self.path(name));
         artist.look_from_the_front();
@@ -129,9 +130,9 @@ impl Studio {
 }
 
 /// A simulated user at a window that draws.
-pub(super) struct Artist(User);
+pub(super) struct JourneyUser(User);
 
-impl Deref for Artist {
+impl Deref for JourneyUser {
     type Target = User;
 
     fn deref(&self) -> &User {
@@ -139,13 +140,13 @@ impl Deref for Artist {
     }
 }
 
-impl DerefMut for Artist {
+impl DerefMut for JourneyUser {
     fn deref_mut(&mut self) -> &mut User {
         &mut self.0
     }
 }
 
-impl Artist {
+impl JourneyUser {
     pub(super) fn at(hand: User) -> Self {
         Self(hand)
     }

@@ -1,7 +1,7 @@
 //! Comics from Lambert: the soft layer of a new look is cut to a cartoon's two tones, its shadow is
 //! filled with dots, and surfaces that turn away are inked.
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 const LIT: [u8; 3] = [0xf2, 0xc0, 0x80];
 const SHADOW: [u8; 3] = [0xa0, 0x50, 0x48];
@@ -13,7 +13,7 @@ fn hex([r, g, b]: [u8; 3]) -> String {
 }
 
 /// Adds a node that blends a color over its backdrop, by a tone.
-fn add_blend(artist: &mut Artist, at: [f32; 2], name: &str, color: [u8; 3]) {
+fn add_blend(artist: &mut JourneyUser, at: [f32; 2], name: &str, color: [u8; 3]) {
     let at = artist.on_canvas(at[0], at[1]);
     artist.add_named(at, "blend", name);
     artist.set_word("Mode", "Alpha");

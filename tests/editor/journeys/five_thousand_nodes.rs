@@ -7,7 +7,7 @@ use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers, vec2};
 use serde_json::json;
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 const COUNT: usize = 5000;
 /// Index of a node in the middle of the chain; the nodes before and behind it have names too.
@@ -54,7 +54,7 @@ fn timed<T>(what: &str, work: impl FnOnce() -> T) -> T {
 }
 
 /// Median time of a frame while the view moves, in milliseconds.
-fn frames(artist: &mut Artist) -> f64 {
+fn frames(artist: &mut JourneyUser) -> f64 {
     let at = artist.on_canvas(0.5, 0.5);
     artist.hover(at);
     let frame = |step: u8| {

@@ -63,7 +63,7 @@ fn painted_pictures_become_a_shader() {
     artist.press("+ Add a rule");
     artist.press_a(Role::MenuItem, "Lock angles");
     for label in ["Eye's height", "Eye's way around"] {
-        let is_on = |artist: &super::artist::Artist| {
+        let is_on = |artist: &super::artist::JourneyUser| {
             let rules = &artist.app().session().painting().unwrap().hcbtf().rules;
             matches!(&rules[..], [Rule::Lock { angles }] if angles.len() == 2)
         };

@@ -4,18 +4,18 @@
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 
 /// Moves the pointer over the canvas, where keys are the graph's.
-fn over_canvas(artist: &mut Artist) {
+fn over_canvas(artist: &mut JourneyUser) {
     let at = artist.on_canvas(0.5, 0.97);
     artist.hover(at);
 }
 
 /// Wires a node of the group between the base and the output of a new look.
-fn use_skin(artist: &mut Artist) {
+fn use_skin(artist: &mut JourneyUser) {
     let at = artist.on_canvas(0.4, 0.85);
     artist.add_node(at, "skin");
     artist.show_all();

@@ -7,10 +7,10 @@ use chiaro::document::Tier;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable as _;
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 
 /// Cost and error of the whole look in each tier.
-fn whole(artist: &Artist) -> Vec<MeasurementRow> {
+fn whole(artist: &JourneyUser) -> Vec<MeasurementRow> {
     let report = artist.app().cost().report().expect("it was measured");
     report
         .rows

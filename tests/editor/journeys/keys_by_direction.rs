@@ -5,11 +5,11 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::vec2;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 use super::picture::Picture;
 
 /// Weights of two keys, as a screen reader tells them.
-fn weights(artist: &Artist) -> [f64; 2] {
+fn weights(artist: &JourneyUser) -> [f64; 2] {
     [1, 2].map(|key| {
         let name = format!("Direction key {key}");
         let handle = artist.harness.get_by_label(&name);
@@ -18,7 +18,7 @@ fn weights(artist: &Artist) -> [f64; 2] {
 }
 
 /// Walks around the object by a drag beside it, in points.
-fn walk(artist: &mut Artist, points: f32) {
+fn walk(artist: &mut JourneyUser, points: f32) {
     let from = artist.app().viewport().rect().unwrap().left_top() + vec2(14.0, 40.0);
     // In one move: the first few points of a slow drag do not count as a drag yet.
     artist.hold(from);
@@ -29,7 +29,7 @@ fn walk(artist: &mut Artist, points: f32) {
 
 /// The picture from the current view with this color and intensity in place of the keys: written
 /// into the look's file, and drawn by the program without a window.
-fn without_keys(studio: &Studio, artist: &Artist, color: [f64; 3], intensity: f64) -> Picture {
+fn without_keys(studio: &Studio, artist: &JourneyUser, color: [f64; 3], intensity: f64) -> Picture {
     let mut look: serde_json::Value = serde_json::from_str(&studio.read("keyed.json")).unwrap();
     assert!(look.as_object_mut().unwrap().remove("direction_keys").is_some());
     look["lights"]["back"]["intensity"] = intensity.into();
@@ -79,8 +79,8 @@ fn a_back_light_changes_with_the_view() {
         "the view is at key 2"
     );
     let seen = artist.picture();
-    let apart = seen.apart(&without_keys(&studio, &artist, red, 1.8));
-    assert!(apart.max <= 2, "at key 2: {apart:?}");
+    let difference = seen.difference_from(&without_keys(&studio, &artist, red, 1.8));
+    assert!(difference.max <= 2, "at key 2: {difference:?}");
     artist.press("Select key 1");
     artist.press("Go to key");
     assert_eq!(
@@ -88,10 +88,10 @@ fn a_back_light_changes_with_the_view() {
         [1000.0, 0.0],
         "the view is at key 1"
     );
-    let apart = artist.picture().apart(&without_keys(&studio, &artist, blue, 1.0));
-    assert!(apart.max <= 2, "at key 1: {apart:?}");
+    let difference = artist.picture().difference_from(&without_keys(&studio, &artist, blue, 1.0));
+    assert!(difference.max <= 2, "at key 1: {difference:?}");
     assert!(
-        artist.picture().apart(&without_keys(&studio, &artist, red, 1.8)).max > 20,
+        artist.picture().difference_from(&without_keys(&studio, &artist, red, 1.8)).max > 20,
         "and no other key's"
     );
 
@@ -112,13 +112,13 @@ fn a_back_light_changes_with_the_view() {
         if step == 4 {
             assert!(now[0] > 0.2 && now[0] < 0.8, "{now:?}");
             let mixed = [0, 1, 2].map(|k| now[0] * blue[k] + now[1] * red[k]);
-            let apart = artist.picture().apart(&without_keys(
+            let difference = artist.picture().difference_from(&without_keys(
                 &studio,
                 &artist,
                 mixed,
                 now[0] + 1.8 * now[1],
             ));
-            assert!(apart.max <= 2, "half way: {apart:?}");
+            assert!(difference.max <= 2, "half way: {difference:?}");
         }
     }
     assert!(steepest < 0.3, "no step jumps: {steepest}");

@@ -5,13 +5,13 @@ use chiaro::document::{Interpolation, Value};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Rect, pos2};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 use super::picture::Picture;
 
 /// Moves the playhead to the frame nearest to a time, by a click on the ruler.
-fn scrub(artist: &mut Artist, seconds: f64) {
+fn scrub(artist: &mut JourneyUser, seconds: f64) {
     let ruler = artist.place("Playhead");
-    let x = |artist: &Artist, flag: &str| artist.place(flag).center().x;
+    let x = |artist: &JourneyUser, flag: &str| artist.place(flag).center().x;
     // The range's flags stand at its ends, whose times the fields show.
     let [start, end] = ["Start of the range", "End of the range"].map(|flag| x(artist, flag));
     let [from, to] = ["Range from", "Range to"].map(|field| seconds_of(artist, field));
@@ -25,7 +25,7 @@ fn scrub(artist: &mut Artist, seconds: f64) {
     );
 }
 
-fn seconds_of(artist: &Artist, field: &str) -> f64 {
+fn seconds_of(artist: &JourneyUser, field: &str) -> f64 {
     use egui_kittest::kittest::{NodeT as _, Queryable as _};
     let field = artist.harness.get_by_role_and_label(Role::SpinButton, field);
     let text = field
@@ -80,8 +80,8 @@ fn a_look_is_animated_and_drawn_at_three_moments() {
     for seconds in [0.0, 1.0, 2.0] {
         scrub(&mut artist, seconds);
         let (time, picture) = (artist.app().session().view().time(), artist.picture());
-        let apart = picture.apart(&drawn(&studio, time));
-        assert_eq!(apart.max, 0, "at {time} s: {apart:?}");
+        let difference = picture.difference_from(&drawn(&studio, time));
+        assert_eq!(difference.max, 0, "at {time} s: {difference:?}");
         seen.push(picture);
     }
     seen[0].differs(&seen[1]);

@@ -9,7 +9,7 @@ pub(super) struct Picture(RgbaImage);
 
 /// Difference of two pictures, in steps of 1/255.
 #[derive(Debug)]
-pub(super) struct Apart {
+pub(super) struct PictureDifference {
     pub(super) mean: f64,
     pub(super) max: u8,
     /// Number of pixels that differ by more than 2 in a channel.
@@ -49,13 +49,13 @@ impl Picture {
         sum / (3.0 * self.object().count().max(1) as f64)
     }
 
-    pub(super) fn apart(&self, other: &Self) -> Apart {
+    pub(super) fn difference_from(&self, other: &Self) -> PictureDifference {
         assert_eq!(self.0.dimensions(), other.0.dimensions());
         let differences = self.0.pixels().zip(other.0.pixels());
         let of_pixel =
             differences.map(|(a, b)| (0..4).map(|k| a.0[k].abs_diff(b.0[k])).max().unwrap_or(0));
         let all: Vec<u8> = of_pixel.collect();
-        Apart {
+        PictureDifference {
             mean: all.iter().map(|&d| f64::from(d)).sum::<f64>() / all.len() as f64,
             max: all.iter().copied().max().unwrap_or(0),
             far: all.iter().filter(|&&d| d > 2).count(),
@@ -64,13 +64,13 @@ impl Picture {
 
     #[track_caller]
     pub(super) fn equals(&self, other: &Self) {
-        let apart = self.apart(other);
-        assert_eq!(apart.max, 0, "{apart:?}");
+        let difference = self.difference_from(other);
+        assert_eq!(difference.max, 0, "{difference:?}");
     }
 
     #[track_caller]
     pub(super) fn differs(&self, other: &Self) {
-        let apart = self.apart(other);
-        assert!(apart.far > 20, "the pictures are the same: {apart:?}");
+        let difference = self.difference_from(other);
+        assert!(difference.far > 20, "the pictures are the same: {difference:?}");
     }
 }

@@ -4,14 +4,14 @@
 use chiaro::document::Value;
 use eframe::egui::{Key, Modifiers, vec2};
 
-use super::artist::{Artist, Studio};
+use super::artist::{JourneyUser, Studio};
 use crate::editor_support::User;
 use crate::editor_support::home::Home;
 
 /// A window with this user's folders, as the program opens it.
-fn window(home: &Home) -> Artist {
+fn window(home: &Home) -> JourneyUser {
     let places = home.places();
-    Artist::at(User::drawing_with(move |app, ctx| {
+    JourneyUser::at(User::drawing_with(move |app, ctx| {
         let mut app = app.without_dialogs();
         app.keep_in(places.clone(), ctx);
         app.resume();

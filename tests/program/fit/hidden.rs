@@ -26,7 +26,7 @@ const TURN: [f64; 2] = [0.6, 0.25];
 const SEEN: (f64, f64) = (0.02, 8.0 / 255.0);
 
 /// A hidden look, with the layers that it was made of.
-pub(crate) struct Hidden {
+pub(crate) struct HiddenLook {
     pub(crate) look: Look,
     pub(crate) layers: usize,
     pub(crate) mesh: &'static str,
@@ -35,7 +35,7 @@ pub(crate) struct Hidden {
 }
 
 /// Hidden look number `number`: one to three layers of light, each of which is seen.
-pub(crate) fn hidden(number: u64) -> Hidden {
+pub(crate) fn hidden(number: u64) -> HiddenLook {
     let mesh = MESHES[number as usize % MESHES.len()];
     let mut random = Random::new(0x0f17 + 7919 * number);
     let layers = 1 + random.index(3);
@@ -51,7 +51,7 @@ pub(crate) fn hidden(number: u64) -> Hidden {
             changed as f64 >= SEEN.0 * all as f64
         };
         if (0..layers).all(is_seen) {
-            return Hidden { look, layers, mesh, told };
+            return HiddenLook { look, layers, mesh, told };
         }
     }
 }

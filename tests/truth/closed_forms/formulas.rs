@@ -39,8 +39,9 @@ impl Stack {
         let nodes = look["nodes"].as_array().expect("nodes");
         let base = vec4(&nodes[0]["values"]["color"]);
         let light = |id: &str| vec3(&look["lights"][id]["direction"]).normalize();
-        let keyed =
-            look.get("direction_keys").map(|keys| Keyed::new(&keys[0], &light, camera_from_world));
+        let keyed = look
+            .get("direction_keys")
+            .map(|keys| WeightedKeys::new(&keys[0], &light, camera_from_world));
         let layers = nodes.iter().filter(|node| node["kind"] == "light_layer").map(|node| {
             let own: Values = serde_json::from_value(node["values"].clone()).expect("values");
             let id = node["id"].as_str().expect("an id");
@@ -140,13 +141,13 @@ fn edge(profile: [f64; 3]) -> [f64; 2] {
 }
 
 /// Two keys of directions with their weights.
-struct Keyed {
+struct WeightedKeys {
     weights: [f64; 2],
     /// Values of each key by target, `node.port`.
     values: [Values; 2],
 }
 
-impl Keyed {
+impl WeightedKeys {
     fn new(keys: &Json, light: &dyn Fn(&str) -> DVec3, camera_from_world: DMat3) -> Self {
         let places = [0, 1].map(|k| vec3(&keys["keys"][k]["direction"]).normalize());
         let direction =

@@ -21,15 +21,15 @@ const CURVATURE: PassId = PassId::named("curvature");
 
 /// Shaders as closures that note which draws were asked for.
 #[derive(Default)]
-struct Noted(Mutex<Vec<&'static str>>);
+struct RecordingFactory(Mutex<Vec<&'static str>>);
 
-impl Noted {
+impl RecordingFactory {
     fn note(&self, what: &'static str) {
         self.0.lock().expect("nobody panics").push(what);
     }
 }
 
-impl ShaderFactory for Noted {
+impl ShaderFactory for RecordingFactory {
     fn draw<'a>(
         &'a self,
         plan: &'a FramePlan,
@@ -98,7 +98,7 @@ fn passes_run_in_order_and_read_each_other() {
     let plan = plan("figure6-comics.json", [81, 60]);
     let kinds: Vec<_> = plan.passes.iter().map(|pass| pass.id).collect();
     assert_eq!(kinds, [NORMALS, CURVATURE, PassId::LOOK]);
-    let shaders = Noted::default();
+    let shaders = RecordingFactory::default();
     let shares: Arc<Mutex<Vec<f64>>> = Arc::default();
     let observed = shares.clone();
     let progress = Progress::observed(move |progress| {
@@ -133,13 +133,18 @@ fn a_plan_out_of_order_is_refused() {
     let mut plan = plan("figure6-comics.json", [16, 16]);
     plan.passes.remove(0);
     let modules = Modules::new(&plan, Precision::F64).expect("modules that run");
-    for shaders in [&Noted::default() as &dyn ShaderFactory, &modules] {
+    for shaders in [&RecordingFactory::default() as &dyn ShaderFactory, &modules] {
         let problem = execute(&plan, shaders, &ReferenceOptions::default(), &Progress::new())
             .expect_err("no normals");
         assert_eq!(problem.code, "reference-plan");
     }
     plan.passes.clear();
-    let problem = execute(&plan, &Noted::default(), &ReferenceOptions::default(), &Progress::new())
-        .expect_err("no picture");
+    let problem = execute(
+        &plan,
+        &RecordingFactory::default(),
+        &ReferenceOptions::default(),
+        &Progress::new(),
+    )
+    .expect_err("no picture");
     assert_eq!(problem.code, "reference-plan");
 }

@@ -32,7 +32,7 @@ pub(super) enum Answer {
 
 /// Progress of the tour.
 #[derive(Clone, Copy)]
-pub(super) struct Progress {
+pub(super) struct TourProgress {
     pub(super) index: usize,
     pub(super) is_done: bool,
 }
@@ -42,7 +42,7 @@ pub(super) fn show(
     ui: &Ui,
     session: &Session,
     step: &Step,
-    progress: Progress,
+    progress: TourProgress,
     can_show: bool,
 ) -> Option<Answer> {
     let target = (step.spots)(session).iter().find_map(|spot| spots::find(ui.ctx(), spot));
@@ -141,7 +141,7 @@ fn head(ui: &mut Ui, title: &str, answer: &mut Option<Answer>) {
 }
 
 /// Shows one dot for each step: done, present, or to come.
-fn dots(ui: &mut Ui, progress: Progress) {
+fn dots(ui: &mut Ui, progress: TourProgress) {
     let (rect, _) =
         ui.allocate_exact_size(vec2(ui.available_width(), 14.0), eframe::egui::Sense::hover());
     let colors = theme::of(ui);

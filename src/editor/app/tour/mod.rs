@@ -14,7 +14,7 @@ use crate::commands::Command;
 use crate::document::Look;
 use crate::state::revision::DocumentNumber;
 use crate::state::session::Session;
-use card::{Answer, Progress};
+use card::{Answer, TourProgress};
 use steps::STEPS;
 
 /// Text of the look that the tour begins with: a base, and a light that nothing is lit by yet.
@@ -75,7 +75,7 @@ impl Tour {
             out.extend(step.panels.iter().map(|panel| Command::ShowPanel(*panel)));
         }
         let is_done = (step.is_done)(session, &self.seen[self.step]);
-        let progress = Progress { index: self.step, is_done };
+        let progress = TourProgress { index: self.step, is_done };
         let help = (step.show)(session);
         match card::show(ui, session, step, progress, !help.is_empty()) {
             Some(Answer::Show) => out.extend(help),

@@ -9,7 +9,7 @@ use crate::catalog::NodeKind;
 use crate::commands::{Command, PanelId};
 use crate::document::{ColorSpace, Edit, Target, Tier, Value};
 use crate::fields::lighting::{OwnedLight, Owner};
-use crate::fields::{Subject, marks, row};
+use crate::fields::{InspectedNode, marks, row};
 use crate::ids::LightId;
 use crate::library::Type;
 use crate::panels::lights;
@@ -47,7 +47,9 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
         }
         match selected {
             Some((id, node)) => match session.project.catalog.of(node) {
-                Some(kind) => show_node(ui, &Subject { session, id, node, kind }, &mut commands),
+                Some(kind) => {
+                    show_node(ui, &InspectedNode { session, id, node, kind }, &mut commands);
+                }
                 None => {
                     ui.heading(id.as_str());
                     ui.label(format!("There is no node of kind \"{}\".", node.kind));
@@ -62,8 +64,8 @@ pub(crate) fn show(ui: &mut Ui, session: &Session) -> Vec<Command> {
     commands
 }
 
-fn show_node(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
-    let Subject { session, id, node, kind } = subject;
+fn show_node(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
+    let InspectedNode { session, id, node, kind } = subject;
     ui.horizontal(|ui| {
         let label = ui.label(RichText::new(&*kind.label).heading());
         let count = session.selection.nodes.len();
@@ -151,7 +153,7 @@ fn fits(port: &crate::catalog::Port, wanted: &str) -> bool {
 
 fn name_row(
     ui: &mut Ui,
-    Subject { session, id, node, kind }: &Subject<'_>,
+    InspectedNode { session, id, node, kind }: &InspectedNode<'_>,
     out: &mut Vec<Command>,
 ) {
     row::labelled(ui, "Name", "What you call it; the generated code uses it", |ui, label| {
@@ -172,7 +174,11 @@ fn name_row(
     });
 }
 
-fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn presets(
+    ui: &mut Ui,
+    InspectedNode { session, id, kind, .. }: &InspectedNode<'_>,
+    out: &mut Vec<Command>,
+) {
     if kind.presets.is_empty() {
         return;
     }
@@ -191,7 +197,7 @@ fn presets(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &m
 
 fn tier_row(
     ui: &mut Ui,
-    Subject { session, node, kind, .. }: &Subject<'_>,
+    InspectedNode { session, node, kind, .. }: &InspectedNode<'_>,
     out: &mut Vec<Command>,
 ) {
     if kind.tiers.len() < 2 {
@@ -248,7 +254,11 @@ fn error_of(session: &Session, kind: &NodeKind, tier: Option<Tier>) -> String {
 }
 
 /// Shows the choice of the output that is viewed in place of the picture, and of its display.
-fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: &mut Vec<Command>) {
+fn shown_row(
+    ui: &mut Ui,
+    InspectedNode { session, id, kind, .. }: &InspectedNode<'_>,
+    out: &mut Vec<Command>,
+) {
     if kind.outputs.is_empty() {
         return;
     }
@@ -300,7 +310,7 @@ fn shown_row(ui: &mut Ui, Subject { session, id, kind, .. }: &Subject<'_>, out: 
 }
 
 /// Shows the lights that a node names.
-fn lights_of(ui: &mut Ui, subject: &Subject<'_>, out: &mut Vec<Command>) {
+fn lights_of(ui: &mut Ui, subject: &InspectedNode<'_>, out: &mut Vec<Command>) {
     for port in subject.kind.inputs.iter().filter(|port| port.ty == Type::LightName) {
         let Some(Value::Text(id)) = values::current(port, subject.node.values.get(&port.name))
         else {

@@ -35,7 +35,7 @@ enum CardOrigin {
 enum CardContent {
     Look(Arc<Look>),
     Scene,
-    Painting(Box<Painting>),
+    Painting(Box<PaintingSummary>),
     /// File that cannot be read; opening it tells why.
     Unreadable,
     /// File that the program crashed on while reading it; opening it says so, and asks.
@@ -43,7 +43,7 @@ enum CardContent {
 }
 
 /// HCBTF, described by its file's cover.
-struct Painting {
+struct PaintingSummary {
     /// Size of the painting, in a few words.
     size: String,
     /// Description of the painting, in more words.
@@ -52,7 +52,7 @@ struct Painting {
     texture: OnceCell<TextureHandle>,
 }
 
-impl Painting {
+impl PaintingSummary {
     fn of(cover: Cover) -> Self {
         let Cover { grid, painted, picture } = cover;
         let size = format!("{} x {}", grid.size[0], grid.size[1]);
@@ -136,7 +136,7 @@ impl Card {
         };
         if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(PAINTING)) {
             let content = cover(files, path).map_or(CardContent::Unreadable, |cover| {
-                CardContent::Painting(Box::new(Painting::of(cover)))
+                CardContent::Painting(Box::new(PaintingSummary::of(cover)))
             });
             return Self { origin, name: name_of(path), content, key: 0, side };
         }

@@ -25,7 +25,7 @@ pub(super) const PANEL: PanelRow = PanelRow::new(
     "Nodes to drag onto the canvas, and finished looks to begin with",
     PanelPlace::WITH_DOCUMENT,
     |bench, ui, PanelContext { session, safety }| {
-        let library = bench.memory.of::<Library>();
+        let library = bench.memory.of::<LibraryPanel>();
         library.know_recent(safety.recent(), session);
         library.show(ui, session, &bench.thumbs)
     },
@@ -48,7 +48,7 @@ const MOST_RECENT: usize = 8;
 
 /// The panel of nodes and looks, and its state.
 #[derive(Default)]
-pub(crate) struct Library {
+pub(crate) struct LibraryPanel {
     shows_looks: bool,
     query: String,
     looks: Vec<Card>,
@@ -58,7 +58,7 @@ pub(crate) struct Library {
     recent_of: (Vec<PathBuf>, SuspectsRevision),
 }
 
-impl Library {
+impl LibraryPanel {
     /// Shows nodes or looks.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, thumbs: &Thumbs) -> Vec<Command> {
         ui.horizontal(|ui| {

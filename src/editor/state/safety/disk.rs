@@ -43,7 +43,7 @@ pub(crate) enum PaintingConflict {
 
 /// State of the session that decides which files are watched.
 #[derive(Clone, Default)]
-struct Use {
+struct WatchKey {
     document: DocumentNumber,
     path: Option<PathBuf>,
     mesh: String,
@@ -52,7 +52,7 @@ struct Use {
     painting: Option<PathBuf>,
 }
 
-impl Use {
+impl WatchKey {
     fn is(&self, session: &Session) -> bool {
         let same_shader = match (&self.shader, session.compilation().baked()) {
             (Some(old), Some(new)) => Arc::ptr_eq(old, new),
@@ -71,7 +71,7 @@ impl Use {
 /// Watch over the files of a session.
 pub(crate) struct DiskState {
     watch: Watch,
-    of: Use,
+    key: WatchKey,
     is_new: bool,
     look: Option<PathBuf>,
     /// Files of the project's nodes that the watch was told of last.
@@ -94,7 +94,7 @@ impl DiskState {
     pub(crate) fn new(wake: impl Fn() + Send + 'static) -> Self {
         Self {
             watch: Watch::new(wake),
-            of: Use::default(),
+            key: WatchKey::default(),
             is_new: true,
             look: None,
             project_nodes: Arc::default(),
@@ -126,7 +126,7 @@ impl DiskState {
         now: f64,
         came_back: bool,
     ) -> (Option<String>, Option<Duration>) {
-        if (self.is_new || !self.of.is(session)) && self.use_of(session) {
+        if (self.is_new || !self.key.is(session)) && self.watch_files_of(session) {
             // Recovered work may be older than its file.
             self.due = Some(now);
         }
@@ -157,12 +157,12 @@ impl DiskState {
     }
 
     /// Updates the set of watched files. Returns true if they belong to another look.
-    fn use_of(&mut self, session: &Session) -> bool {
+    fn watch_files_of(&mut self, session: &Session) -> bool {
         let is_other = self.is_new
-            || self.of.document != session.revisions().document
-            || self.of.path.as_deref() != session.path();
+            || self.key.document != session.revisions().document
+            || self.key.path.as_deref() != session.path();
         self.is_new = false;
-        self.of = Use {
+        self.key = WatchKey {
             document: session.revisions().document,
             path: session.path().map(Path::to_path_buf),
             mesh: session.view.orbit.mesh.clone(),
@@ -197,7 +197,7 @@ impl DiskState {
         let scene = session
             .open_scene()
             .and_then(|open_scene| std::path::absolute(open_scene.path()?).ok());
-        let painting = self.of.painting.clone();
+        let painting = self.key.painting.clone();
         let files = self.assets.keys().cloned().chain(self.look.clone());
         let files = files.chain(links).chain(scene).chain(painting).collect();
         let folders = absolute(&session.node_folders());

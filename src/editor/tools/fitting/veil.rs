@@ -25,28 +25,28 @@ const WIDE: f32 = 1.5;
 
 /// Picture of the strokes, as large as their sketch.
 pub(super) fn strokes(tile: &Tile, ground: Option<&Ground>, outlines_only: bool) -> ColorImage {
-    let mut layer = Layer::of(tile);
+    let mut overlay = StrokeOverlay::of(tile);
     if let Some(ground) = ground.filter(|_| !outlines_only) {
-        layer.lay_veils(tile, ground);
+        overlay.lay_veils(tile, ground);
         // Smoothing twice spreads a pixel of the fit over its own width on each side.
-        layer.smooth();
-        layer.smooth();
-        layer.lay_hatching(tile, ground);
+        overlay.smooth();
+        overlay.smooth();
+        overlay.lay_hatching(tile, ground);
     }
-    layer.lay_outlines(tile);
-    layer.into_image()
+    overlay.lay_outlines(tile);
+    overlay.into_image()
 }
 
-/// Layer of premultiplied colors, 0 to 1; outside `columns` and `rows` it is clear.
-struct Layer {
+/// Overlay of premultiplied colors, 0 to 1; outside `columns` and `rows` it is clear.
+struct StrokeOverlay {
     size: [usize; 2],
     colors: Vec<[f32; 4]>,
     columns: Range<usize>,
     rows: Range<usize>,
 }
 
-impl Layer {
-    /// Clear layer over all that a sketch covers, with a small margin.
+impl StrokeOverlay {
+    /// Clear overlay over all that a sketch covers, with a small margin.
     fn of(tile: &Tile) -> Self {
         let size = tile.size().map(|side| side as usize);
         let (texels, _) = tile.bytes().as_chunks::<4>();

@@ -82,15 +82,15 @@ pub(super) fn execute<R: Rounding, const W: usize>(
     operation: u32,
     memory: &Memory<W>,
     mask: Mask,
-    world: &BoundResources,
+    resources: &BoundResources,
 ) {
-    let operation = &world.operations[operation as usize];
+    let operation = &resources.operations[operation as usize];
     for lane in mask.lanes(W) {
         // Bound resources are checked; a missing one belongs to a lane that did not ask for it.
-        let Some(texture) = world.texture(memory.bits(operation.image, lane)) else { continue };
+        let Some(texture) = resources.texture(memory.bits(operation.image, lane)) else { continue };
         let texels = match &operation.kind {
             OperationKind::Sample(sample) => {
-                sample_lane(sample, texture, memory, lane, world, operation.texel)
+                sample_lane(sample, texture, memory, lane, resources, operation.texel)
             }
             OperationKind::Load { coordinate, layer, level } => {
                 let place = lane_ints(memory, coordinate, lane);
@@ -180,10 +180,12 @@ fn sample_lane<const W: usize>(
     texture: &Texture,
     memory: &Memory<W>,
     lane: usize,
-    world: &BoundResources,
+    resources: &BoundResources,
     texel: Texel,
 ) -> [f64; 4] {
-    let Some(sampler) = world.sampler(memory.bits(sample.sampler, lane)) else { return [0.0; 4] };
+    let Some(sampler) = resources.sampler(memory.bits(sample.sampler, lane)) else {
+        return [0.0; 4];
+    };
     let is_cube = texture.dimension() == TextureDimension::Cube;
     let mut place = lane_floats(memory, &sample.coordinate, lane);
     let mut gradients = match &sample.detail {

@@ -86,9 +86,9 @@ impl<'b> Lanes<'b> {
             return Err(Diagnostic::error("interp-too-big", message)
                 .hint("use smaller arrays or fewer of them"));
         }
-        let (precision, world) = (bound.precision(), bound.world());
-        let shared = SharedCalls::new(program, precision, &world);
-        Ok(Self { bound, memory: Memory::new(program, precision, &world), shared })
+        let (precision, resources) = (bound.precision(), bound.resources());
+        let shared = SharedCalls::new(program, precision, &resources);
+        Ok(Self { bound, memory: Memory::new(program, precision, &resources), shared })
     }
 
     /// Sets one component of an input in the lanes `0..values.len()`. Integers are truncated, bools
@@ -160,10 +160,14 @@ impl<'b> Lanes<'b> {
         }
         let live = u64::MAX >> (LANES - count);
         let program = self.bound.program();
-        let world = self.bound.world();
+        let resources = self.bound.resources();
         let outcome = match self.bound.precision() {
-            Precision::F64 => run::<Double>(program, &self.memory, &mut self.shared, live, &world),
-            Precision::F32 => run::<Single>(program, &self.memory, &mut self.shared, live, &world),
+            Precision::F64 => {
+                run::<Double>(program, &self.memory, &mut self.shared, live, &resources)
+            }
+            Precision::F32 => {
+                run::<Single>(program, &self.memory, &mut self.shared, live, &resources)
+            }
         };
         outcome.map_err(|endless| endless.diagnose(program))
     }
@@ -174,7 +178,7 @@ fn run<R: Rounding>(
     memory: &Memory<LANES>,
     shared: &mut SharedCalls,
     live: u64,
-    world: &BoundResources,
+    resources: &BoundResources,
 ) -> Result<Batch, TimeLimitError> {
     let code = program.code.as_slice();
     let mut groups = LaneGroups::new(LaneGroup { counter: program.entry as usize, lanes: live });
@@ -213,7 +217,7 @@ fn run<R: Rounding>(
                 let mask = Mask { lanes, is_full: lanes == live };
                 if !shared.call::<R>(
                     (call, target, link),
-                    (program, world),
+                    (program, resources),
                     memory,
                     mask,
                     &mut steps,
@@ -237,7 +241,7 @@ fn run<R: Rounding>(
                     instruction,
                     memory,
                     Mask { lanes, is_full: lanes == live },
-                    world,
+                    resources,
                 );
             }
         }

@@ -23,12 +23,12 @@ struct LastCall {
 }
 
 impl SharedCalls {
-    pub(super) fn new(program: &Program, precision: Precision, world: &BoundResources) -> Self {
+    pub(super) fn new(program: &Program, precision: Precision, resources: &BoundResources) -> Self {
         // A program without shared calls needs no memory here.
         let memory = if program.pure_calls.is_empty() {
             Memory::empty()
         } else {
-            Memory::new(program, precision, world)
+            Memory::new(program, precision, resources)
         };
         Self { memory, last: vec![None; program.pure_calls.len()] }
     }
@@ -38,7 +38,7 @@ impl SharedCalls {
     pub(super) fn call<R: Rounding>(
         &mut self,
         (number, target, link): (u32, JumpTarget, Slot),
-        (program, world): (&Program, &BoundResources),
+        (program, resources): (&Program, &BoundResources),
         memory: &Memory<LANES>,
         mask: Mask,
         steps: &mut u64,
@@ -60,7 +60,7 @@ impl SharedCalls {
                     .for_each(|(&slot, &bits)| self.memory.set(slot, 0, bits));
                 // The program ends when the function returns.
                 self.memory.set(link, 0, 0);
-                run::<R>(program, &self.memory, world, target, steps)?;
+                run::<R>(program, &self.memory, resources, target, steps)?;
                 let result = (call.result..).take(call.result_slots as usize);
                 let result = result.map(|slot| self.memory.bits(slot, 0)).collect();
                 last.insert(LastCall { arguments, result })

@@ -57,7 +57,7 @@ impl Bindings {
 pub struct BoundProgram<'p> {
     program: &'p Program,
     precision: Precision,
-    held: Vec<BoundContent>,
+    contents: Vec<BoundContent>,
 }
 
 impl<'p> BoundProgram<'p> {
@@ -67,18 +67,18 @@ impl<'p> BoundProgram<'p> {
         precision: Precision,
     ) -> Result<Self, Vec<Diagnostic>> {
         let mut problems = Vec::new();
-        let mut held = Vec::new();
+        let mut contents = Vec::new();
         for resource in program.resources() {
-            match hold(
+            match bound_content(
                 resource,
                 bindings.contents.get(&(resource.group, resource.binding)),
                 precision,
             ) {
-                Ok(resource) => held.push(resource),
+                Ok(content) => contents.push(content),
                 Err(problem) => problems.push(problem),
             }
         }
-        if problems.is_empty() { Ok(Self { program, precision, held }) } else { Err(problems) }
+        if problems.is_empty() { Ok(Self { program, precision, contents }) } else { Err(problems) }
     }
 
     /// Program that the resources are bound to.
@@ -93,7 +93,7 @@ impl<'p> BoundProgram<'p> {
 
     /// Machine with memory in which the program runs one call after the other.
     pub fn machine(&self) -> Machine<'_> {
-        Machine::new(self.program, self.precision, &self.held)
+        Machine::new(self.program, self.precision, &self.contents)
     }
 
     /// Lanes with memory in which the program runs for many lanes at once.
@@ -104,13 +104,13 @@ impl<'p> BoundProgram<'p> {
         Lanes::new(self)
     }
 
-    pub(in crate::interp) fn world(&self) -> BoundResources<'_> {
-        BoundResources { held: &self.held, operations: &self.program.operations }
+    pub(in crate::interp) fn resources(&self) -> BoundResources<'_> {
+        BoundResources { contents: &self.contents, operations: &self.program.operations }
     }
 }
 
-/// Held form of one resource, if it fits.
-fn hold(
+/// Content bound to one resource, if the content fits.
+fn bound_content(
     resource: &Resource,
     content: Option<&ResourceContent>,
     precision: Precision,
@@ -123,7 +123,7 @@ fn hold(
     let Some(content) = content else {
         return Err(wrong(format!("is {}, and nothing is bound", describe(kind))));
     };
-    let held = match (kind, content) {
+    let bound = match (kind, content) {
         (ResourceKind::Buffer(shape), ResourceContent::Value(value)) => {
             fixed(shape, value, precision)
         }
@@ -142,7 +142,7 @@ fn hold(
         }
         _ => None,
     };
-    held.ok_or_else(|| {
+    bound.ok_or_else(|| {
         wrong(format!("is {}, but {} was bound", describe(kind), describe_content(content)))
     })
 }

@@ -2,14 +2,14 @@
 //! bound.
 
 mod bind;
+mod content;
 mod sampler;
 mod texture;
-mod world;
 
 pub use bind::{Bindings, BoundProgram};
+pub(super) use content::{BoundContent, BoundResources, SlotSource};
 pub use sampler::{AddressMode, Filter, Sampler, SamplerCompare};
 pub use texture::{Texture, TextureDimension, TextureLevel};
-pub(super) use world::{BoundContent, BoundResources, SlotSource};
 
 use super::Shape;
 

@@ -91,7 +91,7 @@ pub(crate) struct Profile {
 }
 
 /// Node with a profile.
-struct Layer<'a> {
+struct ProfileNode<'a> {
     session: &'a Session,
     id: &'a NodeId,
     node: &'a Node,
@@ -103,7 +103,7 @@ struct Layer<'a> {
     wired: [bool; 3],
 }
 
-impl<'a> Layer<'a> {
+impl<'a> ProfileNode<'a> {
     fn new(session: &'a Session, id: &'a NodeId) -> Option<Self> {
         let node = session.graph().nodes.get(id)?;
         let kind: &NodeKind = session.project.catalog.of(node)?;
@@ -187,11 +187,11 @@ impl Profile {
     /// Shows the profile of the selected node, or of the last one that had a profile.
     pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session) -> Vec<Command> {
         let mut commands = Vec::new();
-        let has_one = |id: &&NodeId| Layer::new(session, id).is_some();
+        let has_one = |id: &&NodeId| ProfileNode::new(session, id).is_some();
         let selected = session.selection.nodes.iter().rev().find(has_one);
         let id = selected.or_else(|| self.shown.as_ref().filter(has_one)).cloned();
         let id = id.or_else(|| session.graph().nodes.keys().find(has_one).cloned());
-        let layer = id.as_ref().and_then(|id| Layer::new(session, id));
+        let layer = id.as_ref().and_then(|id| ProfileNode::new(session, id));
         let Some(layer) = layer else {
             hint(
                 ui,
@@ -207,7 +207,7 @@ impl Profile {
         commands
     }
 
-    fn layer(&mut self, ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
+    fn layer(&mut self, ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
         let can_edit = !layer.session.graph_view().is_read_only();
         ui.add_enabled_ui(can_edit, |ui| {
             head(ui, layer, out);
@@ -241,7 +241,7 @@ impl Profile {
     }
 
     /// Curve of a shape; sampled once and then kept.
-    fn curve(&mut self, layer: &Layer<'_>, shape: Shape, shift: f64) -> Arc<Curve> {
+    fn curve(&mut self, layer: &ProfileNode<'_>, shape: Shape, shift: f64) -> Arc<Curve> {
         const COUNT: usize = 240;
         let tier = layer.tier();
         let library: &Arc<Library> = &layer.session.project.library;
@@ -270,7 +270,7 @@ impl Profile {
 }
 
 /// Shows the choice of the layer, and the presets of the Profile node.
-fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
+fn head(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
     let session = layer.session;
     ui.horizontal_wrapped(|ui| {
         let name = |ui: &mut Ui| {
@@ -332,7 +332,7 @@ fn head(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
 }
 
 /// Shows offset, fall-off and cut-off in degrees, typed or dragged.
-fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
+fn numbers(ui: &mut Ui, layer: &ProfileNode<'_>, out: &mut Vec<Command>) {
     let Shape { offset, falloff, cutoff } = layer.shape;
     ui.horizontal_wrapped(|ui| {
         for (index, (part, radians)) in ANGLES.iter().zip([offset, falloff, cutoff]).enumerate() {
@@ -364,7 +364,7 @@ fn numbers(ui: &mut Ui, layer: &Layer<'_>, out: &mut Vec<Command>) {
 }
 
 /// Shows the mark of the key that a number belongs to, where keys move the number.
-fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &ProfileAngle) {
+fn mark(ui: &mut Ui, layer: &ProfileNode<'_>, part: &ProfileAngle) {
     let target = layer.target(part.port);
     if layer.session.keys().keyed_by(&target) != KeyedBy::Nothing {
         let name = format!("Keys of {}", part.label.to_lowercase());
@@ -374,7 +374,7 @@ fn mark(ui: &mut Ui, layer: &Layer<'_>, part: &ProfileAngle) {
 }
 
 /// Notes on oddities of the curve.
-fn notes(layer: &Layer<'_>, curve: &Curve) -> Vec<String> {
+fn notes(layer: &ProfileNode<'_>, curve: &Curve) -> Vec<String> {
     let shape = layer.shape;
     let sane = shape.sanitized();
     let degrees = |radians: f64| format!("{}°", values::number_text(radians.to_degrees(), 1));

@@ -11,7 +11,7 @@ use eframe::egui::{
 use eframe::egui::{pos2, vec2};
 
 use super::sample::Bend;
-use super::{ANGLES, Curve, Layer};
+use super::{ANGLES, Curve, ProfileNode};
 use crate::commands::Command;
 use crate::document::Value;
 use crate::values;
@@ -69,7 +69,7 @@ pub(super) fn color_of(ui: &Ui, part: usize) -> Color32 {
 /// angles.
 pub(super) fn show(
     ui: &mut Ui,
-    layer: &Layer<'_>,
+    layer: &ProfileNode<'_>,
     curves: &Curves,
     size: Vec2,
     can_edit: bool,
@@ -129,7 +129,7 @@ fn ground(ui: &Ui, rect: Rect, Axes(area): Axes) {
     }
 }
 
-fn paint_curves(ui: &Ui, layer: &Layer<'_>, axes: Axes, curves: &Curves) {
+fn paint_curves(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, curves: &Curves) {
     let colors = theme::of(ui);
     let painter = ui.painter();
     if layer.warp() != 0.0 {
@@ -197,7 +197,7 @@ fn tone_at(curve: &Curve, u: f64) -> f64 {
 /// but never on one of the others.
 fn handles(
     ui: &Ui,
-    layer: &Layer<'_>,
+    layer: &ProfileNode<'_>,
     axes: Axes,
     curves: &Curves,
     can_edit: bool,
@@ -216,7 +216,7 @@ fn handles(
 }
 
 /// Range of a part, in radians: between its two neighbors.
-fn limits(layer: &Layer<'_>, part: usize) -> [f64; 2] {
+fn limits(layer: &ProfileNode<'_>, part: usize) -> [f64; 2] {
     let shape = layer.shape.sanitized();
     let row = [0.0, shape.offset, shape.falloff, shape.cutoff, PI];
     [row[part], row[part + 2]]
@@ -226,7 +226,7 @@ fn limits(layer: &Layer<'_>, part: usize) -> [f64; 2] {
 /// parts move together.
 fn moved(
     ui: &Ui,
-    layer: &Layer<'_>,
+    layer: &ProfileNode<'_>,
     axes: Axes,
     part: usize,
     handled: &HandleResponse,
@@ -259,7 +259,7 @@ fn moved(
 
 fn paint_handle(
     ui: &mut Ui,
-    layer: &Layer<'_>,
+    layer: &ProfileNode<'_>,
     axes: Axes,
     part: usize,
     at: Pos2,
@@ -299,7 +299,7 @@ fn paint_handle(
 
 /// Names the handles, each beside its handle where it covers no other handle or name: the three of
 /// a cartoon profile nearly coincide.
-fn labels(ui: &Ui, layer: &Layer<'_>, axes: Axes, handles: &[(Pos2, HandleResponse); 3]) {
+fn labels(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, handles: &[(Pos2, HandleResponse); 3]) {
     let shape = layer.shape.sanitized();
     let values = [shape.offset, shape.falloff, shape.cutoff];
     let font = FontId::proportional(theme::SMALL_TEXT);
@@ -370,7 +370,7 @@ fn place(taken: &[Rect], room: Rect, at: Pos2, size: Vec2, part: usize) -> Rect 
 }
 
 /// Shows the range of a handle while it is dragged, and the limit that stops it.
-fn reach(ui: &Ui, layer: &Layer<'_>, axes: Axes, part: usize, handled: &HandleResponse) {
+fn reach(ui: &Ui, layer: &ProfileNode<'_>, axes: Axes, part: usize, handled: &HandleResponse) {
     let colors = theme::of(ui);
     let painter = ui.painter();
     let [low, high] = limits(layer, part);

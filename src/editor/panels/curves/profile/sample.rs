@@ -171,9 +171,9 @@ mod tests {
     #[test]
     fn the_presets_are_their_closed_forms() {
         let angles: Vec<f64> = (0..=180).map(|d| f64::from(d).to_radians()).collect();
-        type Truth = fn(f64) -> f64;
+        type ToneFormula = fn(f64) -> f64;
         let cases = [
-            ("Lambert", [0.0, FRAC_PI_2, FRAC_PI_2], (|u| u.cos().max(0.0)) as Truth),
+            ("Lambert", [0.0, FRAC_PI_2, FRAC_PI_2], (|u| u.cos().max(0.0)) as ToneFormula),
             ("half-Lambert", [0.0, FRAC_PI_2, PI], |u| 0.5 + 0.5 * u.cos()),
             ("ambient", [PI, PI, PI], |_| 1.0),
         ];

@@ -11,7 +11,7 @@ use eframe::egui::{
     Color32, Pos2, Rect, Role, Sense, Shape as Drawn, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::{Curve, Layer};
+use super::{Curve, ProfileNode};
 use crate::document::{ColorSpace, Light, Target, Value};
 use crate::interp::{Precision, Program, Value as Number};
 use crate::library::NodeDef;
@@ -50,7 +50,7 @@ struct Inputs {
 
 impl Strip {
     /// Shows the strip under the part of the plot that has angles.
-    pub(super) fn show(&mut self, ui: &mut Ui, layer: &Layer<'_>, area: Rect, rows: &Rows) {
+    pub(super) fn show(&mut self, ui: &mut Ui, layer: &ProfileNode<'_>, area: Rect, rows: &Rows) {
         let (rect, response) =
             ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
         response.widget_info(|| {
@@ -84,7 +84,7 @@ fn bow(ui: &Ui, at: Pos2, way: f32) {
     ui.painter().add(PathShape::line(points.collect(), Stroke::new(1.5, theme::of(ui).dim)));
 }
 
-fn inputs(layer: &Layer<'_>) -> Inputs {
+fn inputs(layer: &ProfileNode<'_>) -> Inputs {
     let session = layer.session;
     let space = session.look().color_space;
     let color = |port: &str| {
@@ -138,7 +138,7 @@ struct Functions {
     blend: Arc<Program>,
 }
 
-fn functions(layer: &Layer<'_>, mode: &str) -> Option<Functions> {
+fn functions(layer: &ProfileNode<'_>, mode: &str) -> Option<Functions> {
     let node = |kind: &str| layer.session.project.library.nodes.get(kind);
     let program = |def: &NodeDef, function: &str| def.module.program(function).ok();
     let first = |kind: &str| {
@@ -158,7 +158,7 @@ fn functions(layer: &Layer<'_>, mode: &str) -> Option<Functions> {
 }
 
 /// Colors row by row; premultiplied.
-fn colors(layer: &Layer<'_>, inputs: &Inputs, rows: &Rows) -> Option<Vec<[f64; 4]>> {
+fn colors(layer: &ProfileNode<'_>, inputs: &Inputs, rows: &Rows) -> Option<Vec<[f64; 4]>> {
     let functions = functions(layer, &inputs.mode)?;
     let vec = |x: &[f64]| Number::vec(x);
     let [r, g, b, intensity] = inputs.light;

@@ -34,8 +34,8 @@ pub(super) struct Rays {
 
 /// A point of a stroke.
 #[derive(Clone, Copy, Debug)]
-struct Node {
-    point: Vec3,
+struct StrokePoint {
+    position: Vec3,
     /// Vector to the stroke's edge, along the surface and up.
     side: Vec3,
     /// Cosines between the light and the stroke's face, and between the light and its side.
@@ -52,7 +52,7 @@ pub(super) struct VisibleStroke<'a> {
     pub(super) bundle: &'a Bundle,
     /// Radius, for a dot.
     radius: f32,
-    nodes: Vec<Node>,
+    points: Vec<StrokePoint>,
 }
 
 /// All strokes that exist in a light, by number.
@@ -81,7 +81,7 @@ fn one<'a>(
     let radius = stroke.half_width * grown;
     let points = stroke.turned(bundle.turns * rays.around);
     let last = (points.len() - 1).max(1) as f32;
-    let node = |index: usize| {
+    let point = |index: usize| {
         let (before, after) =
             (points[index.saturating_sub(1)], points[(index + 1).min(points.len() - 1)]);
         let tangent = (after - before).normalize_or(Vec3::Z);
@@ -95,12 +95,12 @@ fn one<'a>(
         stroke,
         bundle,
         radius,
-        nodes: (0..points.len()).map(node).collect(),
+        points: (0..points.len()).map(point).collect(),
     })
 }
 
 /// The lighting and the side of a point of a stroke.
-fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays) -> Node {
+fn lit(bundle: &Bundle, position: Vec3, tangent: Vec3, half_width: f32, rays: Rays) -> StrokePoint {
     let Rays { view, light, .. } = rays;
     let half = (view + light).normalize_or(Vec3::Z);
     let sharpness = bundle.highlight.sharpness as f32;
@@ -113,8 +113,8 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
         let face = if face.dot(view) < 0.0 { -face } else { face };
         let sine = (1.0 - tangent.dot(half).powi(2)).max(0.0).sqrt();
         let shine = sine.powf(sharpness);
-        return Node {
-            point,
+        return StrokePoint {
+            position,
             side: side * half_width,
             facing: face.dot(light),
             aside: side.dot(light),
@@ -125,7 +125,7 @@ fn lit(bundle: &Bundle, point: Vec3, tangent: Vec3, half_width: f32, rays: Rays)
     let face = side.cross(tangent).normalize_or(Vec3::Z);
     let face = if face.z < 0.0 || bundle.shape == StrokeShape::Dot { Vec3::Z } else { face };
     let shine = face.dot(half).max(0.0).powf(sharpness);
-    Node { point, side: side * half_width, facing: face.dot(light), aside: 0.0, shine }
+    StrokePoint { position, side: side * half_width, facing: face.dot(light), aside: 0.0, shine }
 }
 
 /// Draws strokes along a slope; `None` if the work is stopped. `scale` is the number of cells in a
@@ -150,21 +150,21 @@ pub(super) fn draw<'a>(
         }
         let grain = if with_grain { seen.bundle.grain as f32 } else { 0.0 };
         let grain = Grain { amount: grain, stroke: seen.number };
-        if let [dot] = seen.nodes[..] {
+        if let [dot] = seen.points[..] {
             let middle = StrokeCorner {
-                at: on_tile(dot.point),
-                height: dot.point.z,
+                at: on_tile(dot.position),
+                height: dot.position.z,
                 along: 0.0,
                 across: 0.0,
             };
             canvas.disc(middle, seen.radius * scale, seen.number, grain);
             continue;
         }
-        for (index, pair) in seen.nodes.windows(2).enumerate() {
+        for (index, pair) in seen.points.windows(2).enumerate() {
             let corner = |which: usize, across: f32| {
-                let node = &pair[which];
-                let at = on_tile(node.point + across * node.side);
-                StrokeCorner { at, height: node.point.z, along: (index + which) as f32, across }
+                let point = &pair[which];
+                let at = on_tile(point.position + across * point.side);
+                StrokeCorner { at, height: point.position.z, along: (index + which) as f32, across }
             };
             let [a, b, c, d] = [corner(0, -1.0), corner(0, 1.0), corner(1, 1.0), corner(1, -1.0)];
             canvas.triangle([a, b, c], seen.number, grain);
@@ -175,12 +175,12 @@ pub(super) fn draw<'a>(
 }
 
 impl VisibleStroke<'_> {
-    /// The lighting between two nodes: the cosines between the light and the stroke's face and
+    /// The lighting between two points: the cosines between the light and the stroke's face and
     /// side, and the strength of the highlight.
     pub(super) fn lit(&self, along: f32) -> [f32; 3] {
-        let last = self.nodes.len() - 1;
+        let last = self.points.len() - 1;
         let low = (along.max(0.0) as usize).min(last.saturating_sub(1));
-        let (a, b) = (&self.nodes[low], &self.nodes[(low + 1).min(last)]);
+        let (a, b) = (&self.points[low], &self.points[(low + 1).min(last)]);
         let part = (along - low as f32).clamp(0.0, 1.0);
         let mix = |a: f32, b: f32| a + (b - a) * part;
         [mix(a.facing, b.facing), mix(a.aside, b.aside), mix(a.shine, b.shine)]
@@ -188,7 +188,7 @@ impl VisibleStroke<'_> {
 
     /// The stroke's own color at a position along it.
     pub(super) fn color(&self, along: f32) -> Vec3 {
-        let last = if self.nodes.len() == 1 { 1.0 } else { (self.nodes.len() - 1) as f32 };
+        let last = if self.points.len() == 1 { 1.0 } else { (self.points.len() - 1) as f32 };
         self.stroke.root.lerp(self.stroke.tip, (along / last).clamp(0.0, 1.0))
     }
 }

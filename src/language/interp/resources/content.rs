@@ -1,4 +1,4 @@
-//! World: the resources of a running program.
+//! Contents of the resources of a running program.
 
 use super::{Sampler, Texture};
 use crate::interp::image::Operation;
@@ -30,12 +30,12 @@ pub(in crate::interp) enum SlotSource {
 /// Resources of a program, by their number in
 /// [`Program::resources`](crate::interp::Program::resources).
 #[derive(Clone, Copy, Debug)]
-pub(in crate::interp) struct BoundResources<'w> {
-    pub(in crate::interp) held: &'w [BoundContent],
-    pub(in crate::interp) operations: &'w [Operation],
+pub(in crate::interp) struct BoundResources<'p> {
+    pub(in crate::interp) contents: &'p [BoundContent],
+    pub(in crate::interp) operations: &'p [Operation],
 }
 
-impl<'w> BoundResources<'w> {
+impl<'p> BoundResources<'p> {
     /// Bits that a slot is filled with.
     pub(in crate::interp) fn scalar(&self, source: SlotSource) -> u64 {
         match source {
@@ -46,7 +46,7 @@ impl<'w> BoundResources<'w> {
     }
 
     fn length(&self, buffer: u32) -> u32 {
-        if let Some(BoundContent::Buffer { length, .. }) = self.held.get(buffer as usize) {
+        if let Some(BoundContent::Buffer { length, .. }) = self.contents.get(buffer as usize) {
             *length
         } else {
             0
@@ -55,22 +55,22 @@ impl<'w> BoundResources<'w> {
 
     /// Scalar of a buffer; beyond the end the last.
     pub(in crate::interp) fn load(&self, buffer: u32, at: u64) -> u64 {
-        let Some(BoundContent::Buffer { scalars, .. }) = self.held.get(buffer as usize) else {
+        let Some(BoundContent::Buffer { scalars, .. }) = self.contents.get(buffer as usize) else {
             return 0;
         };
         scalars.get(at as usize).or(scalars.last()).copied().unwrap_or(0)
     }
 
-    pub(in crate::interp) fn texture(&self, number: u64) -> Option<&'w Texture> {
-        if let Some(BoundContent::Texture(texture)) = self.held.get(number as usize) {
+    pub(in crate::interp) fn texture(&self, number: u64) -> Option<&'p Texture> {
+        if let Some(BoundContent::Texture(texture)) = self.contents.get(number as usize) {
             Some(texture)
         } else {
             None
         }
     }
 
-    pub(in crate::interp) fn sampler(&self, number: u64) -> Option<&'w Sampler> {
-        if let Some(BoundContent::Sampler(sampler)) = self.held.get(number as usize) {
+    pub(in crate::interp) fn sampler(&self, number: u64) -> Option<&'p Sampler> {
+        if let Some(BoundContent::Sampler(sampler)) = self.contents.get(number as usize) {
             Some(sampler)
         } else {
             None
