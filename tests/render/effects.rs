@@ -14,8 +14,8 @@ use chiaro::compile::{
 };
 use chiaro::document::{Camera, Light, LightKind, Projection, Scene, Tier, Value};
 use chiaro::frame::{
-    CullMode, Effect, EffectKind, EffectState, FramePlan, PassId, PlanOptions, Planner, Setup,
-    SetupLook, effects,
+    CullMode, Effect, EffectKind, EffectState, FramePlan, PassId, PixelArea, PlanOptions, Planner,
+    Setup, SetupLook, effects,
 };
 use chiaro::interp::{self, Derivatives, Precision, Program, Shape};
 use chiaro::library::{Context, Library};
@@ -120,6 +120,63 @@ fn an_object_on_the_edge_of_the_picture_is_kept() {
     };
     // The picture is 64 by 48, so that its edge is at 4/3, and the ball's edge is 1 further in.
     assert_eq!([at(0.0), at(2.3), at(-2.3), at(2.4), at(-2.4)], [1, 1, 1, 0, 0]);
+}
+
+/// Passes over the picture run only where objects may be seen, and nothing of the picture shows it.
+#[test]
+fn passes_over_the_picture_stay_where_objects_are() {
+    let mut random = Random::new(22);
+    let (mesh, fitted) = shape("knot");
+    let measuring = look(&json!({"name": "measuring", "nodes": [
+        {"id": "transition", "kind": "transition", "values": {"slope": 0.2}},
+        {
+            "id": "color", "kind": "curvature_color",
+            "values": {"convex": [0.9, 0.6, 0.2, 1], "concave": [0.1, 0.2, 0.7, 1]}
+        },
+        {"id": "tone", "kind": "exaggerated", "values": {"light": "key"}},
+        {"id": "mix", "kind": "mix_values", "values": {"b": [1, 1, 1, 1]}},
+        {"id": "output", "kind": "output"}
+    ], "wires": [
+        {"from": "transition", "to": "color.convexity"},
+        {"from": "color", "to": "mix.a"},
+        {"from": "tone", "to": "mix.factor"},
+        {"from": "mix", "to": "output.color"}
+    ], "lights": {"key": {"direction": [0.3, 0.9, 0.4]}}}));
+    let (mut parts_of_pictures, mut whole) = (0, 0);
+    for index in 0..16 {
+        let parts: Vec<_> = (0..1 + index % 3)
+            .map(|_| {
+                let place = random.direction() * random.between(0.0, 4.0);
+                let scale = DVec3::splat(random.between(0.1, 1.5));
+                let matrix =
+                    DMat4::from_scale_rotation_translation(scale, random.rotation(), place);
+                (measuring.clone(), mesh.clone(), matrix * fitted)
+            })
+            .collect();
+        let projection =
+            if index % 2 == 0 { Projection::Perspective } else { Projection::Orthographic };
+        let eye = [random.between(-1.0, 1.0), 1.0, random.between(0.5, 9.0)];
+        let camera = Camera { eye, projection, height: 5.0, ..Camera::default() };
+        let setup = scene_of(parts, Scene { camera, backdrop: None, ..Scene::default() });
+        for samples in [1, 4] {
+            let options = PlanOptions { size: SIZE, samples, time: 0.0 };
+            let planned =
+                Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);
+            let plan = planned.unwrap_or_else(|problems| panic!("{}", told(&problems))).value;
+            let everywhere = FramePlan { covered: PixelArea::whole(SIZE), ..plan.clone() };
+            let drawn = pixels(&plan);
+            assert_eq!(drawn, pixels(&everywhere), "scene {index}, {samples} samples");
+            for (number, pixel) in drawn.iter().enumerate() {
+                let at = [number as u32 % SIZE[0], number as u32 / SIZE[0]];
+                let is_clear = f32::from_bits(pixel[3]) == 0.0;
+                assert!(is_clear || plan.covered.contains(at), "scene {index}: {at:?}");
+            }
+            assert!(plan.passes.iter().filter(|pass| pass.id.is_screen()).count() >= 5);
+            parts_of_pictures += usize::from(plan.screen_area() != PixelArea::whole(SIZE));
+            whole += usize::from(plan.screen_area() == PixelArea::whole(SIZE));
+        }
+    }
+    assert!(parts_of_pictures > 6 && whole > 1, "{parts_of_pictures} and {whole}");
 }
 
 fn lit(light: &Json) -> SetupLook {

@@ -126,6 +126,7 @@ impl Renderer {
             layout,
             entries: &entries,
         });
+        let area = plan.screen_area();
         let attachments = self.targets.attachments(pass);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(pass.label()),
@@ -135,7 +136,12 @@ impl Renderer {
         });
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.draw(0..3, 0..1);
+        // The images are cleared to what the pass results in elsewhere.
+        if !area.is_empty() {
+            let ([x, y], [width, height]) = (area.begin, area.size());
+            pass.set_scissor_rect(x, y, width, height);
+            pass.draw(0..3, 0..1);
+        }
         Ok(())
     }
 }

@@ -10,6 +10,7 @@ mod assets;
 mod camera;
 mod content;
 mod cost;
+mod coverage;
 mod effects;
 mod executor;
 mod handover;
@@ -41,6 +42,7 @@ pub use assets::{
 };
 pub use camera::{View, widened};
 pub use cost::{EffectCost, attribute_bytes};
+pub use coverage::PixelArea;
 pub use effects::{Effect, EffectKind, EffectState, effects};
 pub use executor::{Executor, PictureFuture};
 pub use handover::stack_of;

@@ -12,6 +12,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3, DVec4};
 use indexmap::IndexMap;
 
 use super::camera::View;
+use super::coverage::clip_corners;
 use super::setup::{Setup, SetupObject};
 use crate::compile::{LightValues, Proof};
 use crate::document::{Light, LightField, LightKind, Look, Target};
@@ -94,12 +95,7 @@ fn is_line(matrix: DMat4) -> bool {
 }
 
 fn is_outside(world_from_object: DMat4, bounds: &Bounds, view: &View) -> bool {
-    let clip_from_object = view.clip_from_world * world_from_object;
-    let corners: [DVec4; 8] = std::array::from_fn(|index| {
-        let pick =
-            |axis: usize| if index >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
-        clip_from_object * DVec4::new(pick(0), pick(1), pick(2), 1.0)
-    });
+    let corners = clip_corners(world_from_object, bounds, view);
     if corners.iter().any(|corner| !corner.is_finite()) {
         return false;
     }

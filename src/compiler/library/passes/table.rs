@@ -1,9 +1,10 @@
 //! Table of all passes, a row each, each after those that it reads.
 //!
-//! A new pass over the whole picture needs a row here and a file of `shaders/passes`, whose
-//! textures are the row's `reads` by name and whose uniform has numbers of the view, by the names
-//! in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass through a row of the
-//! table of contexts.
+//! A new pass over the picture results in 0 where no object is near, and is not run there
+//! (`FramePlan::screen_area`). It needs a row here and a file of `shaders/passes`, whose textures
+//! are the row's `reads` by name and whose uniform has numbers of the view, by the names in
+//! `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass through a row of the table
+//! of contexts.
 
 use super::row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
 

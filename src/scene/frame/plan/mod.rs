@@ -25,6 +25,7 @@ use glam::DVec3;
 use super::assets::Image;
 use super::camera::View;
 use super::cost::EffectCost;
+use super::coverage::PixelArea;
 use super::effects::EffectKind;
 use crate::compile::{CompiledShader, Proof, Uniform};
 use crate::geometry::Mesh;
@@ -143,6 +144,8 @@ pub struct FramePlan {
     pub backdrop: Option<[f64; 4]>,
     /// The camera.
     pub view: View,
+    /// Pixels in which objects may be seen.
+    pub covered: PixelArea,
     /// Draws, back to front.
     pub draws: Vec<Draw>,
     /// Passes, in the order in which they run.
@@ -167,10 +170,18 @@ impl FramePlan {
             samples: 1,
             backdrop: None,
             view,
+            covered: PixelArea::whole(size),
             draws: Vec::new(),
             passes: passes.into_iter().rev().map(planned).collect(),
             dropped: Vec::new(),
         }
+    }
+
+    /// Pixels outside of which every pass over the picture results in 0: it need not run there.
+    pub fn screen_area(&self) -> PixelArea {
+        // Pixels at an outline take the values of a neighbor, in each pass once more.
+        let passes = self.passes.iter().filter(|pass| pass.id.is_screen()).count();
+        self.covered.widened(1 + passes as u32, self.size)
     }
 
     /// The passes whose results the plan's passes read, and that the plan does not have.

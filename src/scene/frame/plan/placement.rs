@@ -12,6 +12,7 @@ use crate::compile::Live;
 use crate::document::Light;
 use crate::frame::camera::View;
 use crate::frame::cost::EffectCost;
+use crate::frame::coverage::PixelArea;
 use crate::frame::effects::EffectKind;
 use crate::frame::nearest::nearest_surface;
 use crate::frame::setup::{Setup, SetupObject};
@@ -50,6 +51,15 @@ impl PlacedScene<'_> {
         let mut lights = setup.looks[look].look.lights.clone();
         lights.extend(setup.scene.lights.iter().map(|(id, light)| (id.clone(), light.clone())));
         Cow::Owned(lights)
+    }
+
+    /// Pixels in which the visible objects may be seen.
+    pub(super) fn covered(&self, visible: &[VisibleObject<'_>]) -> PixelArea {
+        let area = |VisibleObject { number, object }: &VisibleObject<'_>| {
+            let bounds = &self.placed[*number].bounds;
+            PixelArea::of_box(object.world_from_object, bounds, &self.view, self.options.size)
+        };
+        visible.iter().map(area).fold(PixelArea::EMPTY, PixelArea::joined)
     }
 }
 

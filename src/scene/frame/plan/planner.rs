@@ -112,6 +112,7 @@ impl Planner {
             samples: options.samples,
             backdrop: setup.scene.backdrop,
             view: scene.view,
+            covered: scene.covered(&visible),
             draws,
             passes,
             dropped,
