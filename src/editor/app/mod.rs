@@ -338,7 +338,7 @@ impl App {
 
     /// Number of requested pictures.
     pub fn pictures(&self) -> u64 {
-        self.bench.picture.as_ref().map_or(0, |picture| picture.requested)
+        self.bench.picture.as_ref().map_or(0, |picture| picture.requested.count())
     }
 
     /// Ratio of the screen's resolution to the picture's; 1 at rest.
