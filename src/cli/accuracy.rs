@@ -5,8 +5,11 @@ use std::path::PathBuf;
 use super::output::Output;
 use super::target::{OutputPath, outputs};
 use crate::diag::Diagnostic;
+use crate::files::Disk;
 use crate::library::Library;
-use chiaro_sweeps::{AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, search, survey};
+use chiaro_sweeps::{
+    AccuracyReport, Effort, LookEffort, StabilityEffort, Survey, looks_in, search, survey,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -64,7 +67,11 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let wanted = Survey {
         nodes: arguments.nodes.clone(),
         effort: if quick { Effort::QUICK } else { Effort::FULL },
-        looks: arguments.nodes.is_empty().then(|| arguments.looks.clone()),
+        looks: if arguments.nodes.is_empty() {
+            looks_in(&Disk, &arguments.looks)?
+        } else {
+            Vec::new()
+        },
         look_effort: if quick { LookEffort::quick() } else { LookEffort::full() },
         large: arguments.large.then(LookEffort::large),
         stability: StabilityEffort { frames: if quick { 6 } else { 60 }, side: 160 },

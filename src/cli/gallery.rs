@@ -7,6 +7,7 @@ use super::output::{Output, once};
 use super::render::{Size, parse_samples};
 use super::target::{OutputPath, outputs};
 use crate::diag::{Diagnostic, has_errors};
+use crate::files::Disk;
 use chiaro_laboratory::gallery::{GalleryOptions, build, check, list};
 use chiaro_render::Gpu;
 
@@ -69,7 +70,7 @@ pub(super) async fn run(arguments: &Arguments, output: &Output) -> Result<(), Ve
     let list = if arguments.documents.is_empty() {
         list::examples()?
     } else {
-        list::list(&arguments.documents)?
+        list::list(&Disk, &arguments.documents)?
     };
     let folder = arguments.output.as_ref();
     let shown = list.sections.iter().flat_map(|section| &section.shown);

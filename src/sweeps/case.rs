@@ -9,7 +9,10 @@ use serde_json::{Map, Value as Json, json};
 
 use super::slot::{InputSlot, SlotKind, SlotTarget};
 use crate::diag::Diagnostic;
-use crate::document::{Directions, Grid, Hcbtf, LightField, LightQuantity, Look, Tier, Tile};
+use crate::document::{
+    Directions, Grid, Hcbtf, LightField, LightKind, LightQuantity, Look, Tier, Tile,
+};
+use crate::files::write_atomic;
 use crate::frame::SetupLook;
 use crate::hcbtf;
 use crate::library::{
@@ -91,7 +94,7 @@ impl Case {
 /// Every combination of a node's choices.
 fn choices(def: &NodeDef) -> Vec<BTreeMap<String, String>> {
     let words = |input: &Input| match input.ty {
-        Type::LightName => ["directional", "point", "spot"].map(str::to_owned).to_vec(),
+        Type::LightName => LightKind::ALL.iter().map(|kind| kind.word().to_owned()).collect(),
         Type::Curve | Type::Ramp => ["linear", "smooth", "stepped"].map(str::to_owned).to_vec(),
         _ => input.options.iter().map(|(word, _)| word.clone()).collect(),
     };
@@ -607,12 +610,7 @@ fn write_painting(folder: &Path) -> Result<(), Vec<Diagnostic>> {
         painting.painted.insert(address, Arc::new(tile));
     }
     let bytes = hcbtf::write(&painting).map_err(|problem| vec![*problem])?;
-    std::fs::write(folder.join(PAINTING), bytes).map_err(|error| {
-        vec![Diagnostic::error(
-            "write-failed",
-            format!("the sweep's painting cannot be written: {error}"),
-        )]
-    })
+    write_atomic(&folder.join(PAINTING), &bytes).map_err(|problem| vec![*problem])
 }
 
 /// Writes the picture that image nodes are given: 9 x 9 texels, each of its own color and alpha.

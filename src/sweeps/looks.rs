@@ -12,10 +12,13 @@ use crate::accuracy::{ErrorFigures, MeasureError, PremultipliedPicture, Variant,
 use crate::compile::Live;
 use crate::diag::Diagnostic;
 use crate::document::{Look, Tier};
+use crate::files::{Files, WalkBounds};
 use crate::frame::{Assets, Executor, PlanOptions, Planner, Setup, open};
 use crate::library::Library;
 use crate::progress::Progress;
 
+/// Bounds of listing a folder of looks.
+const BOUNDS: WalkBounds = WalkBounds { depth: 0, entries: 10_000 };
 /// Own shapes that looks are compared on.
 pub const MESHES: [&str; 3] = ["shape:sphere", "shape:creature", "shape:plane"];
 /// Distances of the camera from its target, as factors of the document's: near, unchanged, and far.
@@ -210,15 +213,13 @@ fn is_rare(error: &ErrorFigures, max: f64) -> bool {
 ///
 /// # Errors
 /// A folder that cannot be read.
-pub fn looks_in(folder: &Path) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
-    let told = |error: std::io::Error| {
-        vec![Diagnostic::error("unreadable", format!("{}: {error}", folder.display()))]
-    };
-    let mut files: Vec<PathBuf> =
-        std::fs::read_dir(folder).map_err(told)?.flatten().map(|entry| entry.path()).collect();
-    files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
-    files.sort();
-    Ok(files)
+pub fn looks_in(files: &dyn Files, folder: &Path) -> Result<Vec<PathBuf>, Vec<Diagnostic>> {
+    let mut found = files.walk(folder, BOUNDS, &|_| false);
+    if let Some((path, error)) = found.unreadable.first() {
+        return Err(vec![Diagnostic::error("unreadable", format!("{}: {error}", path.display()))]);
+    }
+    found.files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
+    Ok(found.files)
 }
 
 /// Passes to `sink` everything that decides on a look's pictures, except the engines that judge

@@ -13,7 +13,7 @@ use super::stability::StabilityFigures;
 use super::{pictures, plot, stability};
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::files::{OutputKind, Outputs};
+use crate::files::{OutputKind, Outputs, make_folder};
 
 /// Result of a survey.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -212,10 +212,7 @@ impl AccuracyReport {
     ) -> Result<(), Vec<Diagnostic>> {
         let stem = stem_of(path);
         let folder = path.with_file_name(&stem);
-        let told = |error: std::io::Error| {
-            vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))]
-        };
-        std::fs::create_dir_all(&folder).map_err(told)?;
+        make_folder(&folder).map_err(|problem| vec![*problem])?;
         let one = |problem| vec![problem];
         for (name, svg) in self.plots() {
             outputs.add(&folder.join(name), OutputKind::DRAWING, svg.as_bytes()).map_err(one)?;

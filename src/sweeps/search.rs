@@ -13,7 +13,8 @@ use super::random::Random;
 use super::slot::{Numbers, relate};
 use crate::accuracy::MeasureError;
 use crate::diag::Diagnostic;
-use crate::files::{OutputKind, Outputs, read_text};
+use crate::document::read_text;
+use crate::files::{Files, OutputKind, Outputs, make_folder};
 use crate::library::Library;
 
 /// Number of samples that are kept from round to round.
@@ -184,10 +185,7 @@ pub fn write(
     for worst in all {
         by_node.entry(&worst.case.node).or_default().push(worst);
     }
-    let told = |error: std::io::Error| {
-        vec![Diagnostic::error("write-failed", format!("{}: {error}", folder.display()))]
-    };
-    std::fs::create_dir_all(folder).map_err(told)?;
+    make_folder(folder).map_err(|problem| vec![*problem])?;
     for (node, inputs) in by_node {
         let lines: Vec<String> =
             inputs.iter().map(|worst| serde_json::json!(worst).to_string()).collect();
@@ -203,9 +201,9 @@ pub fn write(
 ///
 /// # Errors
 /// A file that cannot be read, or is no list of worst inputs.
-pub fn read(path: &Path) -> Result<Vec<WorstInput>, Diagnostic> {
+pub fn read(files: &dyn Files, path: &Path) -> Result<Vec<WorstInput>, Diagnostic> {
     let told =
         |error: String| Diagnostic::error("worst-input", error).in_file(path.display().to_string());
-    let text = read_text(path).map_err(|problem| told(problem.message))?;
+    let text = read_text(files, path).map_err(|problem| told(problem.message))?;
     serde_json::from_str(&text).map_err(|error| told(error.to_string()))
 }

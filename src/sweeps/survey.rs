@@ -11,7 +11,7 @@ use std::sync::{Mutex, MutexGuard, mpsc};
 use std::thread;
 
 use super::case::Case;
-use super::looks::{LookEffort, LookFigures, looks_in, measure_look};
+use super::looks::{LookEffort, LookFigures, measure_look};
 use super::measure::{CaseFigures, Effort, Laboratory};
 use super::report::AccuracyReport;
 use super::search::WorstInput;
@@ -29,8 +29,8 @@ pub struct Survey {
     pub nodes: Vec<String>,
     /// Extent of the measurements of each node.
     pub effort: Effort,
-    /// Folder of looks; no looks are drawn if `None`.
-    pub looks: Option<PathBuf>,
+    /// Files of the looks that are drawn.
+    pub looks: Vec<PathBuf>,
     /// Pictures of each look that are compared.
     pub look_effort: LookEffort,
     /// Largest pictures of each look that are compared; none if `None`.
@@ -88,7 +88,7 @@ pub async fn survey(
     progress: &Progress,
     wait: FutureWaiter<'_>,
 ) -> Result<AccuracyReport, MeasureError> {
-    let looks = survey.looks.as_deref().map_or_else(|| Ok(Vec::new()), looks_in)?;
+    let looks = survey.looks.clone();
     let mut kinds: Vec<&String> = library.nodes.keys().collect();
     kinds.retain(|kind| survey.nodes.is_empty() || survey.nodes.contains(kind));
     kinds.sort_unstable();

@@ -67,15 +67,16 @@ const APART: &[(&str, &str, &str)] = &[("reference", "chiaro_compiler", "compile
 /// which thread work runs on.
 const NOT_FOR_THE_COMPILER: &[&str] = &["env", "fs", "net", "process", "thread"];
 
-/// Modules of `std` that scenes may not use: what a scene names is read through `Files`, and what
-/// comes of a scene is written by `chiaro-files`.
-const NOT_FOR_SCENES: &[&str] = &["env", "fs", "net", "process"];
+/// Crates that read what documents and callers name through `Files`, and write through
+/// `chiaro-files`.
+const READ_THROUGH_FILES: &[&str] = &["scene", "laboratory", "sweeps"];
 
-/// Words by which the disk is asked for something: its `Files`, readers that take a path alone, and
-/// methods of paths.
+/// Modules of `std` that those crates may not use.
+const NOT_FOR_READERS: &[&str] = &["env", "fs", "net", "process"];
+
+/// Words by which the disk is asked for something: its `Files`, and methods of paths.
 const OF_THE_DISK: &[&str] = &[
     "Disk",
-    "read_text",
     "exists",
     "try_exists",
     "is_file",
@@ -87,10 +88,17 @@ const OF_THE_DISK: &[&str] = &[
     "image_dimensions",
 ];
 
-/// Files of the scene that ask the disk: where a caller says nothing about files, and where outputs
-/// are guarded, which are written to the disk.
-const ASKS_THE_DISK: &[&str] =
-    &["scene/frame/store.rs", "scene/hcbtf/exchange.rs", "scene/export/files.rs"];
+/// Readers of `chiaro-files` that take a path alone, and so ask the disk.
+const READERS_OF_THE_DISK: &[&str] = &["read", "read_text", "walk"];
+
+/// Files of those crates that ask the disk, each with the reason.
+const ASKS_THE_DISK: &[(&str, &str)] = &[
+    ("scene/frame/store.rs", "reads where a caller says nothing about files"),
+    ("scene/hcbtf/exchange.rs", "finds the outputs that an export would replace"),
+    ("scene/export/files.rs", "tells own outputs from others', which are not written over"),
+    ("laboratory/gallery/mod.rs", "tells own pages from others', which are not written over"),
+    ("laboratory/gallery/nodes.rs", "tells own pictures from others', which are not written over"),
+];
 
 /// Modules and packages that a room may not use although the floors would allow them. The window's
 /// state works without a window, and its widgets fit any state.
@@ -369,38 +377,54 @@ fn the_compiler_has_no_files_and_no_threads() {
     assert_eq!(check("fn f() { std::thread::yield_now() }"), 1);
 }
 
-/// Complaints about ways to the disk in the source `text` of the scene at `path`. Tests inside a
-/// file, which stand at its end, may write files.
-fn check_scene(path: &Path, text: &str) -> Vec<String> {
-    let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or(text);
-    let mut complaints = check_system(path, text, NOT_FOR_SCENES);
-    if !ASKS_THE_DISK.iter().any(|asks| path == Path::new(asks)) {
-        let words = scan::words(text).into_iter();
-        let of_disk = words.filter(|(word, _)| OF_THE_DISK.contains(&word.as_str()));
-        complaints
-            .extend(of_disk.map(|(word, line)| format!("src/{}:{line}: {word}", path.display())));
-    }
-    complaints
+/// Ways to the disk in the source `text`, each with its line.
+fn ways_to_the_disk(text: &str) -> Vec<(String, usize)> {
+    let words = scan::words(text).into_iter();
+    let mut found: Vec<_> =
+        words.filter(|(word, _)| OF_THE_DISK.contains(&word.as_str())).collect();
+    found.extend(scan::members(text, "files").into_iter().filter_map(|found| {
+        let Reference::Module(member) = &found.reference else { return None };
+        let is_reader = READERS_OF_THE_DISK.contains(&member.as_str());
+        is_reader.then_some((found.path, found.line))
+    }));
+    found
+}
+
+/// Source without the tests inside, which stand at its end and may write files.
+fn without_tests(text: &str) -> &str {
+    text.split("#[cfg(test)]\nmod tests {").next().unwrap_or(text)
 }
 
 #[test]
-fn scenes_read_through_files_alone() {
+fn scenes_and_measurements_read_through_files_alone() {
     let (src, files) = sources();
     let is_test = |path: &Path| {
         path.components().any(|part| part.as_os_str() == "tests" || part.as_os_str() == "tests.rs")
     };
-    let of_scene = files.iter().filter(|path| path.starts_with("scene") && !is_test(path));
-    let complaints: Vec<_> = of_scene
-        .flat_map(|path| {
-            let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
-            check_scene(path, &text)
-        })
-        .collect();
-    assert!(complaints.is_empty(), "scenes ask the disk:\n{}", complaints.join("\n"));
-    let check = |text| check_scene(Path::new("scene/frame/setup.rs"), text).len();
-    assert_eq!(check("fn f() { std::fs::read(path) }"), 1);
-    assert_eq!(check("fn f() { path.is_file() || Look::load(&crate::files::Disk, path) }"), 2);
-    assert_eq!(check("fn f() {}\n#[cfg(test)]\nmod tests {\n    use std::fs;\n}"), 0);
+    let is_held = |path: &Path| READ_THROUGH_FILES.iter().any(|krate| path.starts_with(krate));
+    let mut idle: BTreeSet<&str> = ASKS_THE_DISK.iter().map(|(path, _)| *path).collect();
+    let mut complaints = Vec::new();
+    for path in files.iter().filter(|path| is_held(path) && !is_test(path)) {
+        let text = fs::read_to_string(src.join(path)).expect("a source is UTF-8");
+        let text = without_tests(&text);
+        complaints.extend(check_system(path, text, NOT_FOR_READERS));
+        let name = path.to_str().expect("sources have plain names");
+        let ways = ways_to_the_disk(text);
+        if ASKS_THE_DISK.iter().any(|(known, _)| *known == name) {
+            idle.retain(|known| *known != name || ways.is_empty());
+        } else {
+            complaints.extend(ways.iter().map(|(way, line)| format!("src/{name}:{line}: {way}")));
+        }
+    }
+    assert!(complaints.is_empty(), "the disk is asked:\n{}", complaints.join("\n"));
+    assert!(idle.is_empty(), "files that do not ask the disk any more: {idle:?}");
+    let ways = |text| ways_to_the_disk(without_tests(text)).len();
+    assert_eq!(ways("fn f() { path.is_file() || Look::load(&crate::files::Disk, path) }"), 2);
+    assert_eq!(ways("use crate::files::{Files, read_text}; fn f() { files::read(path, 5) }"), 2);
+    assert_eq!(ways("use crate::document::read_text; fn f() { files.read(path, 5) }"), 0);
+    assert_eq!(ways("fn f() {}\n#[cfg(test)]\nmod tests {\n    use crate::files::Disk;\n}"), 0);
+    let of_system = |text| check_system(Path::new("a"), text, NOT_FOR_READERS).len();
+    assert_eq!(of_system("fn f() { std::fs::read(path) }"), 1);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::support::random::Random;
 use crate::support::wait::block_on;
 
 use chiaro::diag::{Diagnostic, has_errors};
-use chiaro::files::Outputs;
+use chiaro::files::{Disk, Outputs};
 use chiaro::frame::Assets;
 use chiaro::gallery::nodes::{SIDE, draw_nodes, write_nodes};
 use chiaro::gallery::{
@@ -217,7 +217,7 @@ fn gallery(list: &List) -> Result<f64, String> {
 
 #[test]
 fn every_example_is_shown() {
-    let list = list::list(&[root().join("examples")]).unwrap();
+    let list = list::list(&Disk, &[root().join("examples")]).unwrap();
     let examples =
         ["looks", "hcbtf", "images", "scenes"].map(|name| root().join("examples").join(name));
     let files: Vec<PathBuf> =
@@ -241,7 +241,7 @@ fn every_example_is_shown() {
 
 #[test]
 fn every_example_has_a_page() {
-    let list = list::list(&[root().join("examples")]).unwrap();
+    let list = list::list(&Disk, &[root().join("examples")]).unwrap();
     let order: Vec<&GalleryDocument> =
         list.sections.iter().flat_map(|section| &section.shown).collect();
     let name = |shown: &GalleryDocument| {
@@ -297,7 +297,7 @@ fn a_changed_shader_and_a_forged_line_are_found() {
 #[test]
 fn a_page_tells_what_it_costs() {
     let file = root().join("examples/looks/figure4-both.json");
-    let list = list::list(&[file]).unwrap();
+    let list = list::list(&Disk, &[file]).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let made = make(&list, folder.path(), &options(64, 3)).unwrap();
     assert!(made.problems.is_empty(), "{:?}", made.problems);
@@ -322,7 +322,7 @@ fn what_cannot_be_shown_is_told_and_the_rest_is_there() {
     .unwrap();
     let good = root().join("examples/looks/figure2-diffuse.json");
     let out = folder.path().join("out");
-    let made = make(&list::list(&[broken, good]).unwrap(), &out, &options(32, 0)).unwrap();
+    let made = make(&list::list(&Disk, &[broken, good]).unwrap(), &out, &options(32, 0)).unwrap();
     assert_eq!(made.pages, 1);
     assert!(
         has_errors(&made.problems) && made.problems[0].to_string().contains("broken.json"),
@@ -337,7 +337,7 @@ fn pages_of_others_stay() {
     let folder = tempfile::tempdir().unwrap();
     let index = folder.path().join("index.html");
     std::fs::write(&index, "my own page").unwrap();
-    let list = list::list(&[root().join("examples/looks/figure2-diffuse.json")]).unwrap();
+    let list = list::list(&Disk, &[root().join("examples/looks/figure2-diffuse.json")]).unwrap();
     let problems = make(&list, folder.path(), &options(32, 0)).unwrap_err();
     assert_eq!(problems[0].code, "in-the-way");
     assert_eq!(std::fs::read_to_string(&index).unwrap(), "my own page");

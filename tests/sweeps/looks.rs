@@ -10,6 +10,7 @@ use crate::support::wait::block_on;
 use chiaro::accuracy::{MeasureError, PremultipliedPicture, Truth};
 use chiaro::diag::Diagnostic;
 use chiaro::document::{Projection, Tier};
+use chiaro::files::Disk;
 use chiaro::frame::{Assets, PlanOptions, Planner, Setup, open};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -22,7 +23,7 @@ use glam::DVec3;
 
 fn looks() -> Vec<std::path::PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
-    looks_in(&folder).unwrap_or_else(|problems| panic!("{}", told(&problems)))
+    looks_in(&Disk, &folder).unwrap_or_else(|problems| panic!("{}", told(&problems)))
 }
 
 fn flawless<T>(result: Result<T, MeasureError>) -> T {

@@ -8,10 +8,11 @@ use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::wait::block_on;
 use chiaro::accuracy::MeasureError;
 use chiaro::diag::Diagnostic;
+use chiaro::files::Disk;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::sweeps::{
-    Case, CaseFigures, Effort, Laboratory, LookEffort, StabilityEffort, Survey, survey,
+    Case, CaseFigures, Effort, Laboratory, LookEffort, StabilityEffort, Survey, looks_in, survey,
 };
 
 fn sweep(effort: &Effort) -> Vec<CaseFigures> {
@@ -177,7 +178,7 @@ fn a_survey_by_several_workers_is_that_of_one() {
     let wanted = Survey {
         nodes: kinds.map(str::to_owned).to_vec(),
         effort,
-        looks: Some(folder.path().to_owned()),
+        looks: looks_in(&Disk, folder.path()).expect("the folder is listed"),
         look_effort: tiny.clone(),
         large: Some(LookEffort { sides: vec![48], ..tiny }),
         stability: StabilityEffort { frames: 2, side: 24 },

@@ -7,6 +7,7 @@ use crate::support::eval::{renderer, told};
 use crate::support::ledger::{Ledger, ProofKey};
 use crate::support::wait::block_on;
 use chiaro::diag::Diagnostic;
+use chiaro::files::Disk;
 use chiaro::library::Library;
 use chiaro::sweeps::{Case, Laboratory, WorstInput, bound, search};
 
@@ -15,7 +16,8 @@ fn the_worst_inputs_stay_within_their_bounds() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/worst");
     let mut by_case: BTreeMap<Case, Vec<WorstInput>> = BTreeMap::new();
     for file in std::fs::read_dir(folder).expect("the folder is there").flatten() {
-        for worst in search::read(&file.path()).unwrap_or_else(|problem| panic!("{problem}")) {
+        for worst in search::read(&Disk, &file.path()).unwrap_or_else(|problem| panic!("{problem}"))
+        {
             by_case.entry(worst.case.clone()).or_default().push(worst);
         }
     }

@@ -660,11 +660,7 @@ impl<'a> Typer<'a> {
         light: Option<&LightId>,
     ) -> Option<usize> {
         let def = &flat.def;
-        let light_kind = light.map(|id| match self.look.lights[id].kind {
-            crate::document::LightKind::Directional => "directional",
-            crate::document::LightKind::Point => "point",
-            crate::document::LightKind::Spot => "spot",
-        });
+        let light_kind = light.map(|id| self.look.lights[id].kind.word());
         let fits = |variant: &NodeFunction| match (&variant.choice, def.special) {
             (Some((_, word)), Treatment::Light) => light_kind == Some(word),
             (Some(_), Treatment::Output) => false,

@@ -104,14 +104,20 @@ impl Check {
     }
 
     fn lights(&mut self, lights: &indexmap::IndexMap<LightId, Light>) {
-        for (id, light) in lights.iter().filter(|(_, light)| light.inner > light.outer) {
-            let message =
-                format!("`inner` ({}) is greater than `outer` ({})", light.inner, light.outer);
-            let problem = Diagnostic::error("out-of-range", message);
-            self.push(
-                format!("lights.{id}.inner"),
-                problem.hint("the full cone lies inside the whole one"),
-            );
+        for (id, light) in lights {
+            for field in LightField::ALL {
+                let Some(around) = field.within() else { continue };
+                let mut pairs = field.numbers(light).iter().zip(around.numbers(light));
+                let Some((number, most)) = pairs.find(|(number, most)| number > most) else {
+                    continue;
+                };
+                let (name, bound) = (field.name(), around.name());
+                let message = format!("`{name}` ({number}) is greater than `{bound}` ({most})");
+                let [inside, outside] = [field, around].map(|field| field.label().to_lowercase());
+                let hint = format!("the {inside} lies inside the {outside}");
+                let problem = Diagnostic::error("out-of-range", message).hint(hint);
+                self.push(format!("lights.{id}.{name}"), problem);
+            }
         }
     }
 

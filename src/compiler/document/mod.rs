@@ -31,7 +31,8 @@ mod write;
 
 pub use color::{linear_to_srgb, parse_hex, srgb_to_linear};
 pub use edit::{
-    Edit, EditResult, Editable, HcbtfEdit, History, HistoryNumbers, Patch, SceneEdit, Step,
+    DocumentRevision, Edit, EditResult, Editable, HcbtfEdit, History, HistoryNumbers, Patch,
+    SceneEdit, Step,
 };
 pub use hcbtf::{
     Address, Angle as HcbtfAngle, Bundle, Direction, Directions, Grid, Hcbtf, HcbtfListing,

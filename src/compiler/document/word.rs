@@ -17,6 +17,12 @@ pub(super) trait WordChoice: Sized + Copy + PartialEq + 'static {
         index.map_or("", |index| Self::WORDS[index].0)
     }
 
+    /// Meaning of the choice's word.
+    fn meaning(self) -> &'static str {
+        let index = Self::ALL.iter().position(|&choice| choice == self);
+        index.map_or("", |index| Self::WORDS[index].1)
+    }
+
     /// Choice with a word.
     fn from_word(word: &str) -> Option<Self> {
         Self::WORDS.iter().position(|(known, _)| *known == word).map(|index| Self::ALL[index])
@@ -81,6 +87,21 @@ words!(Channel {
     Luminance "luminance" "bright texels stand high",
     Alpha "alpha" "opaque texels stand high; the relief is then opaque everywhere",
 });
+
+impl LightKind {
+    /// All kinds, in the order of menus.
+    pub const ALL: &'static [Self] = <Self as WordChoice>::ALL;
+
+    /// Word of the kind in files, and in node files for functions of one kind.
+    pub fn word(self) -> &'static str {
+        WordChoice::word(self)
+    }
+
+    /// Meaning of the kind: a phrase for docs and tooltips.
+    pub fn help(self) -> &'static str {
+        self.meaning()
+    }
+}
 
 #[cfg(test)]
 mod tests {

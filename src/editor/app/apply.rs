@@ -19,6 +19,8 @@ use crate::state::revision::GestureId;
 use crate::state::scene::OpenScene;
 use crate::state::session::Session;
 use crate::state::session::painting::is_painting_shown;
+use crate::tools::handles::HandlesSwitch;
+use crate::tools::probe::Probe;
 
 /// True if the last message stays while a command is carried out.
 fn keeps_message(command: &Command) -> bool {
@@ -104,7 +106,7 @@ impl App {
                 self.dialogs.ask(FilePurpose::Mesh, Some(Path::new(&self.session.view.orbit.mesh)));
             }
             Command::Probe(switch) => {
-                let on = switch.turned(self.bench.tools.probe.is_on());
+                let on = switch.turned(self.probe().is_on());
                 self.turn_probe(ui, on);
             }
             Command::ShowWire(wire) => self.session.show_wire(wire),
@@ -135,7 +137,7 @@ impl App {
             Command::ShowReference(None) => {
                 self.dialogs.ask(FilePurpose::Reference, self.session.path());
             }
-            Command::LeaveProbe => self.bench.tools.probe.escape(),
+            Command::LeaveProbe => self.bench.tools.of_mut::<Probe>().escape(),
             Command::Solo(solo) => self.session.set_solo(solo),
             Command::ShowPanel(PanelId::PAINT) if is_painting_shown(&self.session) => {
                 self.show_painting_panels();
@@ -178,7 +180,7 @@ impl App {
     /// Turns the probe on or off; light on the picture is no longer painted then, since both take
     /// the pointer.
     fn turn_probe(&mut self, ui: &Ui, on: bool) {
-        self.bench.tools.probe.turn(on);
+        self.bench.tools.of_mut::<Probe>().turn(on);
         if on {
             self.turn_fitting(ui, false);
             self.dock.open(PanelId::PROBE);
@@ -211,7 +213,7 @@ impl App {
             }
             ViewCommand::ToggleTurntable => self.bench.viewport.toggle_turntable(),
             ViewCommand::ToggleHandles => {
-                let shown = &mut self.bench.tools.has_handles;
+                let shown = &mut self.bench.tools.of_mut::<HandlesSwitch>().is_on;
                 *shown = !*shown;
             }
         }

@@ -4,11 +4,13 @@ use eframe::egui::Ui;
 
 use super::App;
 use crate::commands::{FitCommand, PanelId, SketchCommand};
+use crate::tools::fitting::FitTool;
+use crate::tools::probe::Probe;
 
 impl App {
     pub(super) fn apply_to_fitting(&mut self, ui: &Ui, command: FitCommand) {
         let Self { bench, session, .. } = self;
-        let fitting = &mut bench.tools.fitting;
+        let fitting = bench.tools.of_mut::<FitTool>();
         let commands = match command {
             FitCommand::Turn(switch) => {
                 let on = switch.turned(fitting.is_on());
@@ -34,19 +36,20 @@ impl App {
 
     /// Takes on the fitted look, as one step.
     fn apply_fit(&mut self) {
-        let Some(edit) = self.bench.tools.fitting.take_on(&self.session) else { return };
+        let fitting = self.bench.tools.of_mut::<FitTool>();
+        let Some(edit) = fitting.take_on(&self.session) else { return };
         self.session.set_preview(None);
         self.tell(|session| session.apply(edit, None));
-        self.bench.tools.fitting.is_taken_on(&self.session);
+        self.bench.tools.of_mut::<FitTool>().is_taken_on(&self.session);
     }
 
     /// Begins or ends painting on the picture. The probe and the turntable are turned off, since
     /// they would be in the way.
     pub(super) fn turn_fitting(&mut self, ui: &Ui, on: bool) {
-        let commands = self.bench.tools.fitting.turn(on, &self.session);
+        let commands = self.bench.tools.of_mut::<FitTool>().turn(on, &self.session);
         commands.into_iter().for_each(|command| self.carry_out(ui, command));
         if on {
-            self.bench.tools.probe.turn(false);
+            self.bench.tools.of_mut::<Probe>().turn(false);
             self.bench.viewport.stop_turning();
             self.start = None;
             self.dock.open(PanelId::PICTURE);

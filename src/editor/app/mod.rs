@@ -266,7 +266,7 @@ impl App {
 
     /// Probe of the picture.
     pub fn probe(&self) -> &Probe {
-        &self.bench.tools.probe
+        self.bench.tools.of()
     }
 
     /// Painting workspace.
@@ -276,17 +276,17 @@ impl App {
 
     /// Comparison of the picture with a tier or the truth.
     pub fn wipe(&self) -> &Wipe {
-        &self.bench.tools.wipe
+        self.bench.tools.of()
     }
 
     /// Light painted on the picture, and the look fitted to it.
     pub fn fitting(&self) -> &FitTool {
-        &self.bench.tools.fitting
+        self.bench.tools.of()
     }
 
     /// Light painted on the picture, for programs that drive the window.
     pub fn fitting_mut(&mut self) -> &mut FitTool {
-        &mut self.bench.tools.fitting
+        self.bench.tools.of_mut()
     }
 
     /// Measured cost of the look.
@@ -338,7 +338,7 @@ impl App {
 
     /// Number of requested pictures.
     pub fn pictures(&self) -> u64 {
-        self.bench.picture.as_ref().map_or(0, |picture| picture.requested)
+        self.bench.picture.as_ref().map_or(0, |picture| picture.requested.count())
     }
 
     /// Ratio of the screen's resolution to the picture's; 1 at rest.
@@ -395,7 +395,7 @@ impl App {
         self.session.refresh_keys();
         self.session.follow_keys(ui.input(|input| input.pointer.any_down()));
         self.tick_painting();
-        let fitted = self.bench.tools.fitting.tick(ui, &self.session);
+        let fitted = self.bench.tools.of_mut::<FitTool>().tick(ui, &self.session);
         fitted.into_iter().for_each(|command| self.carry_out(ui, command));
         let (now, has_come_back) = ui
             .input(|input| (input.time, input.events.contains(&egui::Event::WindowFocused(true))));
@@ -577,10 +577,10 @@ impl App {
         }
         // An open picker or menu takes the key first; otherwise it would stay open.
         let is_open = egui::Popup::is_any_open(ui.ctx());
-        if self.bench.tools.probe.is_on() && !is_typing && !is_open && keyboard::take(ui, escape) {
+        if self.probe().is_on() && !is_typing && !is_open && keyboard::take(ui, escape) {
             commands.push(Command::LeaveProbe);
         }
-        let paints = self.bench.tools.fitting.is_on() && self.start.is_none();
+        let paints = self.fitting().is_on() && self.start.is_none();
         if paints && is_free && !is_typing && !is_open && keyboard::take(ui, escape) {
             commands.push(Command::Fit(FitCommand::Leave));
         }

@@ -2,12 +2,13 @@
 
 use super::table::{PanelPlace, PanelRow};
 use crate::commands::PanelId;
+use crate::tools::probe::Probe;
 
 pub(super) const PANEL: PanelRow = PanelRow::new(
     PanelId::PROBE,
     "Probe",
     "The value on every wire at a pixel, f32 beside f64 (I)",
     PanelPlace::BELOW_PICTURE,
-    |bench, ui, context| bench.tools.probe.show(ui, context.session),
+    |bench, ui, context| bench.tools.of_mut::<Probe>().show(ui, context.session),
 )
 .with_jobs(|bench| &bench.tools);

@@ -155,8 +155,8 @@ pub(crate) fn light_name<'a>(id: &'a LightId, light: &'a Light) -> &'a str {
     if light.name.is_empty() { id.as_str() } else { &light.name }
 }
 
-/// Label made from an identifier: `rim_width` is "Rim width".
-fn spoken(name: &str) -> String {
+/// Label made from an identifier or a phrase: `rim_width` is "Rim width".
+pub(crate) fn spoken(name: &str) -> String {
     let words = values::words(name);
     let mut letters = words.chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()

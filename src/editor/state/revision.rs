@@ -1,5 +1,7 @@
 //! Numbers that tell one state of a value from an earlier one, each of a type of its own.
 
+use crate::document::DocumentRevision;
+
 macro_rules! numbers {
     ($($(#[$doc:meta])* $name:ident;)*) => {
         $(
@@ -27,8 +29,6 @@ macro_rules! counters {
 }
 
 numbers! {
-    /// Revision of a document with a past: the number of edits so far.
-    DocumentRevision;
     /// Revision of the HCBTF that is being painted, as far as shaders see it.
     PaintingRevision;
     /// Number of the HCBTF that is being painted: another one has another number.
@@ -57,10 +57,19 @@ counters! {
     StepTime;
     /// Number of a gesture, of those of a document.
     GestureNumber;
+    /// Number of a message to the thread that writes a journal.
+    MessageNumber;
     /// Number of a request to a thread; only the answer to the newest request counts.
     RequestNumber;
     /// Revision of the list of documents over which the program ended.
     SuspectsRevision;
+}
+
+impl RequestNumber {
+    /// Number of requests so far.
+    pub(crate) fn count(self) -> u64 {
+        self.0
+    }
 }
 
 impl StepTime {
@@ -72,7 +81,7 @@ impl StepTime {
 
 /// Revision of the look: the number of edits so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct LookRevision(pub(super) u64);
+pub struct LookRevision(pub(super) DocumentRevision);
 
 /// Identity of a gesture: a widget, for as long as it is held or has the keyboard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

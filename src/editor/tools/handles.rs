@@ -5,9 +5,16 @@ use crate::commands::{Command, ViewCommand, table};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Options,
-    |tools| tools.has_handles,
+    |_| Box::new(HandlesSwitch { is_on: true }),
+    |tools| tools.of::<HandlesSwitch>().is_on,
     |tools, ui, _| {
         let help = table::help_of(&Command::View(ViewCommand::ToggleHandles));
-        ui.checkbox(&mut tools.has_handles, "Handles on the object").on_hover_text(help);
+        let is_on = &mut tools.of_mut::<HandlesSwitch>().is_on;
+        ui.checkbox(is_on, "Handles on the object").on_hover_text(help);
     },
 );
+
+/// State of the switch.
+pub(crate) struct HandlesSwitch {
+    pub(crate) is_on: bool,
+}

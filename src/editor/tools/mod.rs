@@ -1,11 +1,14 @@
-//! Tools of the picture. Each is a value: a [`ToolRow`] with its switch, its controls and its
-//! overlay of the picture. A new tool is a file with a row, and a line in [`TOOLS`].
+//! Tools of the picture. Each is a value: a [`ToolRow`] with its state, its switch, its controls,
+//! its overlay of the picture and the threads that work for it. A new tool is a file with a row,
+//! and a line in [`TOOLS`].
 
 pub(crate) mod fitting;
-mod handles;
+pub(crate) mod handles;
 pub(crate) mod probe;
 mod table;
 pub(crate) mod wipe;
+
+use std::any::{Any, type_name};
 
 use eframe::egui::Ui;
 
@@ -13,31 +16,34 @@ use crate::commands::Command;
 use crate::render::Gpu;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
-use fitting::FitTool;
-use probe::Probe;
+use table::ToolParts;
 pub(crate) use table::{PictureContext, SwitchPlace, ToolRow};
-use wipe::Wipe;
 
 /// All tools, in the order of their switches; their overlays lie in reverse order.
 pub(crate) static TOOLS: &[ToolRow] = &[handles::TOOL, probe::TOOL, fitting::TOOL, wipe::TOOL];
 
-/// Tools of the picture, and their state.
+/// States of the picture's tools, each of a type of its own.
 pub(crate) struct PictureTools {
-    pub(crate) has_handles: bool,
-    pub(crate) probe: Probe,
-    pub(crate) wipe: Wipe,
-    pub(crate) fitting: FitTool,
+    states: Vec<Box<dyn Any>>,
 }
 
 impl PictureTools {
     /// `wake` is called from other threads when they have results or progress.
-    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Clone + Send + Sync + 'static) -> Self {
-        Self {
-            has_handles: true,
-            probe: Probe::new(wake.clone()),
-            wipe: Wipe::new(gpu, wake.clone()),
-            fitting: FitTool::new(wake),
-        }
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let parts = ToolParts::new(gpu, wake);
+        Self { states: TOOLS.iter().map(|tool| (tool.start)(&parts)).collect() }
+    }
+
+    /// State of this type, which the row of a tool starts.
+    pub(crate) fn of<T: 'static>(&self) -> &T {
+        let state = self.states.iter().find_map(|state| state.downcast_ref::<T>());
+        state.unwrap_or_else(|| unreachable!("no tool starts a {}", type_name::<T>()))
+    }
+
+    /// State of this type, to change it.
+    pub(crate) fn of_mut<T: 'static>(&mut self) -> &mut T {
+        let state = self.states.iter_mut().find_map(|state| state.downcast_mut::<T>());
+        state.unwrap_or_else(|| unreachable!("no tool starts a {}", type_name::<T>()))
     }
 
     /// Tool that has the pointer over the picture to itself.
@@ -77,17 +83,36 @@ impl PictureTools {
             .for_each(|over| over(self, ui, context, out));
     }
 
-    fn jobs(&self) -> [&dyn BackgroundJobs; 3] {
-        [&self.probe, &self.wipe, &self.fitting]
+    /// Threads that work for tools.
+    fn jobs(&self) -> impl Iterator<Item = &dyn BackgroundJobs> {
+        TOOLS.iter().filter_map(|tool| tool.jobs).map(move |jobs| jobs(self))
     }
 }
 
 impl BackgroundJobs for PictureTools {
     fn is_busy(&self) -> bool {
-        self.jobs().iter().any(|tool| tool.is_busy())
+        self.jobs().any(|jobs| jobs.is_busy())
     }
 
     fn wait(&self) {
-        self.jobs().iter().for_each(|tool| tool.wait());
+        self.jobs().for_each(|jobs| jobs.wait());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::any::TypeId;
+    use std::collections::HashSet;
+
+    use super::*;
+
+    #[test]
+    fn tools_start_with_states_of_their_own() {
+        let tools = PictureTools::new(None, || {});
+        let types: HashSet<TypeId> = tools.states.iter().map(|state| (**state).type_id()).collect();
+        assert_eq!(types.len(), TOOLS.len());
+        let on = TOOLS.iter().filter(|tool| (tool.is_on)(&tools)).count();
+        assert_eq!(on, 1, "each row finds its state, and the handles alone are on at first");
+        assert!(tools.with_pointer().is_none() && !tools.is_busy());
     }
 }

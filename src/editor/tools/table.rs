@@ -1,11 +1,36 @@
-//! Definition of a tool of the picture: a row with its name, its switch, and its overlay of the
-//! picture.
+//! Definition of a tool of the picture: a row with its state, its switch, its overlay of the picture
+//! and its jobs on other threads.
+
+use std::any::Any;
+use std::sync::Arc;
 
 use eframe::egui::{Pos2, Rect, Response, Ui};
 
 use super::PictureTools;
 use crate::commands::Command;
+use crate::render::Gpu;
 use crate::state::session::Session;
+use crate::state::worker::BackgroundJobs;
+
+/// Parts of the window that a tool's state may be made with.
+pub(crate) struct ToolParts {
+    /// GPU of the window, if there is one.
+    pub(crate) gpu: Option<Gpu>,
+    wake: Arc<dyn Fn() + Send + Sync>,
+}
+
+impl ToolParts {
+    /// `wake` is called from other threads when they have results or progress.
+    pub(crate) fn new(gpu: Option<Gpu>, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        Self { gpu, wake: Arc::new(wake) }
+    }
+
+    /// Function that a tool's threads call when they have results or progress.
+    pub(crate) fn wake(&self) -> impl Fn() + Clone + Send + Sync + 'static + use<> {
+        let wake = self.wake.clone();
+        move || wake()
+    }
+}
 
 /// The picture as tools see it in a frame.
 pub(crate) struct PictureContext<'a> {
@@ -25,6 +50,8 @@ pub(crate) enum SwitchPlace {
     Options,
 }
 
+/// Function that makes a tool's state, which has a type of its own.
+type Start = fn(&ToolParts) -> Box<dyn Any>;
 type IsOn = fn(&PictureTools) -> bool;
 type ShowSwitch = fn(&mut PictureTools, &mut Ui, &mut Vec<Command>);
 type ShowBar = fn(&mut PictureTools, &mut Ui, &Session);
@@ -32,10 +59,13 @@ type HandlePointer = fn(&mut PictureTools, &Ui, &PictureContext<'_>) -> Option<C
 type ShowOver = fn(&mut PictureTools, &mut Ui, &PictureContext<'_>, &mut Vec<Command>);
 type ShowMark = fn(&PictureTools, &Ui, Rect);
 type Hint = fn(&PictureTools) -> &str;
+/// Accessor of the threads that work for a tool.
+type Jobs = fn(&PictureTools) -> &dyn BackgroundJobs;
 
 /// Tool of the picture.
 pub(crate) struct ToolRow {
     pub(crate) place: SwitchPlace,
+    pub(crate) start: Start,
     pub(crate) is_on: IsOn,
     /// True if the tool has the pointer over the picture to itself while it is on.
     pub(crate) takes_pointer: bool,
@@ -51,12 +81,19 @@ pub(crate) struct ToolRow {
     pub(crate) mark: Option<ShowMark>,
     /// Hint on the actions possible at the pointer, while the tool has the pointer.
     pub(crate) hint: Option<Hint>,
+    pub(crate) jobs: Option<Jobs>,
 }
 
 impl ToolRow {
-    pub(crate) const fn new(place: SwitchPlace, is_on: IsOn, switch: ShowSwitch) -> Self {
+    pub(crate) const fn new(
+        place: SwitchPlace,
+        start: Start,
+        is_on: IsOn,
+        switch: ShowSwitch,
+    ) -> Self {
         Self {
             place,
+            start,
             is_on,
             takes_pointer: false,
             switch,
@@ -65,6 +102,7 @@ impl ToolRow {
             over: None,
             mark: None,
             hint: None,
+            jobs: None,
         }
     }
 
@@ -86,5 +124,9 @@ impl ToolRow {
 
     pub(crate) const fn with_mark(self, mark: ShowMark) -> Self {
         Self { mark: Some(mark), ..self }
+    }
+
+    pub(crate) const fn with_jobs(self, jobs: Jobs) -> Self {
+        Self { jobs: Some(jobs), ..self }
     }
 }

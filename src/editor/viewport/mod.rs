@@ -37,6 +37,7 @@ use crate::state::scene::ObjectPlace;
 use crate::state::session::Session;
 use crate::state::worker::BackgroundJobs;
 use crate::tools::fitting::FitTool;
+use crate::tools::handles::HandlesSwitch;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, PictureTools, ToolRow};
 use crate::viewport::picture::ViewportPicture;
@@ -168,7 +169,8 @@ impl Viewport {
             .then(|| ui.input(|input| input.pointer.hover_pos()))
             .flatten();
         let is_free = tools.with_pointer().is_none();
-        let mut handles = self.handles(rect, session, tools.has_handles, is_free);
+        let has_handles = tools.of::<HandlesSwitch>().is_on;
+        let mut handles = self.handles(rect, session, has_handles, is_free);
         out.extend(handles.places.take().map(SceneCommand::Locate).map(Command::Scene));
         let hovered = objects::seen(
             session,
@@ -185,10 +187,10 @@ impl Viewport {
         let is_stroke =
             self.drag.is_none() && response.dragged_by(PointerButton::Primary) && !is_alt;
         let context = PictureContext { session, response: &response, rect, pointer };
-        if !(tools.fitting.is_on() && is_stroke) {
+        if !(tools.of::<FitTool>().is_on() && is_stroke) {
             self.drags(ui, &context, &mut view, &handles, &mut out);
         }
-        self.wheel_and_keys(ui, &context, &mut view, &tools.fitting, &mut out);
+        self.wheel_and_keys(ui, &context, &mut view, tools.of(), &mut out);
         self.turn(ui, &mut view);
         out.extend(tools.interact(ui, &context));
         if view != session.view.orbit {
@@ -220,7 +222,7 @@ impl Viewport {
                 self.preparing.show(ui, rect, session, picture);
             }
             None => {
-                if !tools.fitting.stand_in(ui, rect) {
+                if !tools.of_mut::<FitTool>().stand_in(ui, rect) {
                     ui.painter().rect_filled(rect, 0.0, theme::of(ui).canvas);
                     stand_in(ui, rect, session);
                 }
@@ -247,7 +249,7 @@ impl Viewport {
                 of_object.map_or(String::new(), objects::HoveredObject::hint) + &hint
             }
         };
-        if !tools.fitting.is_on() {
+        if !tools.of::<FitTool>().is_on() {
             objects::paint(ui, rect, session, handles.surface.as_deref(), seen.as_ref());
         }
         let surface = handles.surface.as_deref().filter(|_| self.has_arrows);
@@ -257,7 +259,7 @@ impl Viewport {
         if let Some(mark) = owner.and_then(|tool| tool.mark) {
             response.on_hover_cursor(CursorIcon::Crosshair);
             mark(tools, ui, rect);
-        } else if handles.is_on && !tools.fitting.is_on() {
+        } else if handles.is_on && !tools.of::<FitTool>().is_on() {
             self.paint(ui, rect, session, &handles, hovered.as_ref(), response.hovered());
             let is_held = matches!(self.drag, Some(Drag::Curve(_) | Drag::Light(_)));
             if is_held || hovered.is_some() {

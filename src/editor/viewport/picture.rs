@@ -18,7 +18,7 @@ use crate::milestones;
 use crate::render::{Gpu, Renderer, set_times};
 use crate::state::crashes::{CrashLog, CrashMark, CrashStep, DocumentOrigin};
 use crate::state::orbit::Orbit;
-use crate::state::revision::{DocumentNumber, PictureRevision};
+use crate::state::revision::{DocumentNumber, PictureRevision, RequestNumber};
 use crate::state::session::{DrawableLook, Session};
 use crate::state::snapshot::RenderSnapshot;
 use crate::state::worker::Worker;
@@ -193,8 +193,8 @@ pub(crate) struct ViewportPicture {
     /// Lives while the GPU does work of a kind that it never did before: compilers of drivers may
     /// be running as well.
     unfinished: Weak<CrashMark>,
-    /// Number of pictures that were requested.
-    pub(crate) requested: u64,
+    /// Number of the picture that was requested last.
+    pub(crate) requested: RequestNumber,
     /// Problems that keep the picture from being drawn, or warnings about it.
     pub(crate) problems: Vec<Diagnostic>,
     /// True if the cost of the picture is to be reported.
@@ -235,7 +235,7 @@ impl ViewportPicture {
             late: 0,
             size: [0; 2],
             unfinished: Weak::new(),
-            requested: 0,
+            requested: RequestNumber::default(),
             problems: Vec::new(),
             tells_effects: false,
             effects: Arc::default(),
@@ -311,7 +311,7 @@ impl ViewportPicture {
             && let Some(showing) = session.showing()
         {
             self.wanted = wanted;
-            self.requested += 1;
+            self.requested.advance();
             let snapshot = session.snapshot_of(showing.look.clone());
             let wanted = PreparedAssets::of(&showing, &snapshot);
             let is_ready = self.ready.as_ref().is_some_and(|ready| ready.is(&wanted));

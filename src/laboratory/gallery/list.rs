@@ -1,5 +1,6 @@
 //! List of a gallery's documents and their order: a `gallery.json`, or the contents of folders.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::de::Error;
@@ -7,15 +8,17 @@ use serde::{Deserialize, Deserializer};
 use serde_json::Value as Json;
 
 use crate::diag::Diagnostic;
-use crate::document::{Scene, parse_hex};
+use crate::document::{Scene, parse_hex, read_text};
 use crate::examples;
-use crate::files::read_text;
+use crate::files::{Files, WalkBounds};
 use crate::frame::{PlacementError, SHAPE_PREFIX, place_camera, turn_lights};
 
 /// Name of the file in a folder that lists the documents of its gallery.
 pub const LIST_FILE: &str = "gallery.json";
 /// Largest number of entries that are read.
 const MOST: usize = 2000;
+/// Bounds of the walk through a folder: each folder in it is a section.
+const BOUNDS: WalkBounds = WalkBounds { depth: 1, entries: 10 * MOST };
 
 /// Documents of a gallery, in sections.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -138,16 +141,16 @@ pub fn examples() -> Result<List, Vec<Diagnostic>> {
 ///
 /// # Errors
 /// Paths that do not exist, a `gallery.json` that cannot be read, and a list without documents.
-pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
+pub fn list(files: &dyn Files, paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     let mut all = List { title: "Gallery".to_owned(), ..List::default() };
     let mut own = Section::default();
     let mut problems = Vec::new();
     for path in paths {
-        if !path.is_dir() {
+        if !files.is_folder(path) {
             own.shown.push(GalleryDocument { file: path.clone(), ..GalleryDocument::default() });
             continue;
         }
-        match of_folder(path) {
+        match of_folder(files, path) {
             Ok(found) => {
                 if paths.len() == 1 {
                     (all.title, all.about) = (found.title, found.about);
@@ -164,7 +167,7 @@ pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
         .sections
         .iter()
         .flat_map(|section| &section.shown)
-        .filter(|shown| !shown.file.is_file());
+        .filter(|shown| !files.has_file(&shown.file));
     problems.extend(missing.map(|shown| {
         let problem = Diagnostic::error("missing-file", "there is no such file");
         problem.in_file(shown.file.display().to_string())
@@ -188,32 +191,25 @@ pub fn list(paths: &[PathBuf]) -> Result<List, Vec<Diagnostic>> {
     if problems.is_empty() { Ok(all) } else { Err(problems) }
 }
 
-fn of_folder(folder: &Path) -> Result<List, Diagnostic> {
+fn of_folder(files: &dyn Files, folder: &Path) -> Result<List, Diagnostic> {
     let file = folder.join(LIST_FILE);
-    if file.is_file() {
-        return read(&file);
+    if files.has_file(&file) {
+        return read(files, &file);
     }
-    let title = name_of(folder);
-    let mut sections = Vec::new();
-    let shown = documents(folder)?;
-    if !shown.is_empty() {
-        sections.push(Section { shown, ..Section::default() });
-    }
-    for inner in entries(folder)?.into_iter().filter(|path| path.is_dir()) {
-        let shown = documents(&inner)?;
-        if !shown.is_empty() {
-            sections.push(Section { title: name_of(&inner), shown, ..Section::default() });
-        }
-    }
-    Ok(List { title, sections, ..List::default() })
+    let section = |(inner, shown): (PathBuf, Vec<GalleryDocument>)| {
+        let title = if inner == folder { String::new() } else { name_of(files, &inner) };
+        Section { title, shown, ..Section::default() }
+    };
+    let sections = documents(files, folder)?.into_iter().map(section).collect();
+    Ok(List { title: name_of(files, folder), sections, ..List::default() })
 }
 
-fn read(file: &Path) -> Result<List, Diagnostic> {
-    let text = read_text(file).map_err(|problem| *problem)?;
+fn read(files: &dyn Files, file: &Path) -> Result<List, Diagnostic> {
+    let text = read_text(files, file).map_err(|problem| *problem)?;
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut list = parsed(&text, file, &|named| folder.join(named))?;
     if list.title.is_empty() {
-        list.title = name_of(folder);
+        list.title = name_of(files, folder);
     }
     Ok(list)
 }
@@ -267,34 +263,34 @@ fn parsed(text: &str, file: &Path, place: &dyn Fn(&Path) -> PathBuf) -> Result<L
     Ok(List { title: list.title, about: list.about, sections })
 }
 
-/// The documents in a folder itself, by name.
-fn documents(folder: &Path) -> Result<Vec<GalleryDocument>, Diagnostic> {
+/// The documents in a folder, and in the folders in it, by folder and name.
+fn documents(
+    files: &dyn Files,
+    folder: &Path,
+) -> Result<BTreeMap<PathBuf, Vec<GalleryDocument>>, Diagnostic> {
+    let found = files.walk(folder, BOUNDS, &|_| true);
+    if let Some((path, error)) = found.unreadable.first() {
+        let problem =
+            Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
+        return Err(problem.in_file(path.display().to_string()));
+    }
     let is_document = |path: &PathBuf| {
         let is_json =
             path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"));
         is_json && path.file_name().is_some_and(|name| name != LIST_FILE)
     };
-    let found = entries(folder)?.into_iter().filter(is_document);
-    Ok(found.map(|file| GalleryDocument { file, ..GalleryDocument::default() }).collect())
-}
-
-fn entries(folder: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
-    let told = |error: std::io::Error| {
-        let problem =
-            Diagnostic::error("cannot-read", format!("the folder cannot be read: {error}"));
-        problem.in_file(folder.display().to_string())
-    };
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(told)?.take(10 * MOST) {
-        found.push(entry.map_err(told)?.path());
+    let mut documents: BTreeMap<PathBuf, Vec<GalleryDocument>> = BTreeMap::new();
+    for file in found.files.into_iter().filter(is_document) {
+        let inner = file.parent().unwrap_or(folder).to_path_buf();
+        let shown = GalleryDocument { file, ..GalleryDocument::default() };
+        documents.entry(inner).or_default().push(shown);
     }
-    found.sort();
-    Ok(found)
+    Ok(documents)
 }
 
 /// A folder's name, as a title.
-fn name_of(folder: &Path) -> String {
-    let whole = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+fn name_of(files: &dyn Files, folder: &Path) -> String {
+    let whole = files.canonical(folder).unwrap_or_else(|| folder.to_path_buf());
     let name = whole
         .file_name()
         .map(|name| name.to_string_lossy().replace(['-', '_'], " "))
@@ -306,6 +302,7 @@ fn name_of(folder: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::Disk;
 
     #[test]
     fn folders_become_sections() {
@@ -318,7 +315,7 @@ mod tests {
         ["b.json", "a.json", "more-looks/c.json", "more-looks/c.png", "empty/nothing.txt"]
             .into_iter()
             .for_each(write);
-        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let found = list(&Disk, &[folder.path().to_path_buf()]).unwrap();
         let titles: Vec<&str> =
             found.sections.iter().map(|section| section.title.as_str()).collect();
         assert_eq!(titles, ["", "More looks"]);
@@ -335,7 +332,7 @@ mod tests {
         let text = r##"{"title": "T", "sections": [{"title": "S", "entries": ["a.json",
             {"file": "a.json", "mesh": "shape:knot", "backdrop": "#ffffff"}]}]}"##;
         std::fs::write(&path, text).unwrap();
-        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let found = list(&Disk, &[folder.path().to_path_buf()]).unwrap();
         let [plain, with] = found.sections[0].shown.as_slice() else { panic!("{found:?}") };
         assert_eq!(
             (found.title.as_str(), plain.mesh.as_deref(), plain.backdrop),
@@ -344,29 +341,32 @@ mod tests {
         assert_eq!((with.mesh.as_deref(), with.backdrop), (Some("shape:knot"), Some([1.0; 4])));
 
         std::fs::write(&path, text.replace("entries", "entrys")).unwrap();
-        let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+        let problems = list(&Disk, &[folder.path().to_path_buf()]).unwrap_err();
         assert!(
             problems[0].message.contains("entrys") && problems[0].to_string().contains(LIST_FILE),
             "{problems:?}"
         );
         std::fs::write(&path, text.replace("#ffffff", "white")).unwrap();
-        let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+        let problems = list(&Disk, &[folder.path().to_path_buf()]).unwrap_err();
         assert!(
             problems[0].code == "bad-gallery" && problems[0].message.contains("`white`"),
             "{problems:?}"
         );
         std::fs::write(&path, text.replace("\"a.json\", ", "\"b.json\", ")).unwrap();
-        assert_eq!(list(&[folder.path().to_path_buf()]).unwrap_err()[0].code, "missing-file");
+        assert_eq!(
+            list(&Disk, &[folder.path().to_path_buf()]).unwrap_err()[0].code,
+            "missing-file"
+        );
         std::fs::write(&path, text.replace("backdrop", "backdrp")).unwrap();
-        let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+        let problems = list(&Disk, &[folder.path().to_path_buf()]).unwrap_err();
         assert!(problems[0].message.contains("`backdrp`"), "{problems:?}");
 
         // A mesh of the user's own lies beside the list.
         std::fs::write(&path, text.replace("shape:knot", "own.obj")).unwrap();
-        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let found = list(&Disk, &[folder.path().to_path_buf()]).unwrap();
         let own = folder.path().join("own.obj").display().to_string();
         assert_eq!(found.sections[0].shown[1].mesh.as_ref(), Some(&own));
-        assert_eq!(list(&[]).unwrap_err()[0].code, "nothing-to-show");
+        assert_eq!(list(&Disk, &[]).unwrap_err()[0].code, "nothing-to-show");
     }
 
     #[test]
@@ -378,7 +378,7 @@ mod tests {
             "camera": "orbit=60,10",
             "turn_lights": "180", "time": 2.5}]}]}"##;
         std::fs::write(&path, text).unwrap();
-        let found = list(&[folder.path().to_path_buf()]).unwrap();
+        let found = list(&Disk, &[folder.path().to_path_buf()]).unwrap();
         let shown = &found.sections[0].shown[0];
         assert_eq!((shown.name.as_deref(), shown.time), (Some("Dusk"), Some(2.5)));
         assert_eq!(
@@ -387,7 +387,7 @@ mod tests {
         );
         for (right, wrong) in [("orbit=60,10", "orbit=60"), ("\"180\"", "\"round\"")] {
             std::fs::write(&path, text.replace(right, wrong)).unwrap();
-            let problems = list(&[folder.path().to_path_buf()]).unwrap_err();
+            let problems = list(&Disk, &[folder.path().to_path_buf()]).unwrap_err();
             let is_told = problems[0].message.contains(wrong.trim_matches('"'))
                 && problems[0].message.contains("a.json");
             assert!(problems[0].code == "bad-gallery" && is_told, "{problems:?}");

@@ -3,11 +3,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::sample;
+use super::{MAX_PAGE_BYTES, sample};
 use crate::catalog::{CUSTOM_KIND, Catalog};
 use crate::diag::Diagnostic;
 use crate::drawing::node_svg;
-use crate::files::{OutputKind, Outputs, make_folder};
+use crate::files::{self, OutputKind, Outputs, make_folder};
 use crate::frame::Picture;
 use crate::library::Library;
 use crate::progress::Progress;
@@ -107,6 +107,7 @@ fn files_of(folder: &Path, kind: &str) -> [PathBuf; 2] {
 /// True if a picture is ours: its own metadata tells, or our drawing of the same kind lies beside
 /// it.
 fn is_picture(bytes: &[u8], drawing: &Path) -> bool {
-    let is_drawing = || std::fs::read(drawing).is_ok_and(|svg| (OutputKind::DRAWING.is_own)(&svg));
+    let is_drawing =
+        || files::read(drawing, MAX_PAGE_BYTES).is_ok_and(|svg| (OutputKind::DRAWING.is_own)(&svg));
     (OutputKind::PICTURE.is_own)(bytes) || is_drawing()
 }

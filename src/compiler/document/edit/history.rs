@@ -28,17 +28,30 @@ pub trait Editable {
     fn covers(older: &Self::Edit, newer: &Self::Edit) -> bool;
 }
 
+/// Revision of a document with a past: the number of changes, undos and redos so far.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
+#[serde(transparent)]
+pub struct DocumentRevision(u64);
+
+impl DocumentRevision {
+    fn advance(&mut self) {
+        self.0 += 1;
+    }
+}
+
 /// Document with all its past: the one place that changes the document.
 #[derive(Clone, Debug)]
 pub struct History<D: Editable> {
     document: D,
     done: Vec<Step<D::Edit>>,
     undone: Vec<Step<D::Edit>>,
-    /// Counter that grows with every change, undo and redo.
-    revision: u64,
-    /// Number of the document's state: undo brings the old number back.
-    state: u64,
-    saved: u64,
+    revision: DocumentRevision,
+    /// Revision at which the document's state first came about: undo brings the old one back.
+    state: DocumentRevision,
+    /// State that a file holds.
+    saved: DocumentRevision,
 }
 
 /// Edits that one undo takes back, or one redo repeats.
@@ -49,21 +62,28 @@ pub struct Step<E> {
     /// Edits, in the order in which they are to be applied.
     edits: Vec<E>,
     /// State that the edits lead to.
-    state: u64,
+    state: DocumentRevision,
 }
 
 /// Numbers of a history, which a journal keeps beside its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct HistoryNumbers {
-    revision: u64,
-    state: u64,
-    saved: u64,
+    revision: DocumentRevision,
+    state: DocumentRevision,
+    saved: DocumentRevision,
 }
 
 impl<D: Editable> History<D> {
     /// History of a document as it was read or made, without steps.
     pub fn new(document: D) -> Self {
-        Self { document, done: Vec::new(), undone: Vec::new(), revision: 0, state: 0, saved: 0 }
+        Self {
+            document,
+            done: Vec::new(),
+            undone: Vec::new(),
+            revision: DocumentRevision::default(),
+            state: DocumentRevision::default(),
+            saved: DocumentRevision::default(),
+        }
     }
 
     /// Current document.
@@ -102,7 +122,7 @@ impl<D: Editable> History<D> {
             return self.document.edit(inverse, true).map(drop);
         }
         let before = self.state;
-        self.revision += 1;
+        self.revision.advance();
         self.state = self.revision;
         self.undone.clear();
         match self.done.last_mut() {
@@ -137,7 +157,7 @@ impl<D: Editable> History<D> {
     fn turn(&mut self, step: Step<D::Edit>) -> Step<D::Edit> {
         let back = super::all_or_none(&mut self.document, step.edits, true);
         debug_assert!(back.is_ok(), "an inverse applies to what its edit made: {back:?}");
-        self.revision += 1;
+        self.revision.advance();
         let before = std::mem::replace(&mut self.state, step.state);
         // A gesture that was undone is over.
         Step { label: step.label, gesture: None, edits: back.unwrap_or_default(), state: before }
@@ -163,8 +183,8 @@ impl<D: Editable> History<D> {
         self.done.len()
     }
 
-    /// Counter that grows with every change, so that observers notice the change.
-    pub fn revision(&self) -> u64 {
+    /// Revision of the document, by which observers notice a change.
+    pub fn revision(&self) -> DocumentRevision {
         self.revision
     }
 
@@ -176,7 +196,7 @@ impl<D: Editable> History<D> {
     /// Notes that no file holds the document, neither as it is nor as it was.
     pub fn mark_unsaved(&mut self) {
         // The next edit's number is larger, so that no state has this one.
-        self.revision += 1;
+        self.revision.advance();
         self.saved = self.revision;
     }
 
@@ -184,7 +204,7 @@ impl<D: Editable> History<D> {
     /// all name is renamed. The replacement is no step, and cannot be undone.
     pub fn amend(&mut self, document: D, change: impl FnMut(&mut D::Edit)) {
         self.document = document;
-        self.revision += 1;
+        self.revision.advance();
         let steps = self.done.iter_mut().chain(&mut self.undone);
         steps.flat_map(|step| &mut step.edits).for_each(change);
     }

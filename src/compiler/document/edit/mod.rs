@@ -27,7 +27,7 @@ use crate::diag::Diagnostic;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NoteId, PortName};
 
 pub use hcbtf::HcbtfEdit;
-pub use history::{Editable, History, HistoryNumbers, Step};
+pub use history::{DocumentRevision, Editable, History, HistoryNumbers, Step};
 pub use patch::Patch;
 pub use scene::SceneEdit;
 

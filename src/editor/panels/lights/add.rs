@@ -8,7 +8,7 @@ use crate::commands::Command;
 use crate::document::{Light, LightKind};
 use crate::fields::lighting::{Change, OwnedLight, Owner, SharedLight};
 use crate::ids::LightId;
-use crate::state::reading::light_name;
+use crate::state::reading::{light_name, spoken};
 use crate::state::session::Session;
 use crate::widgets::text::hint;
 
@@ -21,17 +21,9 @@ pub(super) fn bar(
 ) {
     ui.horizontal(|ui| {
         let menu = ui.menu_button("Add light", |ui| {
-            let kinds = [
-                (
-                    LightKind::Directional,
-                    "Directional",
-                    "As far away as the sun: the same direction everywhere",
-                ),
-                (LightKind::Point, "Point", "At a place, shining everywhere"),
-                (LightKind::Spot, "Spot", "At a place, shining into a cone"),
-            ];
-            for (kind, label, help) in kinds {
-                if ui.button(label).on_hover_text(help).clicked() {
+            for &kind in LightKind::ALL {
+                let button = ui.button(spoken(kind.word()));
+                if button.on_hover_text(spoken(kind.help())).clicked() {
                     let near = Light {
                         position: [1.5, 1.5, 2.0],
                         aim: [-0.5, -0.5, -0.7],

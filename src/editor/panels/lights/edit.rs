@@ -11,6 +11,7 @@ use crate::fields::lighting::{OwnedLight, Owner};
 use crate::fields::marks::FieldTarget;
 use crate::fields::row::{self, labelled};
 use crate::library::Type;
+use crate::state::reading::spoken;
 use crate::state::session::Session;
 use crate::widgets::color;
 use crate::widgets::theme;
@@ -156,14 +157,10 @@ fn distance(ui: &mut Ui, label: Id, field: LightField, length: &mut f64) -> Opti
 }
 
 fn kind(ui: &mut Ui, label: Id, light: &mut Light) -> Option<Id> {
-    let name = |kind| match kind {
-        LightKind::Directional => "Directional",
-        LightKind::Point => "Point",
-        LightKind::Spot => "Spot",
-    };
+    let name = |kind: LightKind| spoken(kind.word());
     let before = light.kind;
     let combo = ComboBox::from_id_salt("kind").selected_text(name(light.kind)).show_ui(ui, |ui| {
-        for kind in [LightKind::Directional, LightKind::Point, LightKind::Spot] {
+        for &kind in LightKind::ALL {
             ui.selectable_value(&mut light.kind, kind, name(kind));
         }
     });

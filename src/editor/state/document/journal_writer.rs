@@ -15,6 +15,7 @@ use crate::clock::Clock;
 use crate::diag::Diagnostic;
 use crate::document::History;
 use crate::files::journal::{DocumentInfo, Journal, JournalDocument, JournalSlot, Op};
+use crate::state::revision::MessageNumber;
 use crate::state::worker::start;
 
 /// Interval of writing while a gesture goes on.
@@ -54,8 +55,8 @@ enum Message<D: JournalDocument> {
 
 #[derive(Default)]
 struct WriterState {
-    /// Number of messages that were handled.
-    handled: Mutex<u64>,
+    /// Number of the message that was handled last.
+    handled: Mutex<MessageNumber>,
     changed: Condvar,
     wants_to_begin: AtomicBool,
     problem: Mutex<Option<Diagnostic>>,
@@ -64,7 +65,8 @@ struct WriterState {
 /// Writer of a document's journal, as the UI thread sees it.
 pub(crate) struct JournalWriter<D: JournalDocument> {
     sender: Option<Sender<Message<D>>>,
-    sent: u64,
+    /// Number of the message that was sent last.
+    sent: MessageNumber,
     shared: Arc<WriterState>,
     thread: Option<JoinHandle<()>>,
     /// True if there is a journal of the document, as far as the UI thread knows.
@@ -97,11 +99,18 @@ where
             wake: Box::new(wake),
         };
         let thread = start("journal", move || writer.run(&receiver));
-        Self { sender: Some(sender), sent: 0, shared, thread, has_begun: false, goes_on: false }
+        Self {
+            sender: Some(sender),
+            sent: MessageNumber::default(),
+            shared,
+            thread,
+            has_begun: false,
+            goes_on: false,
+        }
     }
 
     fn send(&mut self, message: Message<D>) {
-        self.sent += 1;
+        self.sent.advance();
         // Without a thread nothing is kept, which `problem` reports.
         let _ = self.sender.as_ref().map(|sender| sender.send(message));
     }
@@ -261,7 +270,7 @@ impl<D: JournalDocument> Writer<D> {
                     {
                         self.write();
                     }
-                    *self.shared.handled.lock().unwrap_or_else(PoisonError::into_inner) += 1;
+                    self.shared.handled.lock().unwrap_or_else(PoisonError::into_inner).advance();
                     self.shared.changed.notify_all();
                 }
                 Err(RecvTimeoutError::Timeout) if since.is_some() => self.write(),

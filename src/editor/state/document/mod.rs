@@ -10,10 +10,10 @@ pub(crate) mod times;
 use std::path::{Path, PathBuf};
 
 use crate::diag::Diagnostic;
-use crate::document::History;
+use crate::document::{DocumentRevision, History};
 use crate::files::journal::{DocumentInfo, JournalDocument, JournalSlot, Op};
 use crate::state::document::journal_writer::JournalStart;
-use crate::state::revision::{DocumentRevision, GestureId, StepTime};
+use crate::state::revision::{GestureId, StepTime};
 use journal::DocumentJournal;
 pub(crate) use text::TextFile;
 use times::{Gestures, Times};
@@ -90,7 +90,7 @@ where
 
     /// Revision of the document, which grows with every change.
     pub(crate) fn revision(&self) -> DocumentRevision {
-        DocumentRevision(self.history.revision())
+        self.history.revision()
     }
 
     /// Folder that names in the document are relative to.

@@ -1,7 +1,8 @@
 //! Times of a document's steps, and its gestures. `session::steps` compares the times of the look,
 //! the scene around it, the painting and the sketch, so that undo takes back the last step of any.
 
-use crate::state::revision::{DocumentRevision, GestureId, GestureNumber, StepTime};
+use crate::document::DocumentRevision;
+use crate::state::revision::{GestureId, GestureNumber, StepTime};
 
 /// Time of each step of a history, by a count that grows. Steps that a journal brought back count
 /// as older than all others.

@@ -14,7 +14,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::diag::Diagnostic;
-use crate::document::{History, Object, Scene, SceneEdit, SourceMap};
+use crate::document::{DocumentRevision, History, Object, Scene, SceneEdit, SourceMap};
 use crate::files::Files;
 use crate::files::journal::{DocumentInfo, JournalSlot, RecoveredWork};
 use crate::frame::SetupLook;
@@ -196,9 +196,11 @@ impl OpenScene {
         let setup =
             |look: &Option<Arc<ClosedLook>>| look.as_ref().map(|closed| closed.look.clone());
         // The positions of problems in the file are no longer known once the scene is edited.
-        let source = match self.document.history.revision() {
-            0 => self.document.file.source.clone(),
-            _ => Arc::new(Scene::read("{}", self.document.file.source.file()).source),
+        let source = &self.document.file.source;
+        let source = if self.document.revision() == DocumentRevision::default() {
+            source.clone()
+        } else {
+            Arc::new(Scene::read("{}", source.file()).source)
         };
         let mut snapshot = SceneSnapshot {
             revision,

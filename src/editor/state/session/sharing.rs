@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Session;
 use crate::document::{Edit, Graph, GraphId, Look};
-use crate::files::{MemoryFiles, write_atomic};
+use crate::files::{Disk, Files as _, MemoryFiles, make_folder, write_atomic};
 use crate::ids::{DefinitionId, make_slug};
 
 impl Session {
@@ -40,13 +40,14 @@ impl Session {
             ));
         }
         let file_of = |slug: &str| folder.join(format!("{slug}.json"));
-        let is_known =
-            self.project.library.groups.contains_key(id.as_str()) && file_of(id.as_str()).is_file();
+        // The file is written to the disk, so the disk tells whether its name is free.
+        let is_known = self.project.library.groups.contains_key(id.as_str())
+            && Disk.has_file(&file_of(id.as_str()));
         let is_taken = |slug: &str| {
             let is_other = slug != id.as_str() && own.contains_key(slug);
             is_other
                 || self.project.library.kinds().any(|kind| kind == slug)
-                || file_of(slug).exists()
+                || Disk.metadata(&file_of(slug)).is_some()
         };
         let shared =
             if is_known { id.clone() } else { DefinitionId::new(make_slug(&name, is_taken)) };
@@ -55,8 +56,8 @@ impl Session {
         let mut file = Look { name: name.clone(), ..Look::default() };
         file.definitions.insert(shared.clone(), definition);
         let path = file_of(shared.as_str());
-        std::fs::create_dir_all(&folder)
-            .map_err(|error| format!("{} cannot be made: {error}", folder.display()))?;
+        make_folder(&folder)
+            .map_err(|problem| format!("{}: {}", folder.display(), problem.message))?;
         let text = file.to_text();
         write_atomic(&path, text.as_bytes()).map_err(|problem| problem.message)?;
         // The group is available at once; the folder is read anew on a thread of its own.

@@ -42,17 +42,19 @@ use work::{FitRequest, FitResult};
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
-    |tools| tools.fitting.is_on(),
-    |tools, ui, out| tools.fitting.toggle(ui, out),
+    |parts| Box::new(FitTool::new(parts.wake())),
+    |tools| tools.of::<FitTool>().is_on(),
+    |tools, ui, out| tools.of::<FitTool>().toggle(ui, out),
 )
-.with_pointer(|tools| tools.fitting.hint())
-.with_bar(|tools, ui, _| tools.fitting.bar(ui))
+.with_pointer(|tools| tools.of::<FitTool>().hint())
+.with_bar(|tools, ui, _| tools.of_mut::<FitTool>().bar(ui))
 .with_interaction(|tools, ui, PictureContext { session, response, rect, .. }| {
-    tools.fitting.interact(ui, response, *rect, session)
+    tools.of_mut::<FitTool>().interact(ui, response, *rect, session)
 })
 .with_overlay(|tools, ui, PictureContext { session, response, rect, .. }, out| {
-    tools.fitting.over(ui, response, *rect, session, out);
-});
+    tools.of_mut::<FitTool>().over(ui, response, *rect, session, out);
+})
+.with_jobs(|tools| tools.of::<FitTool>());
 
 /// Height of the picture that is fitted at, in pixels: strokes are broad, and a fit looks at some
 /// hundred pixels only.

@@ -22,23 +22,25 @@ use crate::widgets::theme;
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
-    |tools| tools.probe.is_on(),
+    |parts| Box::new(Probe::new(parts.wake())),
+    |tools| tools.of::<Probe>().is_on(),
     |tools, ui, out| {
-        let mut is_on = tools.probe.is_on();
+        let mut is_on = tools.of::<Probe>().is_on();
         let help = table::help_of(&Command::Probe(Switch::Toggle));
         if ui.toggle_value(&mut is_on, "Probe pixel").on_hover_text(help).changed() {
             out.push(Command::Probe(is_on.into()));
         }
     },
 )
-.with_pointer(|tools| match tools.probe.pinned() {
+.with_pointer(|tools| match tools.of::<Probe>().pinned() {
     None => "Rest the pointer to read a pixel, click to keep it · Esc leaves the probe",
     Some(_) => "This pixel is kept: click another · Esc lets go of it, Esc again leaves the probe",
 })
 .with_overlay(|tools, ui, PictureContext { session, response, rect, pointer }, _| {
-    tools.probe.update(ui, session, *rect, *pointer, response.clicked());
+    tools.of_mut::<Probe>().update(ui, session, *rect, *pointer, response.clicked());
 })
-.with_mark(|tools, ui, rect| tools.probe.mark(ui, rect));
+.with_mark(|tools, ui, rect| tools.of::<Probe>().mark(ui, rect))
+.with_jobs(|tools| tools.of::<Probe>());
 
 /// Time after which the pointer counts as resting, in seconds.
 const REST: f64 = 0.15;

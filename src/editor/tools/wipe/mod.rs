@@ -21,25 +21,29 @@ use crate::render::Gpu;
 use crate::state::session::Session;
 use crate::state::snapshot::{RenderSnapshot, Stamp};
 use crate::state::worker::{BackgroundJobs, Worker};
+use crate::tools::fitting::FitTool;
 use crate::tools::probe::picture_size;
 use crate::tools::{PictureContext, SwitchPlace, ToolRow};
 use compare::Comparer;
 
 pub(super) const TOOL: ToolRow = ToolRow::new(
     SwitchPlace::Bar,
-    |tools| tools.wipe.against.is_some(),
+    |parts| Box::new(Wipe::new(parts.gpu.clone(), parts.wake())),
+    |tools| tools.of::<Wipe>().against.is_some(),
     |tools, ui, _| {
         // Pictures beside the viewport's would be in the way of strokes.
-        if !tools.fitting.is_on() {
-            tools.wipe.choice(ui);
+        if !tools.of::<FitTool>().is_on() {
+            tools.of_mut::<Wipe>().choice(ui);
         }
     },
 )
-.with_bar(|tools, ui, session| tools.wipe.bar(ui, session))
+.with_bar(|tools, ui, session| tools.of_mut::<Wipe>().bar(ui, session))
 .with_overlay(|tools, ui, PictureContext { session, rect, .. }, _| {
-    tools.wipe.update(ui, session, picture_size(*rect, ui.pixels_per_point()));
-    tools.wipe.over(ui, *rect);
-});
+    let wipe = tools.of_mut::<Wipe>();
+    wipe.update(ui, session, picture_size(*rect, ui.pixels_per_point()));
+    wipe.over(ui, *rect);
+})
+.with_jobs(|tools| tools.of::<Wipe>());
 
 /// Time of rest after which a tier is compared again, in seconds.
 const REST: f64 = 0.2;
