@@ -133,11 +133,13 @@ fn passes_over_the_picture_stay_where_objects_are() {
             "id": "color", "kind": "curvature_color",
             "values": {"convex": [0.9, 0.6, 0.2, 1], "concave": [0.1, 0.2, 0.7, 1]}
         },
-        {"id": "tone", "kind": "exaggerated", "values": {"light": "key"}},
+        {"id": "lamp", "kind": "light", "values": {"light": "key"}},
+        {"id": "tone", "kind": "exaggerated"},
         {"id": "mix", "kind": "mix_values", "values": {"b": [1, 1, 1, 1]}},
         {"id": "output", "kind": "output"}
     ], "wires": [
         {"from": "transition", "to": "color.convexity"},
+        {"from": "lamp", "to": "tone.light"},
         {"from": "color", "to": "mix.a"},
         {"from": "tone", "to": "mix.factor"},
         {"from": "mix", "to": "output.color"}
