@@ -4,7 +4,7 @@
 //! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times
 //! (timestamps if the device has them) as medians with their 95% confidence interval, measured in
 //! turns. docs/performance.md holds the figures. With arguments after `--` only the named parts
-//! run: `looks`, `layers`, `lights`, `pixels`, `objects`.
+//! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks another program to optimize, and the clock")]
@@ -20,8 +20,8 @@ use chiaro::compile::Live;
 use chiaro::document::{Look, Tier};
 use chiaro::export::spirv_words;
 use chiaro::frame::{
-    self, Assets, FramePlan, PlanOptions, Planner, ScreenModule, Setup, SetupLook, default_setup,
-    open,
+    self, Assets, FramePlan, PixelArea, PlanOptions, Planner, ScreenModule, Setup, SetupLook,
+    default_setup, open,
 };
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -228,6 +228,28 @@ fn looks(renderer: &mut Renderer) {
     }
 }
 
+/// Frames whose passes over the picture run everywhere, beside frames whose passes run where
+/// objects may be seen.
+fn coverage(renderer: &mut Renderer) {
+    println!(
+        "\nPasses over the whole picture, and where objects may be seen, 1600x1200, ms a frame"
+    );
+    println!("\n| look, exact | everywhere | where objects may be seen | share |");
+    println!("| --- | ---: | ---: | ---: |");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
+    for name in ["figure1-layers", "figure4-both", "figure6-comics"] {
+        let file = folder.join(format!("{name}.json"));
+        let setup = open(&file, None, &mut Assets::default())
+            .unwrap_or_else(|problems| panic!("{problems:?}"))
+            .value;
+        let near = plan(&Variant::Looks(Tier::Exact).of(&setup), PAPER);
+        let everywhere = FramePlan { covered: PixelArea::whole(PAPER), ..near.clone() };
+        let series = measure(renderer, &[everywhere, near], 15);
+        let share = series[1].ratio(&series[0]).median;
+        println!("| {name} | {} | {} | {share:.2} |", told(&series[0]), told(&series[1]));
+    }
+}
+
 fn growth(renderer: &mut Renderer, what: &str, plans: &[(String, FramePlan)]) {
     println!("\n{what}, ms a frame");
     let (names, plans): (Vec<_>, Vec<_>) = plans.iter().cloned().unzip();
@@ -245,6 +267,9 @@ fn main() {
     let wants = |part: &str| asked.is_empty() || asked.iter().any(|asked| asked == part);
     if wants("looks") {
         looks(&mut renderer);
+    }
+    if wants("coverage") {
+        coverage(&mut renderer);
     }
     let size = [640, 480];
     let sphere = "shape:sphere";

@@ -1,5 +1,5 @@
-//! Definition of a tool of the picture: a row with its state, its switch, its overlay of the picture
-//! and its jobs on other threads.
+//! Definition of a tool of the picture: a row with its state, its switch, its overlay of the
+//! picture and its jobs on other threads.
 
 use std::any::Any;
 use std::sync::Arc;
