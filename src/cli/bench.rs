@@ -42,7 +42,7 @@ pub(super) struct Arguments {
     /// Samples a pixel, 1 or 4, while time is measured; errors are measured with one
     #[arg(long, default_value_t = 1, value_parser = parse_samples)]
     samples: u32,
-    /// How often each variant is drawn, from 3 to 10000
+    /// Number of times that each variant is drawn, from 3 to 10000
     #[arg(
         short, long, default_value_t = 30, value_parser = clap::value_parser!(u32).range(3..=10_000)
     )]
@@ -56,7 +56,7 @@ pub(super) struct Arguments {
     /// Do not compare with the reference, which takes seconds
     #[arg(long)]
     no_truth: bool,
-    /// Which error the verdict and the plot are about: max (of any pixel), p99.9 (one pixel in a
+    /// Error that the verdict and the plot are about: max (of any pixel), p99.9 (one pixel in a
     /// thousand exceeds it) or rms
     #[arg(long, default_value = "p99.9")]
     measure: Measure,

@@ -42,7 +42,7 @@ pub(super) struct Arguments {
     /// A look; with --layers it may be left out
     #[arg(required_unless_present = "layers")]
     look: Option<PathBuf>,
-    /// What was painted: a PNG, transparent where nothing is wished
+    /// Painted picture: a PNG, transparent where nothing is wished
     #[arg(short, long)]
     target: PathBuf,
     /// A mesh (OBJ, PLY, STL, glTF, GLB) or an own shape (shape:creature)
@@ -51,10 +51,10 @@ pub(super) struct Arguments {
     /// Begins from nothing: up to so many light layers over a base, from 1 to 7
     #[arg(long, value_parser = clap::value_parser!(u8).range(1..=7))]
     layers: Option<u8>,
-    /// What of the look stays as it is, separated by commas
+    /// Parts of the look that stay as they are, separated by commas
     #[arg(long, value_enum, value_delimiter = ',', conflicts_with = "layers")]
     keep: Vec<KeepArgument>,
-    /// How far what is not painted stays as it is, in percent: at 0 only what is painted counts
+    /// Share to which unpainted parts stay as they are, in percent: at 0 only painted ones count
     /// (the window begins with 50)
     #[arg(
         long, value_name = "PERCENT", default_value_t = 0,
@@ -67,16 +67,16 @@ pub(super) struct Arguments {
         conflicts_with = "layers"
     )]
     starts: u32,
-    /// Where the picture was taken from, as `chiaro render` takes it
+    /// Camera of the picture, as `chiaro render` takes it
     #[arg(short, long)]
     camera: Option<String>,
-    /// How all lights were turned for the picture, as `chiaro render` turns them
+    /// Turn of all lights for the picture, as `chiaro render` turns them
     #[arg(long, allow_hyphen_values = true, value_name = "YAW[,PITCH]")]
     turn_lights: Option<String>,
     /// The time in seconds
     #[arg(long, default_value_t = 0.0, value_parser = parse_time, allow_negative_numbers = true)]
     time: f64,
-    /// Where the fitted look goes, in place of the look itself
+    /// File for the fitted look, in place of the look itself
     #[arg(short, long, required_unless_present_any = ["look", "dry_run"])]
     output: Option<OutputPath>,
     /// Replace another look that is there, or a picture that Chiaro did not make

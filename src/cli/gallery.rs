@@ -42,8 +42,8 @@ pub(super) struct Arguments {
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
-    /// How often each tier is drawn to measure its time, up to 10000; 0 measures neither times nor
-    /// errors
+    /// Number of times that each tier is drawn to measure its time, up to 10000; 0 measures neither
+    /// times nor errors
     #[arg(short, long, default_value_t = 7, value_parser = parse_rounds)]
     rounds: u32,
     /// A mesh or an own shape (shape:creature) in place of the documents' own
@@ -52,7 +52,7 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside a document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
-    /// Where the nodes' documentation lies from the pages, to link them: a path or an address
+    /// Place of the nodes' documentation as seen from the pages, to link them: a path or an address
     #[arg(long)]
     link_nodes: Option<String>,
     /// Replace files that Chiaro did not write, but for another page

@@ -21,7 +21,7 @@ Examples:
 pub(super) struct Arguments {
     /// The name of the look; also the file's, with `.json`
     name: OutputPath,
-    /// What to begin with
+    /// Beginning of the look
     #[arg(long, value_enum, default_value_t = Template::Layers)]
     template: Template,
     /// Replace files that are there

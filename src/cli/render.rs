@@ -53,7 +53,7 @@ pub(super) struct Arguments {
     /// Samples a pixel: 1, or 4 for smooth edges
     #[arg(long, default_value_t = 4, value_parser = parse_samples)]
     samples: u32,
-    /// Where the picture is taken from: `orbit=YAW,PITCH` from so many degrees to the right of the
+    /// Camera of the picture: `orbit=YAW,PITCH` from so many degrees to the right of the
     /// front and above it, `distance=D` from so far away in scene units, `fov=DEGREES` with so high
     /// a view, `ortho=HEIGHT` without perspective and so many units high, `eye=X,Y,Z`,
     /// `target=X,Y,Z`, `up=X,Y,Z` outright; joined by `;`, taken in order
@@ -63,7 +63,7 @@ pub(super) struct Arguments {
     /// `YAW,PITCH`
     #[arg(long, allow_hyphen_values = true)]
     turn_lights: Option<String>,
-    /// What is behind the objects: `none` for transparent, or a color such as `#202428`
+    /// Backdrop behind the objects: `none` for transparent, or a color such as `#202428`
     #[arg(long)]
     backdrop: Option<String>,
     /// The time in seconds
@@ -75,7 +75,7 @@ pub(super) struct Arguments {
     /// A folder of a project's own nodes; `nodes/` beside the document is found without it
     #[arg(long)]
     nodes: Option<PathBuf>,
-    /// Who draws: the GPU (or software that stands for one), or the reference in f64, which is slow
+    /// Executor: the GPU (or software that stands for one), or the reference in f64, which is slow
     /// and exact; without this the GPU, or where there is none the reference
     #[arg(long, value_enum)]
     on: Option<ExecutorChoice>,
@@ -90,7 +90,7 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// Who draws.
+/// Executor of the plan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 enum ExecutorChoice {
     Gpu,

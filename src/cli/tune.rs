@@ -46,7 +46,7 @@ pub(super) struct Arguments {
     /// The longest time of a frame, in milliseconds
     #[arg(long, value_parser = parse_milliseconds)]
     max_time: Option<f64>,
-    /// Which error is meant: p99.9, which one pixel in a thousand of a view may exceed; max, which
+    /// Error that is meant: p99.9, which one pixel in a thousand of a view may exceed; max, which
     /// none may; or rms
     #[arg(long, default_value = "p99.9")]
     measure: Measure,
@@ -56,18 +56,19 @@ pub(super) struct Arguments {
     /// Width and height in pixels of the picture whose time counts
     #[arg(short, long, default_value = "512x512")]
     size: Size,
-    /// How many views, turns of the lights and times the error is measured at, from 1 to 1000
+    /// Number of views, turns of the lights and times at which the error is measured, from 1 to
+    /// 1000
     #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..=1000))]
     views: u32,
     /// The side in pixels of the pictures that are compared, from 16 to 4096
     #[arg(long, default_value_t = 160, value_parser = clap::value_parser!(u32).range(16..=4096))]
     error_size: u32,
-    /// How often each variant is drawn, from 3 to 10000
+    /// Number of times that each variant is drawn, from 3 to 10000
     #[arg(
         short, long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(3..=10_000)
     )]
     rounds: u32,
-    /// Where the tuned look goes, in place of the look itself
+    /// File for the tuned look, in place of the look itself
     #[arg(short, long)]
     output: Option<OutputPath>,
     /// Replace another look that is there

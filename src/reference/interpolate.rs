@@ -81,7 +81,7 @@ impl TrianglePlane {
 
 /// Positions of the corners for interpolation, in pixels, and twice the area between them.
 ///
-/// These are the unrounded positions, unless the grid makes the triangle more than twice or less
+/// Positions are the unrounded ones, unless the grid makes the triangle more than twice or less
 /// than half as large: for a sliver that the grid widens or turns around, planes through the
 /// unrounded corners can be arbitrarily steep, and those through the rounded ones are not.
 fn places(triangle: &Triangle, bits: u32) -> ([[f64; 2]; 3], f64) {

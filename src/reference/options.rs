@@ -42,7 +42,7 @@ pub enum ImageRounding {
     /// Normals in `rgba16float` and the rest in `r32float`, rounded to the nearest, as most GPUs
     /// do.
     Nearest,
-    /// As `Nearest`, but halves are rounded toward zero, as in software Vulkan.
+    /// Rounding as by `Nearest`, but halves are rounded toward zero, as in software Vulkan.
     TowardZero,
 }
 

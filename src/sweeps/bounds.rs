@@ -24,8 +24,8 @@ pub enum ErrorMetric {
     /// decides. Such a result is right for inputs that no f32 can tell from the given ones;
     /// anything worse still shows.
     Steep,
-    /// As `Steep`, but the distance from the nearest of these true results, and not from the span
-    /// between them: for functions with steps.
+    /// Bound as `Steep`, but the distance from the nearest of these true results, and not from the
+    /// span between them: for functions with steps.
     Steps,
 }
 

@@ -216,7 +216,7 @@ impl<'a> Laboratory<'a> {
         self.content_of(&bench, &samples(&bench, effort), sink)
     }
 
-    /// As [`content`](Self::content), for chosen samples of a bench.
+    /// Content as of [`content`](Self::content), for chosen samples of a bench.
     ///
     /// # Errors
     /// Errors of the compiler.

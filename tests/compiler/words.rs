@@ -173,6 +173,67 @@ fn things_are_where_the_library_says() {
     assert!(paths > 30, "{paths} paths");
 }
 
+/// Words with which documentation does not begin: the subject comes first.
+const NO_SUBJECTS: &[&str] = &[
+    "As",
+    "How",
+    "It",
+    "Its",
+    "Something",
+    "Such",
+    "That",
+    "These",
+    "They",
+    "This",
+    "Those",
+    "What",
+    "Whatever",
+    "Where",
+    "Whether",
+    "Which",
+    "Who",
+    "Whom",
+    "Whose",
+    "Why",
+];
+
+/// First word of a block of documentation that begins at a line; `before` is the line before it.
+fn first_word<'l>(line: &'l str, before: &str) -> Option<&'l str> {
+    let text = |line: &'l str| line.trim_start().strip_prefix("///");
+    let is_within = before.trim_start().starts_with("///");
+    let text = text(line).or_else(|| line.trim_start().strip_prefix("//!"))?;
+    if is_within || before.trim_start().starts_with("//!") {
+        return None;
+    }
+    text.split(|c: char| !c.is_alphanumeric()).find(|word| !word.is_empty())
+}
+
+#[test]
+fn documentation_begins_with_its_subject() {
+    let mut refused = Vec::new();
+    for folder in FOLDERS {
+        for path in below(&root().join(folder)) {
+            if path.extension().is_none_or(|extension| extension != "rs") {
+                continue;
+            }
+            let text = fs::read_to_string(&path).unwrap();
+            let mut before = "";
+            for (number, line) in text.lines().enumerate() {
+                let word = first_word(line, before);
+                if word.is_some_and(|word| NO_SUBJECTS.contains(&word)) {
+                    refused.push(format!("{}:{}: {line}", path.display(), number + 1));
+                }
+                before = line;
+            }
+        }
+    }
+    assert!(refused.is_empty(), "say the noun first:\n{}", refused.join("\n"));
+    assert_eq!(first_word("    /// What a look is.", ""), Some("What"));
+    assert_eq!(first_word("//! What a look is.", "use x;"), Some("What"));
+    assert_eq!(first_word("/// What a look is.", "/// A look."), None);
+    assert_eq!(first_word("let what = 1;", ""), None);
+}
+
 #[test]
 fn declarations_are_found() {
     assert_eq!(declared("pub(crate) struct Shown<'a> {"), Some("Shown"));

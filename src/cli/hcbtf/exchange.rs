@@ -45,7 +45,7 @@ pub(super) struct ImportArguments {
     /// The .hcbtf file to write
     #[arg(short, long)]
     output: OutputPath,
-    /// What it is [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of
+    /// Form of the files [default: a folder is a folder, a PNG a sheet, a KTX2 file the texture of
     /// shaders]
     #[arg(long = "as", value_enum)]
     form: Option<FormatChoice>,
@@ -105,7 +105,7 @@ pub(super) fn import(arguments: &ImportArguments, output: &Output) -> Result<(),
 pub(super) struct ExportArguments {
     /// An .hcbtf file
     file: PathBuf,
-    /// What to write [default: what the name of the output says: x.png a sheet, x.ktx2 the texture
+    /// Form to write [default: what the name of the output says: x.png a sheet, x.ktx2 the texture
     /// of shaders, x/ a folder]
     #[arg(long, value_enum)]
     to: Option<FormatChoice>,

@@ -17,7 +17,7 @@ use chiaro_scene::hcbtf::{Device, FilledSamples, Limits, Provenance, needs, need
 pub(super) struct Arguments {
     /// An .hcbtf file
     file: PathBuf,
-    /// As JSON, with where every sample comes from
+    /// Answer as JSON, with the origin of every sample
     #[arg(long)]
     json: bool,
 }

@@ -73,7 +73,7 @@ pub struct TypedNode {
 /// The source that an input is bound to, and the type that the value is taken as.
 #[derive(Clone, Debug)]
 pub struct TypedInput {
-    /// Where it comes from.
+    /// Origin of the value.
     pub source: TypedSource,
     /// The type that the function takes.
     pub ty: Type,
@@ -81,7 +81,7 @@ pub struct TypedInput {
     pub conversion: Conversion,
 }
 
-/// Where a value comes from.
+/// Origin of a value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TypedSource {
     /// An output of a node.
@@ -98,7 +98,7 @@ pub enum TypedSource {
 }
 
 impl TypedNode {
-    /// Its function.
+    /// Function of the node.
     pub fn variant(&self) -> &NodeFunction {
         &self.def.variants[self.variant]
     }
@@ -131,7 +131,7 @@ pub fn check(
     }
 }
 
-/// As [`check`], with as many problems as there are.
+/// Check as [`check`] makes it, with as many problems as there are.
 fn check_all(
     look: &Look,
     library: &Library,
@@ -518,7 +518,8 @@ impl<'a> Typer<'a> {
         });
     }
 
-    /// Where the artist sets an input: on the node, or on the group around it whose input it is.
+    /// Place where the artist sets an input: on the node, or on the group around it whose input it
+    /// is.
     fn place(&self, node: &FlatNode, input: &Input) -> (NodePath, PortName) {
         let index = node.def.input(input.name.as_str());
         match index.and_then(|index| node.inputs.get(index)) {

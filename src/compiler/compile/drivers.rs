@@ -19,7 +19,7 @@ use crate::library::{Conversion, Rate, Treatment, Type};
 /// An output that drives keys.
 #[derive(Clone, Debug)]
 pub struct TypedDriver {
-    /// As the document names it.
+    /// Name in the document.
     pub wire: OutputPort,
     /// The node's index.
     pub node: usize,
@@ -100,7 +100,7 @@ fn place(set: usize) -> String {
     format!("direction_keys[{set}].by")
 }
 
-/// When what each node gives is known, while every value may be edited.
+/// Time at which the results of each node are known, while every value may be edited.
 fn rates(graph: &TypedGraph) -> Vec<Rate> {
     // A node that was not typed gives nothing to anybody.
     let mut rates = vec![Rate::Fragment; graph.nodes.len()];

@@ -24,15 +24,15 @@ use crate::library::{
     Treatment, Type, load_node,
 };
 
-/// As many nodes as a look may have once its groups are inlined.
+/// Greatest number of nodes of a look once its groups are inlined.
 pub const MAX_FLAT_NODES: usize = 1_000_000;
 
-/// As many problems have suggestions and lists of what there is; for more, that takes longer than
+/// Number of problems that have suggestions and lists of names; for more, that takes longer than
 /// it helps.
 const MAX_SUGGESTIONS: usize = 100;
-/// As many kinds are searched for one that was meant.
+/// Number of kinds that are searched for one that was meant.
 const MAX_KINDS: usize = 10_000;
-/// As many ports are listed.
+/// Number of ports that are listed.
 const MAX_LISTED: usize = 64;
 /// The longest name of a node with the names of the groups around it, in bytes.
 const MAX_NAME: usize = 256;
@@ -45,7 +45,7 @@ pub type ParamId = usize;
 pub struct Param {
     /// The node.
     pub path: NodePath,
-    /// Its input.
+    /// Input of the node.
     pub port: PortName,
     /// The document's value, or the port's default once the look is checked; `None` for a context.
     pub value: Option<Value>,
@@ -67,7 +67,7 @@ pub(super) enum FlatInput {
     Param(ParamId),
     /// The context that a muted node lets through, since its own input reads it.
     Context(Context),
-    /// Something that was reported already.
+    /// Value that was reported already.
     Broken,
 }
 
@@ -208,7 +208,7 @@ enum WireEnd<'a> {
     },
     /// A zero, as if it were a value of a muted node's output.
     Zero { scope: usize, id: &'a NodeId, port: PortName, zero: Value },
-    /// Something that was reported already.
+    /// Value that was reported already.
     Broken,
     /// A ring of reroutes or groups.
     Ring,
@@ -679,7 +679,7 @@ impl<'a> Flattener<'a> {
         end
     }
 
-    /// Where a wire really comes from.
+    /// Real origin of a wire.
     fn follow(&self, scope: usize, wire: &'a Wire) -> Option<WireSource<'a>> {
         #[cfg(test)]
         self.followed.set(self.followed.get() + 1);

@@ -89,22 +89,22 @@ pub(super) enum Callee {
 /// A member of the `Look` uniform.
 #[derive(Clone, Debug)]
 pub struct UniformMember {
-    /// Its name in the generated struct.
+    /// Name in the generated struct.
     pub name: String,
-    /// Its type, as the graph knows it.
+    /// Type, as the graph knows it.
     pub ty: Type,
     /// The node that it belongs to, and what of it.
     pub origin: String,
     /// The step that computes it, as [`HostProgram::source`] lists them.
     pub step: usize,
-    /// Its first byte in the uniform.
+    /// First byte in the uniform.
     pub offset: u32,
 }
 
 /// An output that drives keys.
 #[derive(Clone, Debug)]
 pub struct HostDriver {
-    /// As the document names it.
+    /// Name in the document.
     pub wire: OutputPort,
     /// The step that computes it, as a number.
     pub step: usize,
@@ -231,7 +231,7 @@ impl HostProgram {
 /// The content of a uniform, as a GPU takes it and as it is known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Uniform {
-    /// As WGSL lays it out, in f32.
+    /// Bytes as WGSL lays them out, in f32.
     pub bytes: Vec<u8>,
     /// Every scalar in order, matrices by columns, without padding, in f64: what the reference
     /// reads.

@@ -36,11 +36,11 @@ pub enum HostStep {
         /// The document's value.
         value: interp::Value,
     },
-    /// Something of the surroundings, of this light if it is one of a light.
+    /// Context of the surroundings, of this light if it is one of a light.
     Context(Context, Option<LightId>),
     /// A function of [`HostSource::wgsl`] called.
     Call {
-        /// Its name.
+        /// Name of the context.
         function: String,
         /// Steps.
         arguments: Vec<usize>,

@@ -2,7 +2,7 @@
 
 use crate::interp::{Scalar, Value};
 
-/// Where the numbers of a value lie.
+/// Places of the numbers of a value.
 #[derive(Clone, Debug)]
 pub enum ValueLayout {
     /// A single number.

@@ -91,7 +91,7 @@ pub struct CompiledShader {
     pub stage: Stage,
     /// The contexts and images that the module asks of meshes and passes.
     pub needs: Needs,
-    /// Its bindings, all in group 0.
+    /// Bindings of the module, all in group 0.
     pub bindings: Vec<Binding>,
     /// The program that computes the `Look` uniform's members.
     pub host: HostProgram,
@@ -130,7 +130,7 @@ impl CompiledShader {
     }
 }
 
-/// Where the alpha cut-off of a look's Output comes from.
+/// Origin of the alpha cut-off of a look's Output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AlphaCutoff {
     /// Nothing is cut away: the module shows no Output, or a material's mask decides.

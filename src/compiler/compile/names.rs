@@ -244,7 +244,7 @@ impl Names {
     }
 }
 
-/// As much of a name as WGSL allows. Letters of other scripts are kept out too: GLSL and HLSL do
+/// Part of a name that WGSL allows. Letters of other scripts are kept out too: GLSL and HLSL do
 /// not take them.
 fn identifier(wanted: &str) -> String {
     let mut name = String::new();

@@ -26,7 +26,7 @@ pub enum Proof {
     NoLook,
     /// The light lights nothing: off, black or too far from every object.
     NoLight,
-    /// Its inputs are what they were: what was made last time still stands.
+    /// Inputs are as they were: the last result still stands.
     Unchanged,
 }
 
@@ -64,13 +64,13 @@ impl Proof {
     }
 }
 
-/// Something that was left out.
+/// Part that was left out.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Removal {
     /// The node.
     #[serde(serialize_with = "path_text")]
     pub path: NodePath,
-    /// Why nothing is lost: the end of a sentence that begins with the node.
+    /// Reason why nothing is lost: the end of a sentence that begins with the node.
     pub reason: String,
     /// The kind of proof.
     pub proof: Proof,

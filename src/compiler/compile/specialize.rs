@@ -88,7 +88,7 @@ pub enum ImageShape {
 }
 
 impl ImageShape {
-    /// Its type in WGSL.
+    /// Type in WGSL.
     pub fn wgsl(self) -> &'static str {
         match self {
             Self::Flat => "texture_2d<f32>",

@@ -24,22 +24,22 @@ described! {
     /// One shading graph with its lights, groups and keys.
     #[serde(default)]
     pub struct Look("look", Lines) {
-        /// What the document is.
+        /// Type of the document.
         "chiaro": FieldKind::Word(&[("look", "a look")]), words "what it is opened as";
         /// The version of the format.
         "version": FieldKind::Number(FORMAT), json "1";
         /// A JSON Schema for text editors; kept, and not looked at.
         "$schema": FieldKind::Text(LINE), words "none";
-        /// What the artist calls it.
+        /// Name that the artist gave.
         name: String = String::new(), FieldKind::Text(LINE);
-        /// What it shows and how it is built: a paragraph for who finds it.
+        /// Paragraph on the picture and its construction, for whoever finds the look.
         about: String = String::new(), FieldKind::Text(LONG);
-        /// What the numbers of colors mean.
+        /// Meaning of the numbers of colors.
         color_space: ColorSpace = ColorSpace::Display, FieldKind::Word(ColorSpace::WORDS),
             by DocumentSpace;
-        /// Which implementation is asked for of nodes that do not say their own.
+        /// Implementation of nodes that do not name their own.
         tier: Tier = Tier::Exact, FieldKind::Word(Tier::WORDS);
-        /// What `chiaro tune` measured when it chose tiers.
+        /// Figures that `chiaro tune` measured when it chose tiers.
         tuned: String = String::new(), FieldKind::Text(LINE);
         /// The lights that Light nodes name, by id.
         lights: IndexMap<LightId, Light> = IndexMap::new(),
@@ -117,22 +117,22 @@ described! {
     /// A node of a graph.
     #[serde(default)]
     pub struct Node("node", Line) {
-        /// Its id within the graph; wires and keys name it.
+        /// Id within the graph, by which wires and keys name the node.
         "id": FieldKind::Slug, words "the kind, if no other node has that id";
         /// A node of the library, or the id of a definition.
         kind: String = String::new(), FieldKind::Text(64), required;
-        /// What the artist calls it; empty for the kind's label.
+        /// Artist's name of the node; empty for the kind's label.
         name: String = String::new(), FieldKind::Text(LINE);
-        /// Where it lies on the canvas, in points, x right and y down.
+        /// Place on the canvas, in points, x right and y down.
         position as "at": [f64; 2] = [0.0; 2], CANVAS;
         /// The values of unwired inputs, by port.
         values: Values = Values::new(), FieldKind::Map(&FieldKind::Value, 1000);
-        /// Which implementation is asked for; of a group's node, for every node in it.
+        /// Implementation; of a group's node, that of every node in the group.
         tier: Option<Tier> = None, FieldKind::Word(Tier::WORDS),
             words "that of the group's node it lies in, or else the look's";
-        /// Whether it is left out: what comes in goes out as it is.
+        /// True if the node is left out: inputs go out as they are.
         muted: bool = false, FieldKind::Bool;
-        /// Whether the canvas shows no more of it than its title.
+        /// True if the canvas shows no more than the node's title.
         collapsed: bool = false, FieldKind::Bool;
         unknown;
     }
@@ -212,7 +212,7 @@ described! {
     /// A titled rectangle behind nodes.
     #[serde(default)]
     pub struct Frame("frame", Line) {
-        /// What is written on it; names the function that its nodes become.
+        /// Text on the frame; it names the function that the frame's nodes become.
         title: String = String::new(), FieldKind::Text(LINE);
         /// Straight RGB, as shown.
         color: Vec<f64> = Vec::new(), FieldKind::Color { alpha: false }, words "the theme's own",
@@ -226,11 +226,11 @@ described! {
     /// A text on the canvas.
     #[serde(default)]
     pub struct Note("note", Line) {
-        /// What it says.
+        /// Text of the note.
         text: String = String::new(), FieldKind::Text(LONG);
-        /// Where it lies on the canvas, in points, x right and y down.
+        /// Place on the canvas, in points, x right and y down.
         position as "at": [f64; 2] = [0.0; 2], CANVAS;
-        /// How wide it is, in points.
+        /// Width, in points.
         width: f64 = Note::WIDTH, FieldKind::Number(NumberBounds::new(40.0, 1e4));
         /// Straight RGB, as shown.
         color: Vec<f64> = Vec::new(), FieldKind::Color { alpha: false }, words "the theme's own",
@@ -260,17 +260,17 @@ described! {
     /// A group: a graph with inputs and outputs, used by nodes whose kind is its id.
     #[serde(default)]
     pub struct Definition("definition", Lines) {
-        /// What its nodes are called; empty for the id.
+        /// Name of the group's nodes; empty for the id.
         label: String = String::new(), FieldKind::Text(LINE);
-        /// What it does.
+        /// Description of the group.
         help: String = String::new(), FieldKind::Text(LONG);
-        /// Its inputs: inside, outputs of the node `inputs`.
+        /// Inputs: inside, outputs of the node `inputs`.
         inputs: Vec<InterfacePort> = Vec::new(),
             FieldKind::List(&FieldKind::Object(InterfacePort::shape), 1000);
-        /// Its outputs: inside, inputs of the node `outputs`.
+        /// Outputs: inside, inputs of the node `outputs`.
         outputs: Vec<InterfacePort> = Vec::new(),
             FieldKind::List(&FieldKind::Object(InterfacePort::shape), 1000);
-        /// What is in it.
+        /// Nodes and wires of the group.
         ..graph: Graph;
         unknown;
     }
@@ -281,15 +281,15 @@ described! {
     /// to first.
     #[derive(Default)]
     pub struct InterfacePort("interface port", Line, by name) {
-        /// Its name.
+        /// Name of the port.
         name: PortName, FieldKind::Slug, required;
-        /// What is written beside the socket.
+        /// Text beside the socket.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         label: Option<String> = None, FieldKind::Text(LINE), words "the inner port's";
-        /// What is said about it.
+        /// Help of the port.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         help: Option<String> = None, FieldKind::Text(LONG), words "the inner port's";
-        /// Its value while unwired.
+        /// Value while unwired.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         default: Option<Value> = None, FieldKind::Value, words "the inner port's";
         /// The least value.
@@ -306,9 +306,9 @@ described! {
     pub struct ExposedValue("exposed parameter", Line, by name) {
         /// The parameter's name, used once.
         name: PortName, FieldKind::Slug, required;
-        /// What it sets.
+        /// Value that the parameter sets.
         target: Target, FieldKind::Target, required;
-        /// What is written beside it; empty for the port's label.
+        /// Text beside the parameter; empty for the port's label.
         label: String = String::new(), FieldKind::Text(LINE);
     }
 }
@@ -381,11 +381,11 @@ impl Target {
 described! {
     /// Values pinned at directions and interpolated over the sphere between them.
     pub struct DirectionKeys("direction keys", Lines) {
-        /// What the artist calls it.
+        /// Name that the artist gave.
         name: String = String::new(), FieldKind::Text(LINE);
-        /// Which direction decides, or which numbers: see [drivers](#drivers).
+        /// Direction that decides, or numbers: see [drivers](#drivers).
         by: KeyDirection, FieldKind::KeyDirection, required, by DecidedBy;
-        /// How weights are computed.
+        /// Scheme by which weights are computed.
         scheme: KeyScheme = KeyScheme::Biharmonic, FieldKind::Word(KeyScheme::WORDS);
         /// The keys.
         keys: Vec<DirectionKey> = Vec::new(),
@@ -524,11 +524,12 @@ pub enum KeyScheme {
 described! {
     /// Values at one direction.
     pub struct DirectionKey("direction key", Line) {
-        /// Where, unless drivers decide; any length but 0. By a light: in camera axes (x right, y
-        /// up, z toward the viewer). By view: from the object's center to the eye, in world space.
+        /// Direction of the key, unless drivers decide; any length but 0. By a light: in camera
+        /// axes (x right, y up, z toward the viewer). By view: from the object's center to the eye,
+        /// in world space.
         direction: [f64; 3], FieldKind::Direction, words "required, unless drivers decide",
             by KeyPlace;
-        /// Where, if drivers decide: a number for each, in their order.
+        /// Place of the key, if drivers decide: a number for each, in their order.
         "at": FieldKind::Numbers(1, 3, FAR), words "required, if drivers decide";
         /// The values there, by target; what is left out has the look's own value.
         values: IndexMap<Target, Value> = IndexMap::new(), FieldKind::TargetValues, by TargetValues;
@@ -539,7 +540,7 @@ described! {
 described! {
     /// The values of one target over time.
     pub struct TimeKeys("time keys", Lines) {
-        /// What changes.
+        /// Value that changes.
         target: Target, FieldKind::Target, required;
         /// The keys, in increasing time.
         keys: Vec<TimeKey> = Vec::new(),
@@ -551,11 +552,11 @@ described! {
 described! {
     /// A value at one time.
     pub struct TimeKey("time key", Line) {
-        /// When, in seconds.
+        /// Time, in seconds.
         time: f64, FieldKind::Number(FAR), required;
         /// The value then.
         value: Value, FieldKind::Value, required;
-        /// How neighbors are joined; for a time key, how it goes on to the next.
+        /// Interpolation between neighbors; for a time key, on to the next.
         interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
         unknown;
     }

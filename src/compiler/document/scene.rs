@@ -15,17 +15,17 @@ described! {
     /// range.
     #[serde(default)]
     pub struct Scene("scene", Lines) {
-        /// What the document is.
+        /// Type of the document.
         "chiaro": FieldKind::Word(&[("scene", "a scene")]), words "what it is opened as";
         /// The version of the format.
         "version": FieldKind::Number(FORMAT), json "1";
         /// A JSON Schema for text editors; kept, and not looked at.
         "$schema": FieldKind::Text(LINE), words "none";
-        /// What the artist calls it.
+        /// Artist's name of the scene.
         name: String = String::new(), FieldKind::Text(LINE);
-        /// What it shows and how it is built: a paragraph for who finds it.
+        /// Paragraph on the picture and its construction, for whoever finds the scene.
         about: String = String::new(), FieldKind::Text(LONG);
-        /// What is in the picture.
+        /// Objects in the picture.
         objects: IndexMap<ObjectId, Object> = IndexMap::new(),
             FieldKind::List(&FieldKind::Object(Object::shape), 100_000), by Objects;
         /// Lights that replace those of the same id in every look of the scene, by id.
@@ -33,12 +33,12 @@ described! {
             FieldKind::Map(&FieldKind::Object(Light::shape), 1000);
         /// The rotation of the illumination frame: world from illumination frame.
         illumination: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
-        /// Where the picture is taken from.
+        /// Camera of the picture.
         camera: Camera = Camera::default(), FieldKind::Object(Camera::shape);
         /// Straight RGBA behind the objects, in display colors; null for transparent.
         backdrop: Option<[f64; 4]> = Some([0.16, 0.165, 0.18, 1.0]),
             FieldKind::Backdrop, by Backdrop;
-        /// Which times there are.
+        /// Range of times.
         time: TimeRange = TimeRange::default(), FieldKind::Object(TimeRange::shape);
         unknown;
     }
@@ -48,18 +48,18 @@ described! {
     /// A mesh, where it stands and what it wears.
     #[serde(default)]
     pub struct Object("object", Lines) {
-        /// Its id within the scene.
+        /// Id within the scene.
         "id": FieldKind::Slug, words "made from the mesh's name";
         /// A path relative to the scene's file, or `shape:` and the name of an own shape.
         mesh: String = "shape:sphere".to_owned(), FieldKind::Text(MAX_PATH), always;
-        /// Where it stands.
+        /// Place, turn and size of the object.
         transform: Transform = Transform::default(), FieldKind::Object(Transform::shape);
         /// A look's path, relative to the scene's file; or such paths by material name, where `*`
         /// is for every other material.
         looks: IndexMap<String, String> = IndexMap::new(), FieldKind::Looks, by Looks;
         /// Values of exposed parameters, over those of the looks.
         values: Values = Values::new(), FieldKind::Map(&FieldKind::Value, 10_000);
-        /// Whether it is drawn.
+        /// True if the object is drawn.
         visible: bool = true, FieldKind::Bool;
         unknown;
     }
@@ -76,23 +76,23 @@ described! {
         rotate: [f64; 4] = [0.0, 0.0, 0.0, 1.0], FieldKind::Rotation;
         /// Along each axis of the object; none of them 0.
         scale: [f64; 3] = [1.0; 3], FieldKind::Numbers(3, 3, FAR), by Scale;
-        /// Whether the mesh is first centered and scaled to a bounding sphere of radius 1.
+        /// True if the mesh is first centered and scaled to a bounding sphere of radius 1.
         fit: bool = true, FieldKind::Bool;
     }
 }
 
 described! {
-    /// Where the picture is taken from.
+    /// Camera of the picture.
     #[derive(Copy)]
     #[serde(default)]
     pub struct Camera("camera", Line) {
         /// The eye, in scene units.
         eye: [f64; 3] = [0.0, 0.0, 4.4], FieldKind::Numbers(3, 3, FAR);
-        /// What it looks at, in scene units; not the eye.
+        /// Point that the camera looks at, in scene units; not the eye.
         target: [f64; 3] = [0.0; 3], FieldKind::Numbers(3, 3, FAR);
-        /// What is up in the picture; any length but 0, and not along the view.
+        /// Direction that is up in the picture; any length but 0, and not along the view.
         up: [f64; 3] = [0.0, 1.0, 0.0], FieldKind::Direction;
-        /// How depth becomes smaller.
+        /// Projection onto the picture.
         projection: Projection = Projection::Perspective, FieldKind::Word(Projection::WORDS);
         /// Perspective: the vertical field of view, in radians.
         fov: f64 = 0.5, FieldKind::Number(NumberBounds::new(Camera::FOV[0], Camera::FOV[1]));
@@ -132,7 +132,7 @@ pub enum Projection {
 }
 
 described! {
-    /// Which times there are.
+    /// Range of times.
     #[derive(Copy)]
     #[serde(default)]
     pub struct TimeRange("time range", Line) {

@@ -37,7 +37,7 @@ described! {
         /// `[x, y]` pairs in increasing x; at least one.
         points: Vec<[f64; 2]> = Vec::new(),
             FieldKind::List(&FieldKind::Numbers(2, 2, F32), Curve::MAX_POINTS), required;
-        /// How neighbors are joined; for a time key, how it goes on to the next.
+        /// Interpolation between neighbors; for a time key, on to the next.
         #[serde(default)]
         interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
     }
@@ -54,7 +54,7 @@ described! {
         /// In increasing `at`; at least one.
         stops: Vec<RampStop> = Vec::new(),
             FieldKind::List(&FieldKind::Object(RampStop::shape), Ramp::MAX_STOPS), required;
-        /// How neighbors are joined; for a time key, how it goes on to the next.
+        /// Interpolation between neighbors; for a time key, on to the next.
         #[serde(default)]
         interpolation: Interpolation = Interpolation::Linear, FieldKind::Word(Interpolation::WORDS);
     }
@@ -68,7 +68,7 @@ impl Ramp {
 described! {
     /// One color of a ramp.
     pub struct RampStop("ramp stop", Inline) {
-        /// Where along the ramp.
+        /// Place along the ramp.
         at: f64, FieldKind::Number(F32), required;
         /// Straight RGB or RGBA in the look's color space.
         color: Vec<f64>, FieldKind::Color { alpha: true }, required, by ColorCodec;

@@ -99,7 +99,7 @@ impl Library {
         }
     }
 
-    /// This library with every node under a project's `nodes/` folder. A broken file adds no node
+    /// Library with every node under a project's `nodes/` folder. A broken file adds no node
     /// and a diagnostic with its line; the other files are added. The folder may be a stranger's,
     /// so the number and size of its files are bounded.
     #[must_use]

@@ -24,7 +24,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// This measure's number among `figures`.
+    /// Number of the measure among `figures`.
     pub fn of(self, figures: &ErrorFigures) -> f64 {
         match self {
             Self::Max => figures.max,

@@ -60,7 +60,7 @@ impl KeySet {
         WithWarnings::new(set, diagnostics)
     }
 
-    /// As `gather`, of points instead of directions: any finite numbers.
+    /// Result as of `gather`, of points instead of directions: any finite numbers.
     pub(super) fn gather_places(places: &[DVec3]) -> WithWarnings<Self> {
         let mut set = Self::default();
         let mut diagnostics = Vec::new();

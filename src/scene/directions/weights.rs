@@ -93,7 +93,8 @@ impl KeyWeights {
         WithWarnings::new(Self { set, field, space: Space::Places { origin, scale } }, diagnostics)
     }
 
-    /// As [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's choice.
+    /// Weights as of [`KeyWeights::new`] with [`KeyScheme::Tessellated`], on a mesh of one's
+    /// choice.
     pub fn tessellated(directions: &[DVec3], tessellation: Tessellation) -> WithWarnings<Self> {
         let (set, mut diagnostics) = KeySet::gather(directions).into_parts();
         let field = if set.centers.len() < 2 {

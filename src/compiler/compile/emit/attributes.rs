@@ -23,12 +23,12 @@ impl VertexAttribute {
     /// All of them, by location.
     pub const ALL: [Self; 5] = [Self::Position, Self::Normal, Self::Tangent, Self::Uv, Self::Color];
 
-    /// Its location, the same in every module.
+    /// Location, the same in every module.
     pub fn location(self) -> u32 {
         self as u32
     }
 
-    /// Its name in WGSL.
+    /// Name in WGSL.
     pub fn name(self) -> &'static str {
         match self {
             Self::Position => "position",
@@ -39,7 +39,7 @@ impl VertexAttribute {
         }
     }
 
-    /// Its WGSL type.
+    /// Type in WGSL.
     pub fn wgsl_type(self) -> &'static str {
         match self {
             Self::Position | Self::Normal => "vec3f",

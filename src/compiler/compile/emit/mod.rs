@@ -39,7 +39,7 @@ pub use frame::SAMPLES_PER_ROW;
 /// A binding of the module, in group 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Binding {
-    /// Its number.
+    /// Number of the part.
     pub binding: u32,
     /// The variable's name.
     pub name: String,

@@ -315,7 +315,7 @@ impl Emitter<'_> {
         found
     }
 
-    /// Where parts begin and end: none too long, none that exchanges too many values, and where
+    /// Beginnings and ends of parts: none too long, none that exchanges too many values, and where
     /// groups do.
     fn part_ranges(
         &self,

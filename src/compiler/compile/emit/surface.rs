@@ -96,7 +96,7 @@ mod tests {
         assert!(!reads.normal && !reads.varying("normal") && reads.varying("uv"));
     }
 
-    /// Whatever an expression reads is there, and of the row's type: naga validates a module that
+    /// Names that an expression reads exist, and have the row's types: naga validates a module that
     /// reads it.
     #[test]
     fn varyings_of_rows_exist() {

@@ -4,7 +4,7 @@ use naga::{ArraySize, Module, ScalarKind, TypeInner};
 
 use super::range::{Bools, Floats, Ints, Range};
 
-/// As many scalars as a value may have.
+/// Greatest number of scalars of a value.
 const MOST_SCALARS: usize = 1024;
 
 /// The number of scalars of a type; `None` for a type that is no plain value.
@@ -70,7 +70,7 @@ fn filled(
     })
 }
 
-/// Where the part at `index` begins, and how many scalars it has.
+/// First scalar of the part at `index`, and number of its scalars.
 pub(super) fn part_of(module: &Module, inner: &TypeInner, index: usize) -> Option<(usize, usize)> {
     let (count, size) = parts_of(module, inner).unwrap_or((0, 0));
     match inner {

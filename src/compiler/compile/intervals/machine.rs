@@ -58,7 +58,7 @@ pub(super) struct PathState {
     pub(super) loaded: Vec<u32>,
 }
 
-/// Where states go that leave a block early.
+/// Targets of states that leave a block early.
 #[derive(Default)]
 struct Exits {
     breaks: Vec<PathState>,

@@ -267,7 +267,7 @@ impl Range {
         }
     }
 
-    /// Whatever else is of the kind of `scalar`.
+    /// Ranges of all other values of the kind of `scalar`.
     pub(super) fn any_like(scalar: interp::Scalar) -> Self {
         match scalar {
             interp::Scalar::Bool(_) => Self::Bool(Bools::ALL),

@@ -1,4 +1,4 @@
-//! Whatever a function gives lies within what the ranges of its arguments say.
+//! Results of a function lie within what the ranges of its arguments say.
 
 use super::range::{Bools, Floats, Ints};
 use super::*;
@@ -66,7 +66,7 @@ impl Random {
         }
     }
 
-    /// Something within a range, often at its ends.
+    /// Value within a range, often at its ends.
     fn within(&mut self, range: Range, kind: ScalarKind) -> Scalar {
         match range {
             Range::Bool(x) => Scalar::Bool(x.point().unwrap_or(self.index(2) == 0)),

@@ -18,7 +18,7 @@ const RULES: FieldKind = FieldKind::List(&FieldKind::Choice(Rule::choice), Hcbtf
 described! {
     /// Grid, rules and painted samples of an `.hcbtf` file: its `manifest.json`.
     pub struct HcbtfManifest("hcbtf", Lines) {
-        /// What the document is.
+        /// Type of the document.
         "chiaro": FieldKind::Word(&[("hcbtf", "a hand-painted 6D texture")]), required;
         /// The version of the format.
         "version": FieldKind::Number(FORMAT), json "1";
@@ -52,7 +52,7 @@ described! {
 described! {
     /// Grid, rules and filled samples of a folder of images: its `hcbtf.json`.
     pub struct HcbtfListing("hcbtf", Lines) {
-        /// What the document is.
+        /// Type of the document.
         "chiaro": FieldKind::Word(&[("hcbtf", "a hand-painted 6D texture")]), required;
         /// The version of the format.
         "version": FieldKind::Number(FORMAT), json "1";

@@ -40,10 +40,10 @@ macro_rules! light_fields {
             /// A light, of a look or of a scene.
             #[serde(default)]
             pub struct Light("light", Line) {
-                /// What the artist calls it; empty for the id.
+                /// Artist's name of the light; empty for the id.
                 #[serde(skip_serializing_if = "String::is_empty")]
                 name: String = String::new(), FieldKind::Text(LINE);
-                /// What the light is.
+                /// Type of the light.
                 #[serde(rename = "type")]
                 kind as "type": LightKind = LightKind::Directional,
                     FieldKind::Word(LightKind::WORDS);

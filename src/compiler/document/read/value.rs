@@ -14,7 +14,7 @@ described! {
     pub struct AxisAngle("axis and angle", Line) {
         /// The axis; any length but 0.
         axis: [f64; 3], shape::FieldKind::Direction, required;
-        /// How far, in radians.
+        /// Angle, in radians.
         angle: f64, shape::FieldKind::Number(FAR), required;
     }
 }

@@ -61,7 +61,7 @@ pub fn synthesize(
     synthesize_filled(hcbtf, &filled, how, progress)
 }
 
-/// As [`synthesize`], with the result of the rules in `filled`.
+/// HCBTF as of [`synthesize`], with the result of the rules in `filled`.
 ///
 /// # Errors
 /// As [`synthesize`].
