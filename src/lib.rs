@@ -21,7 +21,6 @@
 //! - Undo: `compiler/document/edit/history.rs` (`History`) in one document,
 //!   `editor/state/session/steps.rs` across all, by the times in `editor/state/document/times.rs`.
 //! - Diagnostics: `language/diag/mod.rs` has their form; each text is where the problem is found.
-//! - HCBTFs as one picture: `scene/hcbtf/sheet.rs`, `scene/hcbtf/contact.rs`.
 //!
 //! Shaders:
 //! - Order of nodes: `compiler/compile/emit/mod.rs` (`order_calls`).
@@ -29,6 +28,14 @@
 //! - Passes: `compiler/library/passes/table.rs`.
 //! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`.
 //! - Languages of exports: `scene/export/mod.rs` (`LANGUAGES`).
+//!
+//! HCBTFs:
+//! - Rules: rows in `compiler/document/hcbtf/rule/mod.rs` (`Rule`), strokes and reliefs beside it;
+//!   `scene/hcbtf/fill/` runs them, `scene/hcbtf/generate/` draws.
+//! - Files: `scene/hcbtf/file.rs`; all samples as one picture: `scene/hcbtf/sheet.rs` (as the
+//!   thesis has it), `scene/hcbtf/contact.rs` (tiles side by side).
+//! - Lookup: `shaders/lib/hcbtf.wgsl`; the texture that it reads: `scene/hcbtf/layers.rs`.
+//! - Painting window: `editor/painter/`; command line: `cli/hcbtf/`.
 //!
 //! Lights:
 //! - Fields: rows in `compiler/document/light/mod.rs` (`light_fields!`).

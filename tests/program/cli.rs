@@ -320,7 +320,7 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     shop.write("short.json", r#"[{"rule": "blend"}, {"rule": "lambert", "amount": 0.5}]"#);
     shop.run(&["hcbtf", "rules", "short.hcbtf", "--set", "short.json"]).ok();
     let set = shop.run(&["hcbtf", "rules", "short.hcbtf"]).ok().json();
-    assert_eq!(set[0], json!({"rule": "blend", "sharpness": 4.0}));
+    assert_eq!(set[0], json!({"rule": "blend", "sharpness": 4}));
     let help = shop.run(&["hcbtf", "rules", "--help"]).ok().out;
     for told in [
         "  mirror    Highlight\n",
@@ -342,6 +342,7 @@ fn hcbtfs_are_made_told_of_and_exchanged() {
     let again = shop.run(&["hcbtf", "rules", "other.hcbtf"]).ok();
     assert_eq!(again.json()[0]["rule"], json!("strokes"));
     assert!(again.err.contains("rules[0].bundle"), "{}", again.err);
+    assert_eq!(again.json()[0]["bundle"], json!([]));
     let info = shop.run(&["hcbtf", "info", "grass.hcbtf", "--json"]).ok().json();
     assert_eq!((&info["tiles"], &info["sheet"]), (&json!(2), &json!([16, 30])));
     assert_eq!(info["samples"].as_array().map(Vec::len), Some(12));

@@ -2,15 +2,13 @@
 
 use std::path::PathBuf;
 
-use serde_json::json;
-
 use super::open;
 use crate::diag::Diagnostic;
 use crate::document::{HcbtfEdit, Rule, read_rules};
-use crate::files::{OutputKind, read_text};
+use crate::files::{Disk, OutputKind, read_text};
 use crate::output::Output;
 use crate::target::outputs;
-use chiaro_scene::hcbtf::write;
+use chiaro_scene::hcbtf::{load, write};
 
 /// Width of the help, in columns.
 const WIDTH: usize = 98;
@@ -28,11 +26,16 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments, output: &Output) -> Result<(), Vec<Diagnostic>> {
-    let mut hcbtf = open(&arguments.file, output)?;
     let Some(path) = &arguments.set else {
-        output.json(&json!(hcbtf.rules));
+        output.result(open(&arguments.file, output)?.rules_text().trim_end());
         return Ok(());
     };
+    let (mut hcbtf, warnings) = load(&Disk, &arguments.file)?.into_parts();
+    // The rules that were there so far go: nobody need hear what is odd about them.
+    let is_of_rules = |warning: &Diagnostic| {
+        warning.place.json_path.as_deref().is_some_and(|path| path.starts_with("rules["))
+    };
+    output.diagnostics(&warnings.into_iter().filter(|one| !is_of_rules(one)).collect::<Vec<_>>());
     let text = read_text(path).map_err(|problem| vec![*problem])?;
     let name = path.display().to_string();
     let read = read_rules(&text, &hcbtf.grid, &name);

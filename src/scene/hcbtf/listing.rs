@@ -12,7 +12,7 @@ use super::fill::{FilledSamples, SampleChoice};
 use super::folder::file_name;
 use super::manifest;
 use super::report::FileReport;
-use crate::document::{HcbtfListing, Tile, UnknownFields};
+use crate::document::{HcbtfListing, Tile};
 
 /// Name of the listing in the folder.
 pub(super) const NAME: &str = "hcbtf.json";
@@ -51,7 +51,7 @@ pub(super) fn text(filled: &FilledSamples, which: SampleChoice) -> String {
         is_tiling: filled.is_tiling(),
         rules: filled.rules().to_vec(),
         filled: taken.filter_map(digest_of).collect::<IndexMap<String, u64>>(),
-        unknown: UnknownFields::new(),
+        unknown: filled.unknown().clone(),
     };
     listing.to_text()
 }
@@ -92,7 +92,9 @@ mod tests {
 
     #[test]
     fn what_was_exported_comes_back_and_what_was_changed_is_painted() {
-        let hcbtf = painted();
+        let mut hcbtf = painted();
+        let later = serde_json::json!({ "0": { "later": 7 } });
+        hcbtf.unknown.insert("rules".to_owned(), later);
         let filled = fill(&hcbtf, &Progress::new()).unwrap();
         let (name, text) = folder::listing(&filled, SampleChoice::All);
         let mut files: HashMap<String, Vec<u8>> =
@@ -108,7 +110,9 @@ mod tests {
                 &Progress::new(),
             )
         };
-        assert_eq!(import(&files).unwrap(), hcbtf.clone().into());
+        let back = import(&files).unwrap();
+        assert_eq!((back.value, back.warnings.len()), (hcbtf.clone(), 1));
+        assert_eq!(back.warnings[0].place.json_path.as_deref(), Some("rules[0].later"));
         // An image that another program rewrote, with other colors in its transparent texels, is
         // the same; a visible change of color makes another image.
         let address = Address::new([1, 0], [0, 0]);

@@ -5,7 +5,8 @@ use indexmap::IndexMap;
 
 use super::{Address, Direction, Directions, Grid, Hcbtf, Rule};
 use crate::diag::Diagnostic;
-use crate::document::described::described;
+use crate::document::described::{FieldType as _, described, part};
+use crate::document::json::JsonWriter;
 use crate::document::read::read_list;
 use crate::document::shape::{FORMAT, FieldKind, LINE, MAX_PATH};
 use crate::document::{LoadedDocument, UnknownFields};
@@ -119,6 +120,16 @@ fn check_rules(rules: &[Rule], grid: &Grid) -> Vec<Diagnostic> {
         Some(Diagnostic::error("hcbtf-rule", why).json_path(format!("rules[{index}]")))
     };
     rules.iter().enumerate().filter_map(check).collect()
+}
+
+impl Hcbtf {
+    /// Text of the rules alone, a line each, with the fields that this version does not know:
+    /// [`read_rules`] reads it.
+    pub fn rules_text(&self) -> String {
+        let mut writer = JsonWriter::new();
+        self.rules.write(&mut writer, part(Some(&self.unknown), "rules"));
+        writer.finish()
+    }
 }
 
 /// Reads a list of rules alone, as `chiaro hcbtf rules` shows it, with the fields of the rules that

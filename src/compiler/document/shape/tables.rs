@@ -181,7 +181,8 @@ fn plural(kind: &FieldKind) -> String {
         FieldKind::Choice(choice) => format!("[{0}](#{0})", choice().name),
         FieldKind::Slug => "[ids](#ids)".to_owned(),
         FieldKind::Value => "[values](#values)".to_owned(),
-        FieldKind::Numbers(..) => "`[x, y]`".to_owned(),
+        FieldKind::Numbers(2, 2, _) => "`[x, y]`".to_owned(),
+        FieldKind::List(item, most) => format!("lists of {}, each of at most {most}", plural(item)),
         other => kind_words(other),
     }
 }

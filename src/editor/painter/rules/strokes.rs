@@ -137,7 +137,10 @@ fn placement(ui: &mut Ui, bundle: &mut Bundle) -> Option<Id> {
         SHAPES.iter().find(|(known, _)| *known == shape).map_or("", |(_, name)| name)
     };
     line(ui, "Shape", "What a stroke is", |ui, id| {
-        let combo = ComboBox::from_id_salt("shape").width(150.0).selected_text(name(before));
+        // The long names are for the menu: the card is no wider than its panel.
+        let width = ui.available_width().clamp(60.0, 150.0);
+        let combo = ComboBox::from_id_salt("shape").width(width).truncate();
+        let combo = combo.selected_text(name(before));
         let response = combo.show_ui(ui, |ui| {
             for (shape, name) in SHAPES {
                 ui.selectable_value(&mut bundle.shape, shape, name);

@@ -247,8 +247,15 @@ fn together(
     let sample = |[recipe, provenance]: &[u32; 2]| [place[*recipe as usize], *provenance];
     let samples = plan.samples.iter().map(sample).collect();
     // The rules equal those from before, or the tiles from before could not be used.
-    let (grid, is_tiling, rules) = (filled.grid, filled.is_tiling, filled.rules.clone());
-    FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances.clone(), samples }
+    FilledSamples {
+        grid: filled.grid,
+        is_tiling: filled.is_tiling,
+        rules: filled.rules.clone(),
+        unknown: filled.unknown.clone(),
+        tiles,
+        provenances: plan.provenances.clone(),
+        samples,
+    }
 }
 
 /// A tile with other texels in a part of it.

@@ -28,7 +28,7 @@ use thiserror::Error;
 pub use self::again::refill;
 use self::plan::FillPlan;
 use crate::diag::Diagnostic;
-use crate::document::{Address, Grid, Hcbtf, Rule, Tile};
+use crate::document::{Address, Grid, Hcbtf, Rule, Tile, UnknownFields};
 use crate::progress::Progress;
 
 /// Greatest number of samples of a grid that is filled.
@@ -130,6 +130,8 @@ pub struct FilledSamples {
     grid: Grid,
     is_tiling: bool,
     rules: Arc<[Rule]>,
+    /// Fields of the HCBTF that this version does not know.
+    unknown: Arc<UnknownFields>,
     tiles: Vec<Arc<Tile>>,
     provenances: Vec<Provenance>,
     /// Tile and provenance of each sample, by index, in the order of [`Grid::addresses`].
@@ -137,6 +139,11 @@ pub struct FilledSamples {
 }
 
 impl FilledSamples {
+    /// Fields of the HCBTF that this version does not know.
+    pub fn unknown(&self) -> &UnknownFields {
+        &self.unknown
+    }
+
     /// The grid that is filled.
     pub fn grid(&self) -> Grid {
         self.grid
@@ -255,8 +262,15 @@ pub fn fill(hcbtf: &Hcbtf, progress: &Progress) -> Result<FilledSamples, NotFill
     for [tile, _] in &mut samples {
         *tile = place[*tile as usize];
     }
-    let (grid, is_tiling, rules) = (hcbtf.grid, hcbtf.is_tiling, hcbtf.rules.as_slice().into());
-    Ok(FilledSamples { grid, is_tiling, rules, tiles, provenances: plan.provenances, samples })
+    Ok(FilledSamples {
+        grid: hcbtf.grid,
+        is_tiling: hcbtf.is_tiling,
+        rules: hcbtf.rules.as_slice().into(),
+        unknown: hcbtf.unknown.clone().into(),
+        tiles,
+        provenances: plan.provenances,
+        samples,
+    })
 }
 
 /// Runs the rules for one sample alone: the same result as that of [`fill`], in the time of one
