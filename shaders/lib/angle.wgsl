@@ -4,6 +4,7 @@ import chiaro::types;
 import chiaro::numeric;
 
 /// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
+/// @where d is unit and l is unit : angle_of_units(d, l)
 fn angle_between(d: vec3f, l: vec3f) -> Angle {
     let p = length(d - l);
     let s = length(d + l);

@@ -16,23 +16,32 @@ fn is_finite(x: f32) -> bool {
 }
 
 /// x, or `otherwise` where x is NaN or infinite.
+/// @where x is finite : x
 fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
 /// v with 0 for each component that is NaN or infinite.
+/// @where v is finite : v
 fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
+    let exponent = vec3u(0x7f800000u);
+    return select(vec3f(0.0), v, (bitcast<vec3u>(v) & exponent) != exponent);
 }
 
 /// v with 0 for each component that is NaN or infinite.
+/// @where v is finite : v
 fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+    let exponent = vec4u(0x7f800000u);
+    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
+/// @where v is unit : v
+/// @where tier is balanced and |v| <= 1e15 and otherwise = 0 :
+///   v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
+/// @where |v| <= 1e15 : normalize_moderate(v, otherwise)
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !(largest > 1e-30 && largest < 1e30) {
@@ -144,11 +153,29 @@ fn sin_cos(x: f32) -> vec2f {
 
 /// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
 /// counts as having no direction.
+/// @where v is unit : v
+/// @where tier is balanced and |v| <= 1e15 and otherwise = 0 :
+///   v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
 fn normalize_quick(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     // Comparisons are false for NaN; what `select` leaves out never reaches the result.
-    let is_usable = square > 1e-30 && square < 1e36;
+    let is_usable = (square > 1e-30) & (square < 1e36);
     return select(otherwise, v * inverseSqrt(select(1.0, square, is_usable)), is_usable);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+/// @where v is unit : v
+/// @where tier is balanced and otherwise = 0 : v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1; a vector shorter than 1e-15 keeps its direction alone. For vectors that are
+/// hardly ever 0, and no longer than 1e15.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 
 /// sin(x) and cos(x) for |x| <= pi/2 by shorter polynomials (absolute error 4.2e-8 and 5.6e-9

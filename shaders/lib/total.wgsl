@@ -8,6 +8,7 @@ const SMALLEST_NORMAL: f32 = 1.17549435e-38;
 
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
 /// is infinite.
+/// @where x is finite : x
 fn bounded(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
     let magnitude = bits & 0x7fffffffu;
@@ -16,18 +17,33 @@ fn bounded(x: f32) -> f32 {
 }
 
 /// [`bounded`], component by component.
+/// @where v is finite : v
 fn bounded_vec2(v: vec2f) -> vec2f {
-    return vec2f(bounded(v.x), bounded(v.y));
+    let bits = bitcast<vec2u>(v);
+    let magnitude = bits & vec2u(0x7fffffffu);
+    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
+    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
+    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
+/// @where v is finite : v
 fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
+    let bits = bitcast<vec3u>(v);
+    let magnitude = bits & vec3u(0x7fffffffu);
+    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
+    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
+    return select(numbers, v, magnitude < vec3u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
+/// @where v is finite : v
 fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
+    let bits = bitcast<vec4u>(v);
+    let magnitude = bits & vec4u(0x7fffffffu);
+    let largest = bitcast<vec4f>((bits & vec4u(0x80000000u)) | vec4u(0x7f7fffffu));
+    let numbers = select(vec4f(0.0), largest, magnitude == vec4u(0x7f800000u));
+    return select(numbers, v, magnitude < vec4u(0x7f800000u));
 }
 
 /// a / b; 0 where b is 0.
@@ -56,6 +72,8 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
 /// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
 /// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
 /// by 0 is; 0^0 is 1.
+/// @where tier is balanced and base >= 0 and base <= 1e6 and exponent >= 1e-3 and exponent <= 1e3 :
+///   pow(base, exponent) ~ 2e-3
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -79,40 +97,52 @@ fn powered(base: f32, exponent: f32) -> f32 {
 }
 
 /// [`powered`], component by component.
+/// @where tier is balanced and base >= 0 and base <= 1e6 and exponent >= 1e-3 and exponent <= 1e3 :
+///   pow(base, vec3f(exponent)) ~ 2e-3
 fn powered_vec3(base: vec3f, exponent: f32) -> vec3f {
     return vec3f(powered(base.x, exponent), powered(base.y, exponent), powered(base.z, exponent));
 }
 
 /// e^x; 0 far below, the largest number from 88.73 on.
+/// @where tier is balanced and |x| <= 80 : exp(x) ~ 1e-3
 fn exponential_of(x: f32) -> f32 {
     return exp2_stable(bounded(x * LOG2_E));
 }
 
 /// ln(x); 0 and everything below count as 1.2e-38, the smallest normal number, whose logarithm is
 /// -87.34.
+/// @where tier is balanced and x >= 1e-30 and x <= 1e30 : log(x) ~ 1e-3
 fn logarithm_of(x: f32) -> f32 {
     return log_stable(max(bounded(x), SMALLEST_NORMAL));
 }
 
 /// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
+/// @where a = 0 and b = 1 and |t| <= 1e15 : t
+/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
+/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
 fn mixed_vec2(a: vec2f, b: vec2f, t: f32) -> vec2f {
-    return vec2f(mixed(a.x, b.x, t), mixed(a.y, b.y, t));
+    let d = bounded_vec2(b - a);
+    return bounded_vec2(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
+/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
 fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
+    let d = bounded_vec3(b - a);
+    return bounded_vec3(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
+/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
 fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
+    let d = bounded_vec4(b - a);
+    return bounded_vec4(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
@@ -135,6 +165,7 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
+/// @where low < high and x is finite and |low| <= 1e30 and |high| <= 1e30 : smoothstep(low, high, x)
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -146,6 +177,7 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
 }
 
 /// The length of v, also where its square would over- or underflow.
+/// @where |v| <= 1e15 : length(v)
 fn length_of(v: vec3f) -> f32 {
     let w = bounded_vec3(v);
     let largest = max(max(abs(w.x), abs(w.y)), abs(w.z));
@@ -157,6 +189,7 @@ fn length_of(v: vec3f) -> f32 {
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
 /// result lies in [-1, 1].
+/// @where tier is balanced and |x| <= 1000 : vec2f(sin(x), cos(x)) ~ 2e-3
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }

@@ -58,6 +58,8 @@ pub struct TypedNode {
     pub name: String,
     /// The node's definition.
     pub def: Arc<NodeDef>,
+    /// The tier that the document asks for.
+    pub tier: Tier,
     /// Index of the chosen function among those of the definition.
     pub variant: usize,
     /// In the order of the definition's inputs; `None` for inputs that the function does not take.
@@ -243,6 +245,7 @@ fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
 
 fn stand_in(flat: &FlatNode) -> TypedNode {
     TypedNode {
+        tier: flat.tier,
         path: flat.path.clone(),
         name: flat.name.clone(),
         def: flat.def.clone(),
@@ -570,6 +573,7 @@ impl<'a> Typer<'a> {
             path: flat.path.clone(),
             name: flat.name.clone(),
             def: flat.def.clone(),
+            tier: flat.tier,
             variant,
             inputs,
             choices,

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use super::flatten::ParamId;
+use super::functions::SpecializedFunctions;
 use super::host::{Callee, HostProgram, ProgramStep};
 use super::items::{CollectedItems, Items};
 use super::names::Names;
@@ -111,7 +112,7 @@ impl Functions {
             }
         }
         let mut names = Names::default();
-        let mut collected = items.collect(&mut names);
+        let mut collected = items.collect(&mut names, &SpecializedFunctions::default());
         let mut text = std::mem::take(&mut collected.text);
         let mut named = BTreeMap::new();
         for ((from, to), template) in conversions {

@@ -4,20 +4,24 @@
 use std::collections::{HashMap, HashSet, VecDeque};
 use std::sync::Arc;
 
+use super::functions::{
+    Callee, Code, CodeNames, SpecializedFunctions, each_code, write_line, write_lines,
+};
 use super::names::Names;
 use super::specialize::Function;
 use crate::library::NodeModule;
-use crate::wgsl::{Declaration, DeclarationKind, rename_identifiers};
+use crate::wgsl::{Declaration, DeclarationKind, Field, rename_identifiers};
 
 /// Collects declarations from node modules and gives each a name of its own.
 ///
 /// Modules of a project's own nodes carry their own copies of what they import; equal text is taken
 /// once. Two custom nodes may each have a `fn tint`; then the second becomes `tint_2`, with every
-/// mention of it.
+/// mention of it. So does a function that is written for certain arguments beside its original.
 #[derive(Debug, Default)]
 pub(super) struct Items {
     modules: Vec<Arc<NodeModule>>,
     wanted: HashSet<(usize, String)>,
+    made: Vec<(usize, usize)>,
 }
 
 /// The text of all items, and what functions and types are called in it.
@@ -26,6 +30,13 @@ pub(super) struct CollectedItems {
     pub(super) text: String,
     names: HashMap<(usize, String), String>,
     modules: Vec<usize>,
+    made: HashMap<usize, String>,
+}
+
+/// A declaration to be printed.
+enum Printed<'a> {
+    Original(&'a Declaration, &'a str),
+    Made(&'a Declaration, usize),
 }
 
 impl Items {
@@ -36,16 +47,75 @@ impl Items {
 
     /// Asks for a declaration by name, if the module has it.
     pub(super) fn want(&mut self, module: &Arc<NodeModule>, name: &str) {
-        let index =
-            self.modules.iter().position(|known| Arc::ptr_eq(known, module)).unwrap_or_else(|| {
-                self.modules.push(module.clone());
-                self.modules.len() - 1
-            });
+        let index = self.module(module);
         self.wanted.insert((index, name.to_owned()));
     }
 
+    /// Asks for a function that was written anew.
+    pub(super) fn want_made(&mut self, module: &Arc<NodeModule>, made: usize) {
+        let index = self.module(module);
+        self.made.push((index, made));
+    }
+
+    /// Asks for everything that an expression names.
+    pub(super) fn want_code(&mut self, module: &Arc<NodeModule>, code: &Code) {
+        let index = self.module(module);
+        self.want_names(index, code);
+    }
+
+    fn module(&mut self, module: &Arc<NodeModule>) -> usize {
+        self.modules.iter().position(|known| Arc::ptr_eq(known, module)).unwrap_or_else(|| {
+            self.modules.push(module.clone());
+            self.modules.len() - 1
+        })
+    }
+
+    fn want_names(&mut self, module: usize, code: &Code) {
+        code.each(&mut |code| match code {
+            Code::Constant(name) | Code::Struct(name, _) => {
+                self.wanted.insert((module, name.to_string()));
+            }
+            Code::Call(Callee::Original(name), _) => {
+                self.wanted.insert((module, name.to_string()));
+            }
+            Code::Call(Callee::Made(made), _) => self.made.push((module, *made)),
+            _ => {}
+        });
+    }
+
+    /// The functions that were written anew and are called, with what they name.
+    fn reached(&mut self, functions: &SpecializedFunctions) -> Vec<(usize, usize)> {
+        let mut reached = Vec::new();
+        let mut seen = HashSet::new();
+        while let Some((module, made)) = self.made.pop() {
+            if !seen.insert(made) {
+                continue;
+            }
+            reached.push((module, made));
+            let function = &functions.made[made];
+            let mut codes = Vec::new();
+            each_code(&function.body.lines, &mut |code| codes.push(code.clone()));
+            for code in &codes {
+                self.want_names(module, code);
+            }
+            let Some(declaration) = self.modules[module].declaration(&function.name) else {
+                continue;
+            };
+            let types = declaration.fields.iter().map(|field| &field.ty);
+            let types = types.chain(&declaration.result).chain(function.body.types());
+            let names: Vec<String> = types.flat_map(|ty| crate::wgsl::identifiers(ty)).collect();
+            self.wanted.extend(names.into_iter().map(|name| (module, name)));
+        }
+        reached
+    }
+
     /// Everything asked for with all that it uses, in file order; names are given out by `names`.
-    pub(super) fn collect(self, names: &mut Names) -> CollectedItems {
+    pub(super) fn collect(
+        mut self,
+        names: &mut Names,
+        functions: &SpecializedFunctions,
+    ) -> CollectedItems {
+        let reached = self.reached(functions);
         let mut used: HashSet<(usize, String)> = HashSet::new();
         let mut open: VecDeque<(usize, String)> = self.wanted.into_iter().collect();
         while let Some((module, name)) = open.pop_front() {
@@ -59,15 +129,24 @@ impl Items {
             ..CollectedItems::default()
         };
         let mut by_text: HashMap<&str, String> = HashMap::new();
-        let mut ordered: Vec<(usize, &Declaration)> = used
+        let mut ordered: Vec<(usize, &Declaration, Option<usize>)> = used
             .iter()
             .filter_map(|(module, name)| {
-                self.modules[*module].declaration(name).map(|found| (*module, found))
+                self.modules[*module].declaration(name).map(|found| (*module, found, None))
             })
             .collect();
-        ordered.sort_by_key(|(module, declaration)| (*module, declaration.span.start));
+        ordered.extend(reached.iter().filter_map(|&(module, made)| {
+            let name = &functions.made[made].name;
+            Some((module, self.modules[module].declaration(name)?, Some(made)))
+        }));
+        ordered.sort_by_key(|(module, declaration, made)| (*module, declaration.span.start, *made));
         let mut printed = Vec::new();
-        for (module, declaration) in &ordered {
+        for (module, declaration, made) in &ordered {
+            if let Some(made) = made {
+                collected.made.insert(*made, names.give_exact(&declaration.name));
+                printed.push((*module, Printed::Made(declaration, *made)));
+                continue;
+            }
             let text = &self.modules[*module].linked.text[declaration.body.clone()];
             let key = (*module, declaration.name.clone());
             if let Some(name) = by_text.get(text) {
@@ -77,20 +156,28 @@ impl Items {
             let name = names.give_exact(&declaration.name);
             by_text.insert(text, name.clone());
             collected.names.insert(key, name);
-            printed.push((*module, *declaration, text));
+            printed.push((*module, Printed::Original(declaration, text)));
         }
-        for (module, declaration, text) in printed {
+        for (module, item) in printed {
             let renamed = |name: &str| {
                 let name = collected.names.get(&(module, name.to_owned()))?;
                 Some(name.clone())
             };
-            collected.text.push_str(&short_doc(declaration));
-            collected.text.push_str(&rename_identifiers(text, renamed));
-            collected.text.push_str(if declaration.kind == DeclarationKind::Constant {
-                "\n"
-            } else {
-                "\n\n"
-            });
+            let text = match item {
+                Printed::Original(declaration, text) => {
+                    let is_constant = declaration.kind == DeclarationKind::Constant;
+                    format!(
+                        "{}{}{}",
+                        short_doc(declaration),
+                        rename_identifiers(text, renamed),
+                        if is_constant { "\n" } else { "\n\n" }
+                    )
+                }
+                Printed::Made(declaration, made) => {
+                    collected.made_text(module, declaration, made, functions)
+                }
+            };
+            collected.text.push_str(&text);
         }
         collected
     }
@@ -103,6 +190,77 @@ impl CollectedItems {
         index
             .and_then(|index| self.names.get(&(index, name.to_owned())))
             .map_or(name, String::as_str)
+    }
+
+    /// The name of a function that was written anew.
+    pub(super) fn made(&self, index: usize) -> &str {
+        self.made.get(&index).map_or("", String::as_str)
+    }
+
+    /// The names in the code of a module's function.
+    pub(super) fn code_names<'n>(
+        &'n self,
+        module: usize,
+        parameters: &'n [Field],
+        locals: &'n [String],
+    ) -> impl CodeNames + 'n {
+        let module = self.modules.iter().position(|known| *known == module).unwrap_or_default();
+        NamesOfFunction { items: self, module, parameters, locals }
+    }
+
+    fn made_text(
+        &self,
+        module: usize,
+        declaration: &Declaration,
+        made: usize,
+        functions: &SpecializedFunctions,
+    ) -> String {
+        let body = &functions.made[made].body;
+        let names = NamesOfFunction {
+            items: self,
+            module,
+            parameters: &declaration.fields,
+            locals: &body.locals,
+        };
+        let renamed = |ty: &str| rename_identifiers(ty, |name| Some(names.declaration(name)));
+        let parameters: Vec<String> = declaration
+            .fields
+            .iter()
+            .map(|field| format!("{}: {}", field.name, renamed(&field.ty)))
+            .collect();
+        let result = declaration.result.as_deref().map(renamed).unwrap_or_default();
+        let mut text = short_doc(declaration);
+        let head = format!("fn {}({}) -> {result} {{", self.made(made), parameters.join(", "));
+        write_line(&head, 0, &mut text);
+        write_lines(&body.lines, 1, &names, &mut text);
+        text.push_str("}\n\n");
+        text
+    }
+}
+
+struct NamesOfFunction<'n> {
+    items: &'n CollectedItems,
+    module: usize,
+    parameters: &'n [Field],
+    locals: &'n [String],
+}
+
+impl CodeNames for NamesOfFunction<'_> {
+    fn parameter(&self, index: usize) -> String {
+        self.parameters.get(index).map_or_else(String::new, |field| field.name.clone())
+    }
+
+    fn local(&self, index: usize) -> String {
+        self.locals.get(index).cloned().unwrap_or_default()
+    }
+
+    fn declaration(&self, name: &str) -> String {
+        let known = self.items.names.get(&(self.module, name.to_owned()));
+        known.cloned().unwrap_or_else(|| name.to_owned())
+    }
+
+    fn made(&self, index: usize) -> String {
+        self.items.made(index).to_owned()
     }
 }
 

@@ -8,6 +8,7 @@ mod check;
 mod drivers;
 mod emit;
 mod flatten;
+mod functions;
 mod host;
 mod host_source;
 mod intervals;

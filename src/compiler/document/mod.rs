@@ -43,7 +43,7 @@ pub use hcbtf::{
 pub use image::JournalDocument;
 pub use light::{
     Light, LightField, LightInput, LightKind, LightQuantity, LightSpace, LightValues,
-    MAX_INTENSITY, MIN_LIGHT_DISTANCE,
+    MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE,
 };
 pub use look::*;
 pub use read::Document;

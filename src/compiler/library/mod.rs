@@ -22,6 +22,7 @@ mod load;
 mod node;
 mod passes;
 mod read;
+mod rules;
 mod types;
 
 /// Categories that have a color of their own, in the order of palettes and of tables. The category
@@ -59,4 +60,5 @@ pub use passes::{
     PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,
 };
 pub use read::load_node;
+pub use rules::{Fact, Rule, RuleLimit};
 pub use types::{Conversion, Type};

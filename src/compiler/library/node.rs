@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex};
 
 use super::Context;
+use super::rules::Rule;
 use super::types::Type;
 use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};
@@ -305,16 +306,27 @@ pub struct NodeModule {
     pub valid: ValidModule,
     operations: Operations,
     by_name: HashMap<String, usize>,
+    rules: HashMap<String, Vec<Rule>>,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
 }
 
 impl NodeModule {
     /// Wraps validated text.
-    pub fn new(linked: LinkedSource, scan: Scan, valid: ValidModule) -> Self {
+    pub fn new(
+        linked: LinkedSource,
+        scan: Scan,
+        valid: ValidModule,
+        rules: HashMap<String, Vec<Rule>>,
+    ) -> Self {
         let by_name =
             scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
         let operations = Operations::of(&valid.module);
-        Self { linked, scan, valid, operations, by_name, programs: Mutex::default() }
+        Self { linked, scan, valid, operations, by_name, rules, programs: Mutex::default() }
+    }
+
+    /// Forms that a function comes to where facts about its arguments hold, the cheapest first.
+    pub fn rules(&self, function: &str) -> &[Rule] {
+        self.rules.get(function).map_or(&[], Vec::as_slice)
     }
 
     /// Top-level declaration by name.

@@ -26,11 +26,16 @@ pub(super) fn stem_and_folder(path: &str) -> (String, String) {
 }
 
 pub(super) fn load_module(sources: &[NamedSource<'_>]) -> Result<NodeModule, Vec<Diagnostic>> {
-    let linked = wgsl::link(sources)?;
+    let mut linked = wgsl::link(sources)?;
+    let mut scan = wgsl::scan(&linked.text);
+    let rules = super::rules::read_rules(&mut linked, &scan)?;
+    if !rules.is_empty() {
+        scan = wgsl::scan(&linked.text);
+    }
     match wgsl::parse(&linked.text) {
         Ok(valid) => {
-            let scan = wgsl::scan(&linked.text);
-            Ok(NodeModule::new(linked, scan, valid))
+            let rules = rules.into_iter().collect();
+            Ok(NodeModule::new(linked, scan, valid, rules))
         }
         Err(error) => Err(vec![place(&linked, "invalid-wgsl", &error)]),
     }

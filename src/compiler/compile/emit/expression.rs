@@ -1,6 +1,7 @@
 //! Values as WGSL expressions and literals.
 
 use super::Emitter;
+use crate::compile::functions::{Code, Specialized, level, module_key};
 use crate::compile::specialize::{Argument, Operation, ValueId};
 use crate::interp::{Scalar, Value};
 use crate::library::{Conversion, Rate, Type};
@@ -23,6 +24,10 @@ impl Emitter<'_> {
             Operation::Call { .. } => self.value_names.get(&id).cloned().unwrap_or_default(),
             Operation::Member { value, name, .. } => format!("{}.{name}", self.expression(*value)),
             Operation::Convert { template, value } => {
+                if self.specialized.contains_key(&id) {
+                    let names = self.collected.code_names(0, &[], &[]);
+                    return self.argument(id).wgsl(level::ATOM, &names);
+                }
                 Conversion::Template(template).apply(&self.expression(*value))
             }
             // Parameters that stay live are of object rate.
@@ -32,24 +37,48 @@ impl Emitter<'_> {
         }
     }
 
-    /// A call with its arguments.
+    /// A call with its arguments, or the expression that it comes to.
     pub(super) fn call(&self, id: ValueId) -> String {
         let Operation::Call { function, arguments } = &self.special.values[id].operation else {
             return String::new();
         };
-        let arguments: Vec<String> = arguments
-            .iter()
-            .map(|argument| match argument {
-                Argument::Value(id) => self.expression(*id),
-                Argument::Image(image) => self.image_name(*image),
-                Argument::Sampler(image) => format!("{}_sampler", self.image_name(*image)),
-            })
-            .collect();
-        format!(
-            "{}({})",
-            self.collected.name(&function.module, &function.name),
-            arguments.join(", ")
-        )
+        let text = |argument: &Argument| match argument {
+            Argument::Value(id) => self.expression(*id),
+            Argument::Image(image) => self.image_name(*image),
+            Argument::Sampler(image) => format!("{}_sampler", self.image_name(*image)),
+        };
+        let name = match self.specialized.get(&id) {
+            None | Some(Specialized::Original) => {
+                self.collected.name(&function.module, &function.name)
+            }
+            Some(Specialized::Made(index)) => self.collected.made(*index),
+            Some(Specialized::Expression(code, _)) => {
+                let arguments: Vec<Code> = arguments
+                    .iter()
+                    .map(|argument| match argument {
+                        Argument::Value(id) => self.argument(*id),
+                        other => argument_text(&text(other)),
+                    })
+                    .collect();
+                let names = self.collected.code_names(module_key(&function.module), &[], &[]);
+                return code.with_arguments(&arguments).wgsl(level::LOWEST, &names);
+            }
+        };
+        let arguments: Vec<String> = arguments.iter().map(text).collect();
+        format!("{name}({})", arguments.join(", "))
+    }
+
+    /// A value as a part of an expression: by its name, but for conversions that come to
+    /// expressions of it.
+    fn argument(&self, id: ValueId) -> Code {
+        match (&self.special.values[id].operation, self.specialized.get(&id)) {
+            (Operation::Convert { value, .. }, Some(Specialized::Expression(code, _)))
+                if !self.is_host(id) =>
+            {
+                code.with_arguments(&[self.argument(*value)])
+            }
+            _ => argument_text(&self.expression(id)),
+        }
     }
 
     /// A constant as WGSL writes it; `node` says whose structs are meant.
@@ -105,6 +134,12 @@ impl Emitter<'_> {
     }
 }
 
+/// Text of an argument as a part of an expression.
+fn argument_text(text: &str) -> Code {
+    let level = if text.starts_with('-') { level::UNARY } else { level::ATOM };
+    Code::Argument(text.into(), level)
+}
+
 fn vector_literal(scalars: &[Scalar]) -> String {
     let kind = match scalars.first() {
         Some(Scalar::Float(_)) | None => "f",
@@ -125,7 +160,7 @@ fn vector_literal(scalars: &[Scalar]) -> String {
 }
 
 /// The shortest decimal that reads back as the same f32.
-fn float_literal(x: f64) -> String {
+pub(in crate::compile) fn float_literal(x: f64) -> String {
     let x = x as f32;
     if x.is_finite() {
         format!("{x:?}")

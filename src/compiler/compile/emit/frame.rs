@@ -6,6 +6,7 @@ use super::attributes::{SurfaceVarying, VARYINGS, VertexAttribute};
 use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::ImageShape;
+use crate::compile::intervals;
 use crate::document::ColorSpace;
 use crate::library::{PassId, Type};
 
@@ -74,6 +75,19 @@ impl Emitter<'_> {
             && self.graph.color_space == ColorSpace::Linear
     }
 
+    /// True if ranges prove every number of what is shown finite.
+    fn is_finite_root(&self) -> bool {
+        let root = &self.special.values[self.special.root];
+        let is_color = matches!(root.ty, Type::Color | Type::Vec4 | Type::Float | Type::Vec3);
+        let is_finite = |range: &intervals::Range| match range {
+            intervals::Range::Float(x) => x.is_within(-f64::from(f32::MAX), f32::MAX.into()),
+            _ => true,
+        };
+        !self.options.unspecialized
+            && is_color
+            && root.ranges.as_ref().is_some_and(|ranges| ranges.iter().all(is_finite))
+    }
+
     /// The functions of the library that the frame may call.
     pub(super) fn frame_functions(&self) -> Vec<String> {
         let stage = self.options.stage;
@@ -82,10 +96,10 @@ impl Emitter<'_> {
         }
         let root = &self.special.values[self.special.root].ty;
         let own = [
-            ("normalize_or", true),
+            ("normalize_quick", true),
             ("straight", *root == Type::Composite),
             ("angle_radians", *root == Type::Angle),
-            ("finite_vec4", true),
+            ("finite_vec4", !self.is_finite_root()),
             ("display_from_linear", self.encodes()),
             ("linear_from_display", self.graph.color_space == ColorSpace::Linear),
         ];
@@ -284,11 +298,12 @@ impl Emitter<'_> {
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
         let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
         if uses_front {
-            self.out.push_str("    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));\n");
+            self.out
+                .push_str("    let facing = normalize_quick(in.normal, vec3f(0.0, 0.0, 1.0));\n");
             self.out.push_str(if draws_normals {
                 // Slivers at outlines may be taken for backs; turned around, one of them would bend
                 // all that is near.
-                "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, \
+                "    let toward = normalize_quick(view.eye.xyz - view.eye.w * in.position, \
                  facing);\n    \
                  let is_behind = !is_front && dot(facing, toward) < -0.1;\n    \
                  let normal = select(facing, -facing, is_behind);\n"
@@ -333,6 +348,7 @@ impl Emitter<'_> {
             )
         } else {
             let pixel = shown(&self.special.values[self.special.root].ty, value);
+            let pixel = if self.is_finite_root() { pixel } else { format!("finite_vec4({pixel})") };
             let pixel =
                 if self.encodes() { format!("display_from_linear({pixel})") } else { pixel };
             if self.special.cutoff.is_some() && self.options.cutout {
@@ -378,7 +394,7 @@ impl Emitter<'_> {
 
 /// A value of any type as a pixel.
 fn shown(ty: &Type, value: &str) -> String {
-    let pixel = match ty {
+    match ty {
         Type::Float | Type::Int => format!("vec4f(vec3f(f32({value})), 1.0)"),
         Type::Bool => format!("vec4f(vec3f(select(0.0, 1.0, {value})), 1.0)"),
         Type::Vec2 => format!("vec4f({value}, 0.0, 1.0)"),
@@ -388,8 +404,7 @@ fn shown(ty: &Type, value: &str) -> String {
         Type::Light => format!("vec4f({value}.color * {value}.intensity, 1.0)"),
         Type::Mat3 => format!("vec4f({value}[0], 1.0)"),
         _ => value.to_owned(),
-    };
-    format!("finite_vec4({pixel})")
+    }
 }
 
 /// A value of any type as four numbers to read back.

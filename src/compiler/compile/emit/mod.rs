@@ -17,21 +17,27 @@ mod surface;
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::ops::Range;
+use std::sync::Arc;
 
 use super::CompileOptions;
 use super::check::TypedGraph;
+use super::functions::{Specialized, SpecializedFunctions};
 use super::host::{
     Callee, HostDriver, HostProgram, ProgramStep, UniformMember, conversion_program,
 };
+use super::intervals::Ranges;
 use super::items::{CollectedItems, Items};
 use super::names::Names;
 use super::specialize::{
     Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable,
 };
 use crate::diag::Diagnostic;
+use crate::document::Tier;
 use crate::ids::NodePath;
-use crate::library::{Context, Library, PassId, Rate, Treatment, Type};
+use crate::library::{Context, Library, NodeModule, PassId, Rate, Treatment, Type};
 use crate::wgsl::WgslError;
+
+pub(super) use expression::float_literal;
 
 pub use attributes::VertexAttribute;
 pub use frame::SAMPLES_PER_ROW;
@@ -145,6 +151,9 @@ struct Emitter<'a> {
     needs: Needs,
     names: Names,
     items: Items,
+    functions: SpecializedFunctions,
+    /// The form of each call.
+    specialized: HashMap<ValueId, Specialized>,
     /// WGSL name of each value: a local variable, a constant, or a member of `look`.
     value_names: HashMap<ValueId, String>,
     /// Struct constants: their names.
@@ -170,6 +179,8 @@ impl<'a> Emitter<'a> {
             needs: Needs { contexts: Vec::new(), images: special.images.clone() },
             names: Names::default(),
             items: Items::default(),
+            functions: SpecializedFunctions::default(),
+            specialized: HashMap::new(),
             value_names: HashMap::new(),
             constants: Vec::new(),
             host: HostProgram::default(),
@@ -203,7 +214,7 @@ impl<'a> Emitter<'a> {
             self.names.reserve(name);
         }
         let items = std::mem::take(&mut self.items);
-        self.collected = items.collect(&mut self.names);
+        self.collected = items.collect(&mut self.names, &self.functions);
         self.plan_host(&roots);
         self.name_constants();
         for id in self.calls.clone() {
@@ -238,24 +249,98 @@ impl<'a> Emitter<'a> {
 
     fn want_items(&mut self, reached: &[bool]) {
         let built_in = Library::built_in().nodes.values().next().map(|def| def.module.clone());
-        for &id in &self.calls {
-            if let Operation::Call { function, .. } = &self.special.values[id].operation {
-                self.items.want_function(function);
-            }
+        for id in self.calls.clone() {
+            self.specialize_call(id);
         }
         let Some(built_in) = built_in else { return };
         for name in self.frame_functions() {
             self.items.want(&built_in, &name);
         }
-        for (value, _) in self.special.values.iter().zip(reached).filter(|(_, reached)| **reached) {
-            if let Operation::Convert { template, .. } = &value.operation {
-                for name in crate::wgsl::identifiers(template) {
-                    self.items.want(&built_in, &name);
-                }
+        let special = self.special;
+        let reached = reached.iter().enumerate().filter(|(_, reached)| **reached);
+        for (id, value) in reached.map(|(id, _)| (id, &special.values[id])) {
+            if let Operation::Convert { template, value: from } = &value.operation {
+                self.specialize_conversion(&built_in, id, template, *from);
             }
             // The types of uniform members and constants.
             let module = &self.graph.nodes[value.node].def.module;
             self.items.want(module, value.ty.wgsl());
+        }
+    }
+
+    /// Finds the form of a call: its function as it stands, one for its arguments alone, or the
+    /// expression that it comes to.
+    fn specialize_call(&mut self, id: ValueId) {
+        let special = self.special;
+        let Operation::Call { function, arguments } = &special.values[id].operation else { return };
+        if self.options.unspecialized {
+            self.items.want_function(function);
+            return;
+        }
+        let ranges: Option<Vec<Ranges>> = arguments
+            .iter()
+            .map(|argument| match argument {
+                Argument::Value(id) => special.values[*id].ranges.clone(),
+                Argument::Image(_) | Argument::Sampler(_) => Some(Ranges::from([])),
+            })
+            .collect();
+        let tier = self.graph.nodes[special.values[id].node].tier;
+        let mut form = ranges.map_or(Specialized::Original, |ranges| {
+            self.functions.specialize(&function.module, &function.name, tier, &ranges)
+        });
+        if let Specialized::Expression(code, is_changed) = &form {
+            let is_repeated = |(index, argument): (usize, &Argument)| {
+                code.reads(index) > 1
+                    && matches!(argument, Argument::Value(id) if !self.is_short(*id))
+            };
+            if arguments.iter().enumerate().any(is_repeated) {
+                form = if *is_changed {
+                    self.functions.function_of(&function.module, &function.name, code)
+                } else {
+                    Specialized::Original
+                };
+            }
+        }
+        match &form {
+            Specialized::Original => self.items.want_function(function),
+            Specialized::Made(index) => self.items.want_made(&function.module, *index),
+            Specialized::Expression(code, _) => self.items.want_code(&function.module, code),
+        }
+        self.specialized.insert(id, form);
+    }
+
+    /// Finds the form of a conversion, as of a call.
+    fn specialize_conversion(
+        &mut self,
+        built_in: &Arc<NodeModule>,
+        id: ValueId,
+        template: &str,
+        from: ValueId,
+    ) {
+        let name = template.strip_suffix("($)");
+        let ranges = &self.special.values[from].ranges;
+        if let (Some(name), Some(ranges), false) = (name, ranges, self.options.unspecialized)
+            && built_in.declaration(name).is_some()
+            && let Specialized::Expression(code, true) =
+                self.functions.specialize(built_in, name, Tier::Exact, std::slice::from_ref(ranges))
+            && (code.reads(0) < 2 || self.is_short(from))
+            && !code.names_declarations()
+        {
+            self.specialized.insert(id, Specialized::Expression(code, true));
+            return;
+        }
+        for name in crate::wgsl::identifiers(template) {
+            self.items.want(built_in, &name);
+        }
+    }
+
+    /// True if a value is read by its name, or by a short literal.
+    fn is_short(&self, id: ValueId) -> bool {
+        match &self.special.values[id].operation {
+            Operation::Constant(value) => value.components().is_some_and(|c| c.len() == 1),
+            Operation::Param { .. } | Operation::Context(..) | Operation::Call { .. } => true,
+            Operation::Member { value, .. } => self.is_short(*value),
+            Operation::Convert { .. } => self.is_host(id),
         }
     }
 

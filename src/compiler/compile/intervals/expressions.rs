@@ -8,7 +8,7 @@ use super::layout::{part_of, parts_of, scalars_of, tops_of, zeros_of};
 use super::machine::{
     CallFrame, Knowledge, Machine, NoRanges, Outcome, PathState, Ranges, joined_ranges,
 };
-use super::range::{Bools, Floats, Ints, Range};
+use super::range::{Bools, Floats, Ints, Length, Range};
 
 impl<'m> Machine<'m> {
     /// The ranges of an expression that is no pointer.
@@ -36,6 +36,9 @@ impl<'m> Machine<'m> {
         }
         self.step()?;
         let known = self.evaluate(frame, state, handle)?;
+        if frame.is_traced {
+            self.record(handle, &known);
+        }
         state.known[handle.index()] = Some(known.clone());
         Ok(known)
     }
@@ -58,23 +61,39 @@ impl<'m> Machine<'m> {
             Expression::Literal(literal) => vec![literal_range(*literal)?],
             Expression::Constant(constant) => self.global(module.constants[*constant].init)?,
             Expression::ZeroValue(ty) => {
-                zeros_of(module, &module.types[*ty].inner).ok_or(NoRanges)?
+                let ty = &module.types[*ty].inner;
+                let zeros = zeros_of(module, ty).ok_or(NoRanges)?;
+                let is_vector = matches!(ty, TypeInner::Vector { .. });
+                if is_vector { super::range::with_length(zeros) } else { zeros }
             }
             Expression::Compose { components, .. } => {
                 let mut all = Vec::new();
                 for &component in components {
                     all.extend_from_slice(&self.value(frame, state, component)?);
                 }
-                all
+                match self.inner(frame, handle) {
+                    TypeInner::Vector { .. } => super::range::with_length(all),
+                    _ => all,
+                }
             }
             Expression::Splat { size, value } => {
                 let value = self.value(frame, state, *value)?;
-                vec![*value.first().ok_or(NoRanges)?; *size as usize]
+                super::range::with_length(vec![
+                    value.first().ok_or(NoRanges)?.alone();
+                    *size as usize
+                ])
             }
             Expression::Swizzle { size, vector, pattern } => {
                 let vector = self.value(frame, state, *vector)?;
-                let taken =
-                    pattern.iter().take(*size as usize).map(|&c| vector.get(c as usize).copied());
+                let is_whole = *size as usize == vector.len()
+                    && pattern.iter().take(vector.len()).enumerate().all(|(i, &c)| c as usize == i);
+                if is_whole {
+                    return Ok(Knowledge::Value(vector));
+                }
+                let taken = pattern
+                    .iter()
+                    .take(*size as usize)
+                    .map(|&c| vector.get(c as usize).map(|range| range.alone()));
                 taken.collect::<Option<Vec<_>>>().ok_or(NoRanges)?
             }
             Expression::LocalVariable(local) => {
@@ -215,7 +234,11 @@ impl<'m> Machine<'m> {
                         None => one.to_vec(),
                     });
                 }
-                Ok(Knowledge::Value(all.ok_or(NoRanges)?.into()))
+                let mut all = all.ok_or(NoRanges)?;
+                if let [one] = all.as_mut_slice() {
+                    *one = one.alone();
+                }
+                Ok(Knowledge::Value(all.into()))
             }
             Knowledge::Pointer { local, at, .. } => {
                 if at.len() * places.len() > 256 {
@@ -248,7 +271,11 @@ impl<'m> Machine<'m> {
                     });
                 }
                 state.loaded[handle.index()] = state.versions[local.index()];
-                Ok(Knowledge::Value(all.ok_or(NoRanges)?.into()))
+                let mut all = all.ok_or(NoRanges)?;
+                if let [one] = all.as_mut_slice() {
+                    *one = one.alone();
+                }
+                Ok(Knowledge::Value(all.into()))
             }
             Knowledge::Elsewhere => Ok(Knowledge::Value(self.tops(frame, handle)?.into())),
             Knowledge::Value(_) => Err(NoRanges),
@@ -277,9 +304,9 @@ impl<'m> Machine<'m> {
         }
         let pick = |((known, on), off): ((&Range, &Range), &Range)| match known {
             Range::Bool(known) => match known.point() {
-                Some(true) => Ok(*on),
-                Some(false) => Ok(*off),
-                None => on.join(*off).ok_or(NoRanges),
+                Some(true) => Ok(on.alone()),
+                Some(false) => Ok(off.alone()),
+                None => on.alone().join(off.alone()).ok_or(NoRanges),
             },
             _ => Err(NoRanges),
         };
@@ -295,6 +322,8 @@ impl<'m> Machine<'m> {
         accept: Handle<Expression>,
         reject: Handle<Expression>,
     ) -> Outcome<Vec<Range>> {
+        // Both arms are evaluated whatever the condition says, and are on record already.
+        let frame = CallFrame { is_traced: false, ..frame };
         let mut all: Option<Vec<Range>> = None;
         for (is_on, arm) in [(true, accept), (false, reject)] {
             let mut way = state.clone();
@@ -511,6 +540,7 @@ fn float_binary(op: Op, a: Floats, b: Floats) -> Outcome<Range> {
                 high: if a.high > 0.0 { size } else { 0.0 },
                 nan,
                 minus_zero: true,
+                length: Length::Any,
             }
         }
         _ => return Ok(Range::Bool(compare(op, a, b)?)),

@@ -1,7 +1,7 @@
 //! Arithmetic on what floats may be. Every result holds for f32 rounded either way, for f64, and
 //! for cards that flush subnormal results to 0.
 
-use super::range::{Floats, outward};
+use super::range::{Floats, Length, outward};
 
 /// Steps of f32 that a correctly rounded operation may be off when rounding is free to go either
 /// way.
@@ -47,6 +47,7 @@ impl Floats {
             high: -self.low + 0.0,
             nan: self.nan,
             minus_zero: self.has(0.0),
+            length: self.length,
         }
     }
 
@@ -131,7 +132,13 @@ impl Floats {
             return self;
         }
         let low = if self.has(0.0) { 0.0 } else { self.low.abs().min(self.high.abs()) };
-        Self { low, high: self.low.abs().max(self.high.abs()), nan: self.nan, minus_zero: false }
+        Self {
+            low,
+            high: self.low.abs().max(self.high.abs()),
+            nan: self.nan,
+            minus_zero: false,
+            length: Length::Any,
+        }
     }
 
     pub(super) fn min(self, other: Self) -> Self {
@@ -153,6 +160,7 @@ impl Floats {
             high: of(self.high, other.high),
             nan,
             minus_zero: self.minus_zero || other.minus_zero,
+            length: Length::Any,
         };
         if self.nan {
             result = result.join(other);
@@ -175,6 +183,7 @@ impl Floats {
             high: high + 0.0,
             nan: self.nan,
             minus_zero: self.minus_zero || self.low < 0.0,
+            length: Length::Any,
         }
     }
 
@@ -184,7 +193,13 @@ impl Floats {
         if !self.is_none() && whole.is_finite() && whole == self.high.floor() {
             return self.sub(Self::between(whole, whole));
         }
-        Self { low: 0.0, high: 1.0, nan: self.nan || self.may_be_infinite(), minus_zero: false }
+        Self {
+            low: 0.0,
+            high: 1.0,
+            nan: self.nan || self.may_be_infinite(),
+            minus_zero: false,
+            length: Length::Any,
+        }
     }
 
     pub(super) fn sign(self) -> Self {
@@ -229,12 +244,19 @@ impl Floats {
             high: result.high.min(limits[1]),
             nan: self.nan,
             minus_zero: true,
+            length: Length::Any,
         }
     }
 }
 
 fn none(nan: bool) -> Floats {
-    Floats { low: f64::INFINITY, high: f64::NEG_INFINITY, nan, minus_zero: false }
+    Floats {
+        low: f64::INFINITY,
+        high: f64::NEG_INFINITY,
+        nan,
+        minus_zero: false,
+        length: Length::Any,
+    }
 }
 
 fn from_corners(corners: &[(f64, bool); 4], steps: u32) -> Floats {

@@ -4,7 +4,7 @@
 //! tests run each of them against the interpreter.
 
 use super::machine::Ranges;
-use super::range::{ALMOST_INFINITE as LARGEST, Bools, Floats, Range};
+use super::range::{ALMOST_INFINITE as LARGEST, Bools, Floats, Length, Range};
 
 /// The error bound of the library's polynomials, and of the roundings of a unit vector.
 const SLACK: f64 = 2e-6;
@@ -15,6 +15,11 @@ const QUARTER: f64 = std::f64::consts::FRAC_PI_2 + SLACK;
 /// The functions that [`result`] knows.
 pub(super) const NAMES: &[&str] = &[
     "bounded",
+    "bounded_vec2",
+    "bounded_vec3",
+    "bounded_vec4",
+    "finite_vec3",
+    "finite_vec4",
     "is_finite",
     "finite_or",
     "normalize_or",
@@ -40,6 +45,12 @@ pub(super) fn result(name: &str, arguments: &[Ranges]) -> Option<Ranges> {
     }
     let result = match (name, floats.as_slice()) {
         ("bounded", [x]) => vec![bounded(*x)],
+        ("bounded_vec2" | "bounded_vec3" | "bounded_vec4", all) => {
+            all.iter().map(|x| bounded(*x)).collect()
+        }
+        ("finite_vec3" | "finite_vec4", all) => {
+            all.iter().map(|x| finite_or(*x, Floats::ZERO)).collect()
+        }
         ("is_finite", [x]) => return Some([Range::Bool(is_finite(*x))].into()),
         ("finite_or", [x, otherwise]) => vec![finite_or(*x, *otherwise)],
         ("normalize_or", [x, y, z, otherwise @ ..]) => normalized([*x, *y, *z], otherwise),
@@ -50,7 +61,7 @@ pub(super) fn result(name: &str, arguments: &[Ranges]) -> Option<Ranges> {
         }
         // Meant for normal numbers above 0.
         ("log_stable", [x])
-            if !x.nan && x.low >= f64::from(f32::MIN_POSITIVE) && x.high <= LARGEST =>
+            if !x.nan && x.low >= 0.999 * f64::from(f32::MIN_POSITIVE) && x.high <= LARGEST =>
         {
             vec![x.smooth(f64::ln, 1e-5, 1e-5, [-1e3, 1e3])]
         }
@@ -85,7 +96,7 @@ fn inside(x: Floats, low: f64, high: f64) -> Floats {
     if x.is_none() {
         return Floats { nan: x.nan, ..Floats::between(low, high) };
     }
-    Floats { low: x.low.clamp(low, high), high: x.high.clamp(low, high), ..x }
+    Floats { low: x.low.clamp(low, high), high: x.high.clamp(low, high), length: Length::Any, ..x }
 }
 
 fn bounded(x: Floats) -> Floats {
@@ -121,6 +132,12 @@ fn normalized(v: [Floats; 3], otherwise: &[Floats]) -> Vec<Floats> {
     // Long enough, whatever it is: the fallback does not matter then.
     let is_long = v.iter().any(|x| !x.nan && (x.low > 1e-29 || x.high < -1e-29))
         && v.iter().all(|x| x.is_within(-1e29, 1e29));
+    // A vector that has a length comes to 1.
+    let length = [0, 1, 2].map(|i| v[i].squared());
+    let length = length[0].add(length[1]).add(length[2]);
+    let is_long = is_long
+        || (v.iter().all(|x| x.is_within(-1e14, 1e14)) && length.low > 1e-28)
+        || v.iter().all(|x| x.length == Length::One && !x.nan);
     let each = v.iter().zip(otherwise);
     each.map(|(x, otherwise)| {
         // A component keeps its sign.
@@ -129,6 +146,7 @@ fn normalized(v: [Floats; 3], otherwise: &[Floats]) -> Vec<Floats> {
             high: if x.high <= 0.0 { 0.0 } else { unit.high },
             nan: false,
             minus_zero: true,
+            length: Length::One,
         };
         if is_long { own } else { own.join(*otherwise) }
     })

@@ -12,6 +12,7 @@ use naga::{Block, Expression, Function, Handle, Statement, SwitchCase, SwitchVal
 
 use super::layout::{scalars_of, tops_of};
 use super::range::Range;
+use super::trace::Trace;
 use crate::wgsl::ValidModule;
 
 /// The ranges of a value's scalars, in the order of [`interp`](crate::interp)'s slots.
@@ -72,6 +73,7 @@ pub(super) struct Machine<'m> {
     pub(super) is_known: &'m dyn Fn(&str) -> bool,
     steps: usize,
     depth: usize,
+    trace: Trace,
 }
 
 /// A function with its side tables.
@@ -80,12 +82,14 @@ pub(super) struct CallFrame<'m> {
     pub(super) function: &'m Function,
     pub(super) info: &'m naga::valid::FunctionInfo,
     pub(super) arguments: &'m [Ranges],
+    /// True if the machine keeps a record of what it evaluates.
+    pub(super) is_traced: bool,
 }
 
 impl<'m> Machine<'m> {
     /// A machine over a module; `is_known` tells whether a function is the shader library's own.
     pub(super) fn new(valid: &'m ValidModule, is_known: &'m dyn Fn(&str) -> bool) -> Self {
-        Self { valid, is_known, steps: 0, depth: 0 }
+        Self { valid, is_known, steps: 0, depth: 0, trace: Trace::default() }
     }
 
     pub(super) fn step(&mut self) -> Outcome<()> {
@@ -107,10 +111,35 @@ impl<'m> Machine<'m> {
         {
             return Ok(result);
         }
+        self.run(handle, arguments, false)
+    }
+
+    /// The record of a function's expressions for these arguments.
+    pub(super) fn trace(
+        mut self,
+        handle: Handle<Function>,
+        arguments: &[Ranges],
+    ) -> Outcome<Trace> {
+        self.run(handle, arguments, true)?;
+        Ok(self.trace)
+    }
+
+    pub(super) fn record(&mut self, handle: Handle<Expression>, known: &Knowledge) {
+        self.trace.record(handle, known);
+    }
+
+    fn run(
+        &mut self,
+        handle: Handle<Function>,
+        arguments: &[Ranges],
+        is_traced: bool,
+    ) -> Outcome<Ranges> {
+        let module = &self.valid.module;
+        let function = &module.functions[handle];
         let result = function.result.as_ref().ok_or(NoRanges)?;
         for (argument, given) in function.arguments.iter().zip(arguments) {
-            if scalars_of(module, &module.types[argument.ty].inner).ok_or(NoRanges)? != given.len()
-            {
+            // Images and samplers have no numbers.
+            if scalars_of(module, &module.types[argument.ty].inner).unwrap_or(0) != given.len() {
                 return Err(NoRanges);
             }
         }
@@ -118,7 +147,7 @@ impl<'m> Machine<'m> {
         if self.depth > MOST_DEPTH {
             return Err(NoRanges);
         }
-        let frame = CallFrame { function, info: &self.valid.info[handle], arguments };
+        let frame = CallFrame { function, info: &self.valid.info[handle], arguments, is_traced };
         let state = self.entry(frame)?;
         let mut exits = Exits::default();
         self.block(frame, &function.body, vec![state], &mut exits)?;
@@ -251,6 +280,10 @@ impl<'m> Machine<'m> {
                         given.push(self.value(frame, state, argument)?);
                     }
                     let value = self.call(*function, &given)?;
+                    if let (Some(result), true) = (result, frame.is_traced) {
+                        self.trace.record_call(*result, &given);
+                        self.trace.record(*result, &Knowledge::Value(value.clone()));
+                    }
                     if let Some(result) = result {
                         state.known[result.index()] = Some(Knowledge::Value(value));
                     }
@@ -405,6 +438,10 @@ impl<'m> Machine<'m> {
         match self.expression(frame, state, pointer)? {
             Knowledge::Pointer { local, at, count } if count == value.len() => {
                 let mut scalars = state.locals[local.index()].to_vec();
+                // A vector with one component set anew has any length.
+                if count == 1 && scalars.len() > 1 {
+                    scalars.iter_mut().for_each(|range| *range = range.alone());
+                }
                 for &start in at.iter() {
                     let slots = scalars.get_mut(start..start + count).ok_or(NoRanges)?;
                     if at.len() == 1 {

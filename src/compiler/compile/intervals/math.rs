@@ -5,11 +5,13 @@ use naga::{Expression, Handle, MathFunction as Math};
 
 use super::expressions::zip;
 use super::machine::{CallFrame, Machine, NoRanges, Outcome, PathState};
-use super::range::{Floats, Ints, Range};
+use super::range::{Floats, Ints, Length, Range, UNIT_SLACK};
 
 /// The error bound of a card's exp, log, sin and their like, with room to spare.
 const RELATIVE: f64 = 1e-4;
 const ABSOLUTE: f64 = 1e-3;
+/// The greatest number of f32.
+const LARGEST: f64 = f32::MAX as f64;
 
 impl Machine<'_> {
     pub(super) fn math(
@@ -43,8 +45,12 @@ impl Machine<'_> {
         let known = match (fun, rest.as_slice()) {
             (Math::Length, []) => Some(vec![length(&a)]),
             (Math::Normalize, []) => {
-                let nan = length(&a).has(0.0) || a.iter().any(|x| x.nan || x.may_be_infinite());
-                Some(vec![Floats::between(-1.0001, 1.0001).with_nan(nan); a.len()])
+                let is_unit = a.iter().all(|x| x.length == Length::One);
+                let nan = (!is_unit && length(&a).has(0.0))
+                    || a.iter().any(|x| x.nan || x.may_be_infinite());
+                let length = if a.len() == 3 && !nan { Length::One } else { Length::Any };
+                let one = Floats { length, ..Floats::between(-1.0001, 1.0001) };
+                Some(vec![one.with_nan(nan); a.len()])
             }
             (Math::Dot, [b]) => Some(vec![dot(&a, b, is_square)]),
             (Math::Distance, [b]) => {
@@ -154,8 +160,14 @@ fn power(x: Floats, e: Floats) -> Floats {
         || (x.low < f64::from(f32::MIN_POSITIVE) && e.low <= 0.0)
         || x.may_be_infinite()
         || e.may_be_infinite();
-    let is_small = x.is_within(0.0, 1.0) && e.low >= 0.0;
-    Floats::between(0.0, if is_small { 1.01 } else { f64::INFINITY }).with_nan(nan)
+    // Rises or falls in both, so that the corners hold the greatest.
+    let corners = [x.low.max(0.0), x.high].map(|x| [e.low, e.high].map(|e| x.powf(e)));
+    let most = corners.as_flattened().iter().copied().fold(0.0, f64::max);
+    let is_known = !nan && most.is_finite() && x.low >= 0.0;
+    // A card's logarithm and power: digits are lost with the size of the exponent.
+    let most = if is_known { most * 1.01 + 1e-30 } else { f64::INFINITY };
+    let most = if most > LARGEST { f64::INFINITY } else { most };
+    Floats::between(0.0, most).with_nan(nan)
 }
 
 fn step(edge: Floats, x: Floats) -> Floats {
@@ -181,6 +193,16 @@ fn smooth_step(low: Floats, high: Floats, x: Floats) -> Floats {
 }
 
 fn dot(a: &[Floats], b: &[Floats], is_square: bool) -> Floats {
+    let (of_a, of_b) = (length_of(a), length_of(b));
+    if of_a.min(of_b) >= Length::AtMostOne {
+        let most = 1.0 + 4.0 * UNIT_SLACK;
+        let least = match (is_square, of_a) {
+            (true, Length::One) => 2.0 - most,
+            (true, _) => 0.0,
+            (false, _) => -most,
+        };
+        return Floats { minus_zero: !is_square, ..Floats::between(least, most) };
+    }
     let term = |(a, b): (&Floats, &Floats)| if is_square { a.squared() } else { a.mul(*b) };
     let mut terms = a.iter().zip(b).map(term);
     let first = terms.next().unwrap_or(Floats::ALL);
@@ -191,7 +213,20 @@ fn length(a: &[Floats]) -> Floats {
     if let [one] = a {
         return one.abs();
     }
-    dot(a, a, true).sqrt()
+    let most = 1.0 + 2.0 * UNIT_SLACK;
+    match length_of(a) {
+        Length::One => Floats::between(2.0 - most, most),
+        Length::AtMostOne => Floats::between(0.0, most),
+        Length::Any => dot(a, a, true).sqrt(),
+    }
+}
+
+/// What is known of the length of a vector of three numbers.
+fn length_of(v: &[Floats]) -> Length {
+    if v.len() != 3 || v.iter().any(|x| x.nan) {
+        return Length::Any;
+    }
+    v.iter().map(|x| x.length).min().unwrap_or_default()
 }
 
 fn cross(a: &[Floats], b: &[Floats]) -> Option<Vec<Floats>> {

@@ -22,6 +22,7 @@ mod math;
 mod range;
 mod refine;
 mod surroundings;
+mod trace;
 
 #[cfg(test)]
 mod tests;
@@ -29,24 +30,45 @@ mod tests;
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use naga::Handle;
+
 use crate::interp;
 use crate::library::{NodeModule, Type};
 use crate::wgsl::{self, ValidModule};
 use machine::Machine;
 
 pub(super) use machine::Ranges;
-pub(super) use range::Range;
+pub(super) use range::{Floats, Length, Range};
 pub(super) use surroundings::context_ranges;
+pub(super) use trace::Trace;
 
 /// The ranges of a node's function for arguments within these ranges; `None` where the function
 /// cannot be followed.
 pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
-    let own = |name: &str| {
-        let text =
-            module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
-        text.is_some_and(|text| LIBRARY_TEXTS.get(name).is_some_and(|own| own == text))
-    };
-    run(&module.valid, function, arguments, &own)
+    run(&module.valid, function, arguments, &|name| is_of_library(module, name))
+}
+
+/// The record of a function's expressions for arguments within these ranges; `None` where the
+/// function cannot be followed.
+pub(super) fn trace(
+    module: &NodeModule,
+    function: Handle<naga::Function>,
+    arguments: &[Ranges],
+) -> Option<Trace> {
+    let own = |name: &str| is_of_library(module, name);
+    Machine::new(&module.valid, &own).trace(function, arguments).ok()
+}
+
+/// True if a function of a module has the text of the shader library's own.
+fn is_of_library(module: &NodeModule, name: &str) -> bool {
+    let text =
+        module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
+    text.is_some_and(|text| LIBRARY_TEXTS.get(name).is_some_and(|own| own == text))
+}
+
+/// Anything of a type of naga's IR; `None` for what is no plain value.
+pub(super) fn any_of(module: &naga::Module, ty: Handle<naga::Type>) -> Option<Ranges> {
+    layout::tops_of(module, &module.types[ty].inner).map(Into::into)
 }
 
 /// Calls on ranges, each made once.
@@ -110,8 +132,21 @@ static LIBRARY_TEXTS: LazyLock<HashMap<&'static str, String>> = LazyLock::new(||
 /// A value that is known.
 pub(super) fn of_value(value: &interp::Value) -> Ranges {
     let mut ranges = Vec::new();
-    push_scalars(value, &mut |scalar| ranges.push(Range::of_scalar(scalar)));
+    push_ranges(value, &mut ranges);
     ranges.into()
+}
+
+fn push_ranges(value: &interp::Value, ranges: &mut Vec<Range>) {
+    match value {
+        interp::Value::Array(parts) | interp::Value::Struct(parts) => {
+            parts.iter().for_each(|part| push_ranges(part, ranges));
+        }
+        other => {
+            let mut own = Vec::new();
+            push_scalars(other, &mut |scalar| own.push(Range::of_scalar(scalar)));
+            ranges.extend(range::with_length(own));
+        }
+    }
 }
 
 /// Anything that has the shape of a value.

@@ -19,16 +19,30 @@ pub(in crate::compile) struct Floats {
     pub(in crate::compile) nan: bool,
     /// True if a zero in the range may be -0.
     pub(in crate::compile) minus_zero: bool,
+    /// What is known of the length of the vector that the number is a component of, together with
+    /// those beside it. Nothing is, once it is taken out of its vector.
+    pub(in crate::compile) length: Length,
 }
 
 impl Floats {
     /// Anything.
-    pub(super) const ALL: Self =
-        Self { low: f64::NEG_INFINITY, high: f64::INFINITY, nan: true, minus_zero: true };
-    pub(super) const ZERO: Self = Self { low: 0.0, high: 0.0, nan: false, minus_zero: false };
+    pub(super) const ALL: Self = Self {
+        low: f64::NEG_INFINITY,
+        high: f64::INFINITY,
+        nan: true,
+        minus_zero: true,
+        length: Length::Any,
+    };
+    pub(super) const ZERO: Self =
+        Self { low: 0.0, high: 0.0, nan: false, minus_zero: false, length: Length::Any };
     /// No number at all.
-    const NONE: Self =
-        Self { low: f64::INFINITY, high: f64::NEG_INFINITY, nan: false, minus_zero: false };
+    const NONE: Self = Self {
+        low: f64::INFINITY,
+        high: f64::NEG_INFINITY,
+        nan: false,
+        minus_zero: false,
+        length: Length::Any,
+    };
 
     /// Numbers between two bounds; a zero has both signs.
     pub(super) fn between(low: f64, high: f64) -> Self {
@@ -37,6 +51,7 @@ impl Floats {
             high,
             nan: false,
             minus_zero: low <= 0.0 && high >= 0.0 && low < high && low < 0.0,
+            length: Length::Any,
         }
     }
 
@@ -56,6 +71,7 @@ impl Floats {
             high: x.max(single),
             nan: false,
             minus_zero: x == 0.0 && is_negative,
+            length: Length::Any,
         };
         // A graphics card may take a subnormal for 0.
         if x != 0.0 && x.abs() < SMALLEST_NORMAL {
@@ -70,7 +86,7 @@ impl Floats {
     }
 
     /// True if no number is possible.
-    pub(super) fn is_none(self) -> bool {
+    pub(in crate::compile) fn is_none(self) -> bool {
         self.low > self.high
     }
 
@@ -93,7 +109,7 @@ impl Floats {
     }
 
     /// Never below 0, nor -0.
-    pub(super) fn is_positive(self) -> bool {
+    pub(in crate::compile) fn is_positive(self) -> bool {
         self.low >= 0.0 && !self.minus_zero
     }
 
@@ -103,6 +119,7 @@ impl Floats {
             high: self.high.max(other.high),
             nan: self.nan || other.nan,
             minus_zero: self.minus_zero || other.minus_zero,
+            length: self.length.min(other.length),
         }
     }
 
@@ -113,6 +130,7 @@ impl Floats {
             high: self.high.min(other.high),
             nan: self.nan && other.nan,
             minus_zero: self.minus_zero,
+            length: self.length,
         }
     }
 }
@@ -127,7 +145,7 @@ pub(super) fn outward(low: (f64, bool), high: (f64, bool), steps: u32) -> Floats
     let low = if low > 0.0 && low < SMALLEST_NORMAL { 0.0 } else { low };
     let high = if high < 0.0 && high > -SMALLEST_NORMAL { 0.0 } else { high };
     let minus_zero = low < 0.0 && high >= 0.0;
-    Floats { low: low + 0.0, high: high + 0.0, nan: false, minus_zero }
+    Floats { low: low + 0.0, high: high + 0.0, nan: false, minus_zero, length: Length::Any }
 }
 
 fn lower((x, is_exact): (f64, bool), steps: u32) -> f64 {
@@ -298,6 +316,14 @@ impl Range {
         }
     }
 
+    /// The range of a component that is taken out of its vector.
+    pub(super) fn alone(self) -> Self {
+        match self {
+            Self::Float(x) => Self::Float(Floats { length: Length::Any, ..x }),
+            other => other,
+        }
+    }
+
     /// The range cut to [0, 1], where its numbers lie there for another reason.
     pub(in crate::compile) fn within_unit(self) -> Self {
         match self {
@@ -309,11 +335,23 @@ impl Range {
         }
     }
 
+    /// The only possible truth value, if there is just one.
+    pub(in crate::compile) fn truth(self) -> Option<bool> {
+        if let Self::Bool(x) = self { x.point() } else { None }
+    }
+
+    /// The only possible integer, if there is just one.
+    pub(in crate::compile) fn whole(self) -> Option<i64> {
+        if let Self::Int(x) = self { x.point() } else { None }
+    }
+
     /// Told apart from any other range, for tables.
-    pub(super) fn bits(self) -> [u64; 3] {
+    pub(in crate::compile) fn bits(self) -> [u64; 3] {
         match self {
             Self::Float(x) => {
-                [x.low.to_bits(), x.high.to_bits(), u64::from(x.nan) | u64::from(x.minus_zero) << 1]
+                let flags =
+                    u64::from(x.nan) | u64::from(x.minus_zero) << 1 | (x.length as u64) << 3;
+                [x.low.to_bits(), x.high.to_bits(), flags]
             }
             Self::Int(x) => {
                 let [least, most] = x.magnitude.map(|m| m as u64 & 0x7fff_ffff);
@@ -364,3 +402,36 @@ impl Range {
         }
     }
 }
+
+/// Vectors of three numbers that are known, with what is known of their length.
+pub(super) fn with_length(ranges: Vec<Range>) -> Vec<Range> {
+    let [Range::Float(x), Range::Float(y), Range::Float(z)] = ranges.as_slice() else {
+        return ranges;
+    };
+    let middle = |x: &Floats| (!x.nan && x.high - x.low < 1e-6).then_some(0.5 * (x.low + x.high));
+    let (Some(a), Some(b), Some(c)) = (middle(x), middle(y), middle(z)) else { return ranges };
+    let known = (a * a + b * b + c * c).sqrt();
+    let length = if (known - 1.0).abs() <= UNIT_SLACK {
+        Length::One
+    } else if known < 1.0 {
+        Length::AtMostOne
+    } else {
+        return ranges;
+    };
+    [x, y, z].map(|x| Range::Float(Floats { length, ..*x })).to_vec()
+}
+
+/// What is known of the length of a vector, but for rounding.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::compile) enum Length {
+    /// Nothing.
+    #[default]
+    Any,
+    /// 1 or less.
+    AtMostOne,
+    /// 1.
+    One,
+}
+
+/// The most by which the length of a unit vector may be off.
+pub(super) const UNIT_SLACK: f64 = 2e-6;

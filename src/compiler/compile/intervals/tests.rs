@@ -1,6 +1,6 @@
 //! Results of a function lie within what the ranges of its arguments say.
 
-use super::range::{Bools, Floats, Ints};
+use super::range::{Bools, Floats, Ints, Length};
 use super::*;
 use crate::interp::{Derivatives, FunctionOptions, Precision, Program, Scalar, ScalarKind, Shape};
 use crate::library::Library;
@@ -61,7 +61,13 @@ impl Random {
                 let (low, high) = (low.min(high), f64::from(low.max(high) as f32));
                 let minus_zero = low <= 0.0 && high >= 0.0;
                 let nan = self.index(12) == 0;
-                Range::Float(Floats { low: low + 0.0, high: high + 0.0, nan, minus_zero })
+                Range::Float(Floats {
+                    low: low + 0.0,
+                    high: high + 0.0,
+                    nan,
+                    minus_zero,
+                    length: Length::Any,
+                })
             }
         }
     }

@@ -20,7 +20,7 @@ use field::{FieldAccess, LightRow, NumbersOf as _};
 
 pub use field::LightQuantity;
 pub use input::LightInput;
-pub use values::{LightValues, MAX_INTENSITY, MIN_LIGHT_DISTANCE};
+pub use values::{LightValues, MAX_INTENSITY, MAX_LIGHT_COLOR, MIN_LIGHT_DISTANCE};
 
 const ANY: &[LightKind] = &[Directional, Point, Spot];
 const PLACED: &[LightKind] = &[Point, Spot];

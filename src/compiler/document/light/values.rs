@@ -7,6 +7,10 @@ use super::{Light, LightField, LightKind, LightQuantity, LightSpace};
 /// The greatest intensity: finite in f32, whatever a file says.
 pub const MAX_INTENSITY: f64 = 1e30;
 
+/// The greatest number of a light's color, of either sign: whatever a file says, shaders need not
+/// ask whether a color is a number.
+pub const MAX_LIGHT_COLOR: f64 = 1e6;
+
 /// The least half distance and range above 0, in scene units. An f32 has a lesser one as 0 or as a
 /// denormal, which a GPU may take for 0; and 0 means no fading and no end, the opposite of what was
 /// written.
@@ -117,7 +121,9 @@ fn resolve(quantity: LightQuantity, numbers: &mut [f64], world_from_own: DMat3) 
         LightQuantity::Position => {
             (world_from_own * DVec3::from_slice(numbers)).write_to_slice(numbers);
         }
-        LightQuantity::Color => {}
+        LightQuantity::Color => numbers.iter_mut().for_each(|x| {
+            *x = if x.is_nan() { 0.0 } else { x.clamp(-MAX_LIGHT_COLOR, MAX_LIGHT_COLOR) };
+        }),
         LightQuantity::Factor => numbers.iter_mut().for_each(|x| {
             *x = if x.is_nan() { 0.0 } else { x.clamp(0.0, MAX_INTENSITY) };
         }),

@@ -90,8 +90,12 @@ pub enum ContextBounds {
     Unit,
     /// Count from 0, within the whole numbers that f32 holds exactly.
     Count,
+    /// No farther from 0 than this: what loaders of meshes and the bounds of scenes leave.
+    Within(f64),
     /// Intensity of a light, which the host clamps.
     Intensity,
+    /// Color of a light, which the host clamps.
+    Color,
 }
 
 impl ContextRow {
@@ -164,6 +168,9 @@ impl ContextRow {
         );
         let bounds = match input {
             _ if is_intensity => ContextBounds::Intensity,
+            LightInput::Field(field) if field.quantity() == LightQuantity::Color => {
+                ContextBounds::Color
+            }
             _ if input.is_unit() => ContextBounds::Unit,
             _ => ContextBounds::Anything,
         };

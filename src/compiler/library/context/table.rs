@@ -48,6 +48,13 @@ macro_rules! on_screen {
 /// matrix is turned back by it.
 const TURNED_BACK: &str = "(vec4f(texel.xyz, 0.0) * view.camera_from_world).xyz";
 
+/// Greatest number of a place, in scene units: scenes end sooner, and loaders refuse meshes that
+/// could reach beyond.
+const MAX_PLACE: f64 = 1e15;
+
+/// Greatest texture coordinate, and number of a vertex color: loaders clamp both.
+pub(super) const MAX_COORDINATE: f64 = 1e6;
+
 /// Rows of the table. Structs of generated modules have their members in this order.
 pub(super) const TABLE: &[Row] = &[
     Row::fragment(
@@ -61,13 +68,13 @@ pub(super) const TABLE: &[Row] = &[
     Row::fragment(
         "view",
         "vec3f",
-        "normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, \
-         vec3f(0.0, 0.0, 1.0)))",
+        "normalize_quick(view.eye.xyz - view.eye.w * in.position, vec3f(0.0, 0.0, 1.0))",
         "unit, from the surface to the eye, world space",
     )
     .within(ContextBounds::Unit)
     .sampled(&[View], |at| vec3(at.view)),
     Row::fragment("position", "vec3f", "in.position", "the place on the surface, world space")
+        .within(ContextBounds::Within(MAX_PLACE))
         .sampled(&[Position], |at| vec3(at.position)),
     Row::fragment(
         "position_object",
@@ -75,6 +82,7 @@ pub(super) const TABLE: &[Row] = &[
         "in.position_object",
         "the place on the surface, the object's own space",
     )
+    .within(ContextBounds::Within(MAX_PLACE))
     .sampled(&[Position], |at| vec3(at.position)),
     Row::fragment(
         "position_camera",
@@ -82,8 +90,10 @@ pub(super) const TABLE: &[Row] = &[
         position_camera!(),
         "the place on the surface from the eye, camera axes: x right, y up, z toward the viewer",
     )
+    .within(ContextBounds::Within(4.0 * MAX_PLACE))
     .sampled(&[Position, Camera], |at| vec3(at.camera * at.position)),
     Row::fragment("uv", "vec2f", "in.uv", "texture coordinates; v up")
+        .within(ContextBounds::Within(MAX_COORDINATE))
         .sampled(&[Uv], |at| Value::vec(&at.uv.to_array())),
     Row::fragment(
         "vertex_color",
@@ -91,6 +101,7 @@ pub(super) const TABLE: &[Row] = &[
         "in.color",
         "straight RGBA of the vertices; white where the mesh has none",
     )
+    .within(ContextBounds::Within(MAX_COORDINATE))
     .sampled(&[VertexColor], |at| Value::vec(&at.vertex_color)),
     Row::fragment(
         "tangent",

@@ -1,0 +1,157 @@
+//! SpecializedFunctions of nodes, written for the arguments that a look gives them.
+//!
+//! A function of the library gives a documented result for every input, and guards it. Where the
+//! ranges of its arguments prove that a guard changes nothing or a branch is never taken, the
+//! module gets the function without it: as an expression in its caller where it comes to one, else
+//! as a function of its own. A function of which nothing is proved stands as it does in its file,
+//! with its comments.
+//!
+//! - `code`: statements and expressions, and their WGSL.
+//! - `facts`: what ranges prove about arguments, for the rules that stand in the library's files.
+//! - `lower`: from naga's IR to these, by the record that `intervals` keeps.
+
+mod code;
+mod facts;
+mod lower;
+
+use std::collections::HashMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use naga::Handle;
+
+use super::intervals::{self, Ranges};
+use crate::document::Tier;
+use crate::library::NodeModule;
+
+pub(super) use code::{Callee, Code, CodeNames, Line, each_code, level, write_line, write_lines};
+pub(super) use lower::Body;
+
+/// Most operators of an expression that stands in its caller in place of a call.
+const MOST_INLINED: usize = 9;
+
+/// Deepest calls within calls that are written anew.
+const MOST_DEPTH: usize = 40;
+
+/// A function for certain arguments.
+#[derive(Clone, Debug)]
+pub(super) enum Specialized {
+    /// As it stands in its file.
+    Original,
+    /// An expression of its parameters; `true` if it is not just what its file says.
+    Expression(Rc<Code>, bool),
+    /// A function of its own, by index.
+    Made(usize),
+}
+
+/// A function that was written anew.
+#[derive(Debug)]
+pub(super) struct MadeFunction {
+    pub(super) module: usize,
+    /// The name in its file.
+    pub(super) name: Rc<str>,
+    pub(super) body: Body,
+}
+
+type CallKey = (usize, Rc<str>, Tier, Vec<u64>);
+
+/// All functions that a module needs, each written once.
+#[derive(Debug, Default)]
+pub(super) struct SpecializedFunctions {
+    pub(super) made: Vec<MadeFunction>,
+    by_body: HashMap<(usize, Rc<str>, Body), usize>,
+    by_call: HashMap<CallKey, Specialized>,
+    handles: HashMap<usize, HashMap<String, Handle<naga::Function>>>,
+    depth: usize,
+}
+
+impl SpecializedFunctions {
+    /// The function of a module for arguments within these ranges.
+    pub(super) fn specialize(
+        &mut self,
+        module: &NodeModule,
+        name: &str,
+        tier: Tier,
+        arguments: &[Ranges],
+    ) -> Specialized {
+        let module_key = std::ptr::from_ref(module) as usize;
+        let bits = arguments
+            .iter()
+            .flat_map(|ranges| ranges.iter())
+            .flat_map(|range| range.bits())
+            .collect();
+        let key: CallKey = (module_key, name.into(), tier, bits);
+        if let Some(known) = self.by_call.get(&key) {
+            return known.clone();
+        }
+        let specialized = if self.depth < MOST_DEPTH {
+            self.depth += 1;
+            let specialized = self.written(module, module_key, name, tier, arguments);
+            self.depth -= 1;
+            specialized.unwrap_or(Specialized::Original)
+        } else {
+            Specialized::Original
+        };
+        self.by_call.insert(key, specialized.clone());
+        specialized
+    }
+
+    fn written(
+        &mut self,
+        module: &NodeModule,
+        module_key: usize,
+        name: &str,
+        tier: Tier,
+        arguments: &[Ranges],
+    ) -> Option<Specialized> {
+        let rules = module.rules(name);
+        let rule = rules.iter().find(|rule| facts::all_hold(&rule.facts, tier, arguments));
+        let wanted = rule.map_or(name, |rule| &rule.function);
+        let handles = self.handles.entry(module_key).or_insert_with(|| {
+            let functions = module.valid.module.functions.iter();
+            functions
+                .filter_map(|(handle, function)| Some((function.name.clone()?, handle)))
+                .collect()
+        });
+        let handle = *handles.get(wanted)?;
+        let trace = intervals::trace(module, handle, arguments)?;
+        let (body, is_changed) = lower::lower(self, module, handle, tier, arguments, trace).ok()?;
+        let is_changed = is_changed || rule.is_some();
+        if let [Line::Return(code)] = body.lines.as_slice()
+            && code.size() <= MOST_INLINED
+        {
+            return Some(Specialized::Expression(Rc::new(code.clone()), is_changed));
+        }
+        if !is_changed {
+            return Some(Specialized::Original);
+        }
+        Some(self.make(module_key, name, body))
+    }
+
+    /// A function of its own for an expression of a function's parameters.
+    pub(super) fn function_of(
+        &mut self,
+        module: &Arc<NodeModule>,
+        name: &str,
+        code: &Code,
+    ) -> Specialized {
+        self.make(module_key(module), name, Body::returning(code.clone()))
+    }
+
+    fn make(&mut self, module: usize, name: &str, body: Body) -> Specialized {
+        let key = (module, Rc::from(name), body);
+        if let Some(&index) = self.by_body.get(&key) {
+            return Specialized::Made(index);
+        }
+        let index = self.made.len();
+        let (_, name, body) = key.clone();
+        self.made.push(MadeFunction { module, name, body });
+        self.by_body.insert(key, index);
+        Specialized::Made(index)
+    }
+}
+
+/// The address that tells modules apart.
+pub(super) fn module_key(module: &Arc<NodeModule>) -> usize {
+    Arc::as_ptr(module) as usize
+}
