@@ -57,7 +57,7 @@ fn main() {
         let hand = handwritten::by_hand(&setup, look, &generated[0]);
         let plans: Vec<&FramePlan> = generated.iter().chain([&hand]).collect();
         let series = block_on(alternate(&mut renderer, &plans, ROUNDS, &Progress::new()));
-        let series = series.unwrap_or_else(|_| panic!("{look} was stopped"));
+        let series = series.unwrap_or_else(|_| panic!("{} was stopped", look.name));
         let by_hand =
             (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));
         for ((tier, plan), series) in tiers.iter().zip(&generated).zip(&series) {
@@ -75,8 +75,9 @@ fn main() {
             let [naga, optimized] = ratios.collect::<Vec<_>>().try_into().expect("two");
             let (own, hand) = (lines(shader), by_hand.2);
             println!(
-                "| {look} | {tier:?} | {naga} | {optimized} | {:.2} ({:.2} to {:.2}) | {:.2} ms | \
+                "| {} | {tier:?} | {naga} | {optimized} | {:.2} ({:.2} to {:.2}) | {:.2} ms | \
                  {own} / {hand} = {:.2} |",
+                look.name,
                 time.median,
                 time.low,
                 time.high,
