@@ -87,7 +87,8 @@ fn report(look: HandwrittenLook, renderer: Option<&mut Renderer>) {
     let setup = handwritten::setup(look);
     let mut plans: Vec<FramePlan> =
         TIERS.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
-    plans.push(handwritten::by_hand(&setup, look, &plans[0]));
+    let by_hand = handwritten::by_hand(&setup, look, &plans[0]);
+    plans.push(by_hand);
     let series = renderer.map(|renderer| {
         let plans: Vec<&FramePlan> = plans.iter().collect();
         let series = block_on(alternate(renderer, &plans, ROUNDS, &Progress::new()));
