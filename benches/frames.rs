@@ -7,10 +7,8 @@
 //! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
-#![allow(clippy::disallowed_methods, reason = "it asks another program to optimize, and the clock")]
+#![allow(clippy::disallowed_methods, reason = "it asks the clock")]
 
-#[path = "support/spirv.rs"]
-mod spirv;
 use std::path::Path;
 
 use chiaro::accuracy::Variant;
@@ -28,6 +26,7 @@ use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules, execute};
 use chiaro::render::{Gpu, Renderer};
 use chiaro::wgsl;
+use chiaro_test_drawing::spirv;
 use chiaro_test_drawing::wait::block_on;
 use glam::{DMat4, DVec3};
 use serde_json::{Value as Json, json};
@@ -162,7 +161,7 @@ fn copy_time(gpu: &Gpu, from: &wgpu::Buffer, to: &wgpu::Buffer, bytes: u64) -> f
 /// installed.
 fn instructions(valid: &wgsl::ValidModule) -> f64 {
     let words = spirv_words(valid).expect("SPIR-V can express it");
-    spirv::instructions(spirv::optimized(&words).as_ref().unwrap_or(&words)) as f64
+    spirv::function_instructions(spirv::optimized(&words).as_ref().unwrap_or(&words)) as f64
 }
 
 /// Number of instructions that a plan's passes run for a pixel that shows an object, as estimated

@@ -3,39 +3,68 @@
 //!
 //! `cargo bench --no-default-features --features gpu --bench handwritten` prints a row for each
 //! look of `benches/handwritten/` and each tier, with ratios of the generated module to the
-//! handwritten one: SPIR-V instructions (in functions, both stages; as naga writes them, and after
-//! `spirv-opt -O` if that is installed), time of the look pass (the GPU's own clock, in turns,
-//! median with its 95% interval) and lines (without comments).
+//! handwritten one: SPIR-V instructions in functions, both stages (as naga writes them, and after
+//! `spirv-opt -O` if that is installed), all instructions of the fragment stage's own module after
+//! `spirv-opt -O`, time of the look pass (the GPU's own clock, in turns, median with its 95%
+//! interval) and lines (without comments). After `--`, words choose the looks whose names have one
+//! of them, and `--counts` leaves out the times, and with them the GPU: `-- math --counts`.
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
-#![allow(clippy::disallowed_methods, reason = "it asks another program to optimize")]
 
-#[path = "support/spirv.rs"]
-mod spirv;
 use chiaro::accuracy::TimeEstimate;
 use chiaro::accuracy::cost::{Series, alternate};
 use chiaro::document::Tier;
-use chiaro::export::spirv_words;
+use chiaro::export::{fragment_spirv_words, spirv_words};
 use chiaro::frame::{CompiledShader, FramePlan, PassId};
 use chiaro::progress::Progress;
 use chiaro::render::{Gpu, Renderer};
-use chiaro_test_drawing::handwritten;
+use chiaro_test_drawing::handwritten::{self, HandwrittenLook};
+use chiaro_test_drawing::spirv::{function_instructions, module_instructions, optimized};
 use chiaro_test_drawing::wait::block_on;
-use spirv::{instructions, optimized};
 
 const SIZE: [u32; 2] = [800, 600];
 const ROUNDS: usize = 41;
+const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
 
-/// Instructions of a module as naga writes it, and as `spirv-opt -O` leaves it.
-fn sizes(shader: &CompiledShader) -> [Option<usize>; 2] {
-    let words = spirv_words(&shader.valid).expect("SPIR-V can express it");
-    [Some(instructions(&words)), optimized(&words).map(|words| instructions(&words))]
+/// Counted sizes of a module.
+struct ModuleCounts {
+    /// Instructions in functions, both stages, as naga writes them.
+    naga: usize,
+    /// Instructions in functions, both stages, after `spirv-opt -O`.
+    optimized: Option<usize>,
+    /// All instructions of the fragment stage's own module after `spirv-opt -O`.
+    fragment: Option<usize>,
+    /// Lines that hold more than a comment.
+    lines: usize,
 }
 
-/// Number of lines that hold more than a comment.
-fn lines(shader: &CompiledShader) -> usize {
-    let is_code = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with("//");
-    shader.wgsl.lines().filter(is_code).count()
+impl ModuleCounts {
+    fn of(shader: &CompiledShader) -> Self {
+        let words = spirv_words(&shader.valid).expect("SPIR-V can express it");
+        let fragment = fragment_spirv_words(&shader.valid).expect("it has a fragment stage");
+        let is_code = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with("//");
+        Self {
+            naga: function_instructions(&words),
+            optimized: optimized(&words).map(|words| function_instructions(&words)),
+            fragment: optimized(&fragment).map(|words| module_instructions(&words)),
+            lines: shader.wgsl.lines().filter(is_code).count(),
+        }
+    }
+
+    /// Cells of a table that hold each count of the generated module beside that of the handwritten
+    /// one.
+    fn ratios(&self, hand: &Self) -> [String; 4] {
+        let cell = |own: Option<usize>, hand: Option<usize>| match (own, hand) {
+            (Some(own), Some(hand)) => format!("{own} / {hand} = {:.2}", own as f64 / hand as f64),
+            _ => "?".to_owned(),
+        };
+        [
+            cell(Some(self.naga), Some(hand.naga)),
+            cell(self.optimized, hand.optimized),
+            cell(self.fragment, hand.fragment),
+            cell(Some(self.lines), Some(hand.lines)),
+        ]
+    }
 }
 
 /// Times of the look pass alone.
@@ -43,46 +72,61 @@ fn look_pass(series: &Series) -> &[f64] {
     series.passes.iter().find(|(pass, _)| *pass == PassId::LOOK).map_or(&[], |(_, times)| times)
 }
 
+/// Cells of a table that hold the time of the look pass with the generated module, as a part of
+/// that with the handwritten one, and the latter in ms; dashes where no time was taken.
+fn time_cells(times: Option<(&[f64], &[f64])>) -> [String; 2] {
+    let Some((own, hand)) = times else { return ["-"; 2].map(str::to_owned) };
+    let ratios: Vec<f64> = own.iter().zip(hand).map(|(own, hand)| own / hand).collect();
+    let TimeEstimate { median, low, high } = TimeEstimate::of(&ratios);
+    let hand = TimeEstimate::of(hand).median;
+    [format!("{median:.2} ({low:.2} to {high:.2})"), format!("{hand:.2} ms")]
+}
+
+/// Prints the rows of a look; without times where there is no renderer.
+fn report(look: HandwrittenLook, renderer: Option<&mut Renderer>) {
+    let setup = handwritten::setup(look);
+    let mut plans: Vec<FramePlan> =
+        TIERS.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
+    let by_hand = handwritten::by_hand(&setup, look, &plans[0]);
+    plans.push(by_hand);
+    let series = renderer.map(|renderer| {
+        let plans: Vec<&FramePlan> = plans.iter().collect();
+        let series = block_on(alternate(renderer, &plans, ROUNDS, &Progress::new()));
+        series.unwrap_or_else(|_| panic!("{} was stopped", look.name))
+    });
+    let hand = ModuleCounts::of(&plans[TIERS.len()].draws[0].look);
+    for (index, tier) in TIERS.iter().enumerate() {
+        let counts = ModuleCounts::of(&plans[index].draws[0].look);
+        let [naga, optimized, fragment, lines] = counts.ratios(&hand);
+        let times = series
+            .as_ref()
+            .map(|series| (look_pass(&series[index]), look_pass(&series[TIERS.len()])));
+        let [pass, by_hand] = time_cells(times);
+        println!(
+            "| {} | {tier:?} | {naga} | {optimized} | {fragment} | {pass} | {by_hand} | {lines} |",
+            look.name
+        );
+    }
+}
+
 fn main() {
-    let gpu = block_on(Gpu::headless()).expect("a GPU, a software one for one");
-    println!("{}, {}x{}, one sample a pixel\n", gpu.name(), SIZE[0], SIZE[1]);
-    println!("| look | tier | instructions: naga | spirv-opt -O | look pass | by hand | lines |");
-    println!("| --- | --- | ---: | ---: | ---: | ---: | ---: |");
-    let mut renderer = Renderer::new(gpu);
-    let tiers = [Tier::Exact, Tier::Balanced, Tier::Fast];
-    for look in handwritten::LOOKS {
-        let setup = handwritten::setup(look);
-        let generated: Vec<FramePlan> =
-            tiers.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
-        let hand = handwritten::by_hand(&setup, look, &generated[0]);
-        let plans: Vec<&FramePlan> = generated.iter().chain([&hand]).collect();
-        let series = block_on(alternate(&mut renderer, &plans, ROUNDS, &Progress::new()));
-        let series = series.unwrap_or_else(|_| panic!("{look} was stopped"));
-        let by_hand =
-            (look_pass(&series[3]), sizes(&hand.draws[0].look), lines(&hand.draws[0].look));
-        for ((tier, plan), series) in tiers.iter().zip(&generated).zip(&series) {
-            let shader = &plan.draws[0].look;
-            let pairs: Vec<f64> =
-                look_pass(series).iter().zip(by_hand.0).map(|(a, b)| a / b).collect();
-            let time = TimeEstimate::of(&pairs);
-            let ratios =
-                sizes(shader).into_iter().zip(by_hand.1).map(|(own, hand)| match (own, hand) {
-                    (Some(own), Some(hand)) => {
-                        format!("{own} / {hand} = {:.2}", own as f64 / hand as f64)
-                    }
-                    _ => "?".to_owned(),
-                });
-            let [naga, optimized] = ratios.collect::<Vec<_>>().try_into().expect("two");
-            let (own, hand) = (lines(shader), by_hand.2);
-            println!(
-                "| {look} | {tier:?} | {naga} | {optimized} | {:.2} ({:.2} to {:.2}) | {:.2} ms | \
-                 {own} / {hand} = {:.2} |",
-                time.median,
-                time.low,
-                time.high,
-                TimeEstimate::of(by_hand.0).median,
-                own as f64 / hand as f64
-            );
-        }
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&String> = arguments.iter().filter(|word| !word.starts_with('-')).collect();
+    let is_asked = |look: &HandwrittenLook| {
+        words.is_empty() || words.iter().any(|word| look.name.contains(word.as_str()))
+    };
+    let are_timed = !arguments.iter().any(|argument| argument == "--counts");
+    let mut renderer = are_timed.then(|| {
+        let gpu = block_on(Gpu::headless()).expect("a GPU, a software one for one");
+        println!("{}, {}x{}, one sample a pixel\n", gpu.name(), SIZE[0], SIZE[1]);
+        Renderer::new(gpu)
+    });
+    println!(
+        "| look | tier | instructions: naga | spirv-opt -O | fragment's module, spirv-opt -O | \
+         look pass | by hand | lines |"
+    );
+    println!("| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |");
+    for look in handwritten::LOOKS.into_iter().filter(is_asked) {
+        report(look, renderer.as_mut());
     }
 }

@@ -9,16 +9,38 @@ use chiaro_compiler::library::Library;
 use chiaro_language::wgsl;
 use chiaro_scene::frame::{Assets, FramePlan, PassId, PlanOptions, Planner, Setup, open};
 
+/// Folder of the examples.
+const EXAMPLES: &str = "examples/looks";
+/// Folder of looks that are there to be measured alone.
+const MEASURED: &str = "benches/handwritten/looks";
+
+/// A look that has a module written by hand.
+#[derive(Clone, Copy, Debug)]
+pub struct HandwrittenLook {
+    /// Stem of the look's document and of the module.
+    pub name: &'static str,
+    /// Folder of the document, from the root of the repository.
+    pub folder: &'static str,
+}
+
 /// The looks that have a module written by hand.
-pub const LOOKS: [&str; 3] = ["figure4-both", "figure6-comics", "figure6-minimal"];
+pub const LOOKS: [HandwrittenLook; 7] = [
+    HandwrittenLook { name: "figure4-both", folder: EXAMPLES },
+    HandwrittenLook { name: "figure6-comics", folder: EXAMPLES },
+    HandwrittenLook { name: "figure6-minimal", folder: EXAMPLES },
+    HandwrittenLook { name: "math-gooch", folder: MEASURED },
+    HandwrittenLook { name: "math-toon", folder: MEASURED },
+    HandwrittenLook { name: "math-layers", folder: MEASURED },
+    HandwrittenLook { name: "math-chain", folder: MEASURED },
+];
 
 fn root(folder: &str) -> PathBuf {
     chiaro_test_support::root().join(folder)
 }
 
-/// An example look on the mesh that its file names.
-pub fn setup(look: &str) -> Setup {
-    let path = root("examples/looks").join(format!("{look}.json"));
+/// A look on the mesh on which looks are shown.
+pub fn setup(look: HandwrittenLook) -> Setup {
+    let path = root(look.folder).join(format!("{}.json", look.name));
     open(&path, None, &mut Assets::default())
         .unwrap_or_else(|problems| panic!("{}", problems[0]))
         .value
@@ -37,11 +59,11 @@ pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
 
 /// The frame plan with the module written by hand in the generated one's place, with the same
 /// bindings.
-pub fn by_hand(setup: &Setup, look: &str, plan: &FramePlan) -> FramePlan {
+pub fn by_hand(setup: &Setup, look: HandwrittenLook, plan: &FramePlan) -> FramePlan {
     let options = CompileOptions { display: true, ..CompileOptions::default() };
     let mut shader =
-        compile(&setup.looks[0].look, Library::built_in(), &options).expect("an example").value;
-    let path = root("benches/handwritten").join(format!("{look}.wgsl"));
+        compile(&setup.looks[0].look, Library::built_in(), &options).expect("a right look").value;
+    let path = root("benches/handwritten").join(format!("{}.wgsl", look.name));
     shader.wgsl = std::fs::read_to_string(&path).expect("a file that can be read");
     shader.valid = wgsl::parse(&shader.wgsl)
         .unwrap_or_else(|error| panic!("{}: {}", path.display(), error.message));

@@ -1,6 +1,7 @@
-//! Tests of exported modules against golden files and outside validators.
+//! Tests of exported modules against golden files, kept counts and outside validators.
 
 use chiaro_test_drawing as support;
 
 mod golden;
+mod instructions;
 mod validators;

@@ -2,9 +2,12 @@
 //! `benches/handwritten.rs` tells the rest.
 #![cfg(feature = "gpu")]
 
+use std::collections::BTreeSet;
+
 use crate::support::eval::renderer;
 use crate::support::handwritten::{LOOKS, by_hand, generated, setup};
 use crate::support::wait::block_on;
+use crate::support::{files, root};
 use chiaro::document::Tier;
 use chiaro::render::Renderer;
 
@@ -30,8 +33,24 @@ fn handwritten_modules_draw_what_generated_ones_draw() {
                 worst = (error, index);
             }
         }
-        println!("| {look} | {:.1e} | {over} |", worst.0);
+        let name = look.name;
+        println!("| {name} | {:.1e} | {over} |", worst.0);
         let place = [worst.1 % 400, worst.1 / 400];
-        assert!(worst.0 <= 1.0 / 255.0, "{look}: {} at {place:?}, {over} pixels", worst.0);
+        assert!(worst.0 <= 1.0 / 255.0, "{name}: {} at {place:?}, {over} pixels", worst.0);
     }
+}
+
+/// Every module in the folder is one of a listed look, and every measured look has its module.
+#[test]
+fn every_handwritten_module_is_compared() {
+    let stems = |extension: &str| -> BTreeSet<String> {
+        let found = files::below(&root().join("benches/handwritten")).into_iter();
+        found
+            .filter(|path| path.extension().is_some_and(|kind| kind == extension))
+            .map(|path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned())
+            .collect()
+    };
+    let listed: BTreeSet<String> = LOOKS.iter().map(|look| look.name.to_owned()).collect();
+    assert_eq!(stems("wgsl"), listed);
+    assert!(stems("json").is_subset(&listed), "{:?}", stems("json"));
 }

@@ -38,7 +38,7 @@ use crate::library::Library;
 
 pub use files::{in_the_way, write};
 pub use language::{Language, TextFile};
-pub use spirv::spirv_words;
+pub use spirv::{fragment_spirv_words, spirv_words};
 
 /// All languages, in the order in which the window lists them: WGSL, three versions of GLSL, HLSL,
 /// MSL and SPIR-V.

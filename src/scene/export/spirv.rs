@@ -8,6 +8,7 @@ use super::language::{
     ClipSpace, ExportedModule, Language, LanguageBinding, LanguageFile, LanguageModule, Request,
     entry_points,
 };
+use crate::wgsl::ValidModule;
 
 pub(super) const LANGUAGE: Language = Language {
     slug: "spirv",
@@ -25,9 +26,28 @@ pub(super) const LANGUAGE: Language = Language {
 ///
 /// # Errors
 /// A construct that SPIR-V cannot express.
-pub fn spirv_words(valid: &crate::wgsl::ValidModule) -> Result<Vec<u32>, String> {
+pub fn spirv_words(valid: &ValidModule) -> Result<Vec<u32>, String> {
     let options = spv::Options { lang_version: (1, 3), ..spv::Options::default() };
     spv::write_vec(&valid.module, &valid.info, &options, None).map_err(|error| error.to_string())
+}
+
+/// The fragment stage of a module as SPIR-V words. Names are left out, so that the module has as
+/// many instructions in any build of Chiaro.
+///
+/// # Errors
+/// A module without a fragment stage, or a construct that SPIR-V cannot express.
+pub fn fragment_spirv_words(valid: &ValidModule) -> Result<Vec<u32>, String> {
+    let stage = naga::ShaderStage::Fragment;
+    let mut points = valid.module.entry_points.iter();
+    let point = points.find(|point| point.stage == stage).ok_or("there is no fragment stage")?;
+    let pipeline = spv::PipelineOptions { shader_stage: stage, entry_point: point.name.clone() };
+    let options = spv::Options {
+        lang_version: (1, 3),
+        flags: spv::WriterFlags::empty(),
+        ..spv::Options::default()
+    };
+    spv::write_vec(&valid.module, &valid.info, &options, Some(&pipeline))
+        .map_err(|error| error.to_string())
 }
 
 fn write(request: &Request<'_>) -> Result<ExportedModule, String> {
