@@ -173,10 +173,7 @@ fn instructions_of(plan: &FramePlan) -> f64 {
         }
         None => {
             let module = ScreenModule::of(pass.id).expect("a pass that is shipped");
-            let module = module.expect("a pass over the picture");
-            // Nearly all instructions are in the loop over rings of neighbors: three rings, or one.
-            let rounds = if pass.id.row().module() == "curvature" { 3.0 } else { 1.0 };
-            rounds * instructions(&module.valid)
+            instructions(&module.expect("a pass over the picture").valid)
         }
     };
     plan.passes.iter().map(of).sum()

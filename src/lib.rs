@@ -26,7 +26,8 @@
 //! - Order of nodes: `compiler/compile/emit/mod.rs` (`order_calls`).
 //! - Contexts, which nodes read of the surroundings: `compiler/library/context/table.rs`.
 //! - Passes: `compiler/library/passes/table.rs`.
-//! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`.
+//! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`,
+//!   `shaders/lib/slope.wgsl`.
 //! - Languages of exports: `scene/export/mod.rs` (`LANGUAGES`).
 //!
 //! HCBTFs:

@@ -3,6 +3,7 @@
 import chiaro::types;
 import chiaro::numeric;
 import chiaro::total;
+import chiaro::slope;
 
 /// kappa fit for use: 0 where it is NaN, within +-1e4.
 fn kappa_safe(kappa: f32) -> f32 {
@@ -49,8 +50,7 @@ fn curvature_signed_fast(kappa: f32, slope: f32) -> f32 {
 /// axes. `perspective` is 1 or 0; `scale` is half of the viewport's height over what it spans at
 /// depth 1 (at every depth without perspective). Call it in uniform control flow.
 fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> f32 {
-    // n.z has a least value, as in the curvature pass, so that rims do not all become convex.
-    let slope = normal.xy / max(normal.z, 0.2);
+    let slope = slope_of(normal);
     let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);
     // The place's own derivatives tell the pixel's size, and which way the rows run.
     let x = dpdx(vec2f(slope.x, place.x));
@@ -62,7 +62,7 @@ fn curvature_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: 
 /// The view-centered curvature tensor (xx, xy, yy) from how the normal changes between the pixels
 /// of a quad, as [`curvature_on_screen`] takes its trace. Call it in uniform control flow.
 fn tensor_on_screen(normal: vec3f, position: vec3f, perspective: f32, scale: f32) -> vec3f {
-    let slope = normal.xy / max(normal.z, 0.2);
+    let slope = slope_of(normal);
     let place = position.xy / mix(1.0, max(-position.z, 1e-20), perspective);
     let x = dpdx(vec3f(slope, place.x));
     let y = dpdy(vec3f(slope, place.y));

@@ -9,5 +9,9 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) f32 {
-    return curvature_at(vec2i(position.xy), 1, 3);
+    let center = center_at(vec2i(position.xy));
+    if center.plane.object == 0.0 {
+        return 0.0;
+    }
+    return mean_curvature(rings_at(center));
 }

@@ -9,5 +9,9 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    return vec4f(tensor_at(vec2i(position.xy)), 1.0);
+    let center = center_at(vec2i(position.xy));
+    if center.plane.object == 0.0 {
+        return vec4f(0.0);
+    }
+    return vec4f(curvature_tensor(rings_at(center)), 1.0);
 }

@@ -1,9 +1,9 @@
 // A level of smoothed normals: from neighbors in the level before it, or, for the first one, in
-// the normals themselves.
+// the surface itself.
 import chiaro::smooth_map;
 
-/// Steps to the neighbors, each 1/800 of the picture's height: twice as many at each level.
-const STEPS = 2;
+/// The level, from 1 on: its neighbors are 2^LEVEL steps away, each 1/800 of the picture's height.
+const LEVEL = 1;
 
 @vertex
 fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
@@ -12,5 +12,5 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn fs_main(@builtin(position) position: vec4f) -> @location(0) vec4f {
-    return smoothed_at(vec2i(position.xy), STEPS);
+    return smoothed_at(vec2i(position.xy), LEVEL);
 }

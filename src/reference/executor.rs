@@ -70,7 +70,7 @@ impl PassImages {
         }
     }
 
-    /// Inserts the images of a pass, rounded: normals of mesh passes may be held as halves.
+    /// Inserts the images of a pass, rounded: surfaces of mesh passes may be held as halves.
     fn insert_rounded(&mut self, pass: PassId, made: &Texels, rounding: ImageRounding) {
         self.insert(pass, made);
         for image in PassImage::written(pass) {

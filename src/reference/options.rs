@@ -31,15 +31,15 @@ impl SnapGrid {
     }
 }
 
-/// Rounding of the images of passes, for later passes to read: normals and object numbers, depth,
-/// curvature. The renderer's images hold f32 numbers; halves, which the renderer used once, show
-/// what they would cost in accuracy.
+/// Rounding of the images of passes, for later passes to read: slopes with depth and object
+/// numbers, normals, curvature. The renderer's images hold f32 numbers; halves, which the renderer
+/// used once, show what they would cost in accuracy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ImageRounding {
     /// No rounding: the truth.
     #[default]
     None,
-    /// Normals in `rgba16float` and the rest in `r32float`, rounded to the nearest, as most GPUs
+    /// Surfaces in `rgba16float` and the rest in `r32float`, rounded to the nearest, as most GPUs
     /// do.
     Nearest,
     /// Rounding as by `Nearest`, but halves are rounded toward zero, as in software Vulkan.

@@ -41,8 +41,9 @@ pub struct Renderer {
     pipelines: pipeline::Pipelines,
     meshes: mesh::Meshes,
     images: image::Images,
-    /// Pipelines of passes over the picture, created on first use.
-    screens: HashMap<PassId, passes::ScreenPipeline>,
+    /// Pipelines of passes over the picture, created on first use; true beside those that test
+    /// depth.
+    screens: HashMap<(PassId, bool), passes::ScreenPipeline>,
     targets: target::Targets,
     /// Hash of the inputs that each pass's targets were drawn from.
     done: HashMap<PassId, u64>,

@@ -11,6 +11,8 @@ use crate::frame::{FramePlan, PassId, PassImage, TexelFormat};
 pub(super) const PICTURE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Format of depth buffers.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// Depth to which depth buffers are cleared: all that is drawn is nearer.
+pub(super) const FAR_PLANE: f32 = 1.0;
 
 /// Textures for one picture size.
 #[derive(Debug, Default)]

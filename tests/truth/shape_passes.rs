@@ -10,7 +10,7 @@ use chiaro::compile::Live;
 use chiaro::document::{Camera, Projection, Scene, Tier};
 use chiaro::frame::{FramePlan, PassId, PlanOptions, Planner, SetupLook};
 use chiaro::geometry::{Mesh, MeshPart};
-use chiaro::interp::Precision;
+use chiaro::interp::{Precision, Value};
 use chiaro::library::Library;
 use chiaro::progress::Progress;
 use chiaro::reference::{self, Modules};
@@ -387,6 +387,39 @@ fn objects_have_numbers_and_pictures_a_size() {
             "{port}: {:?} in place of {wanted}",
             got[0]
         );
+    }
+}
+
+/// Texels of a surface hold the whole unit normal, at every angle to the line of sight.
+#[test]
+fn a_texel_holds_the_normal() {
+    let module = &Library::built_in().nodes["kappa"].module;
+    let program = |name| module.program(name).unwrap_or_else(|problem| panic!("{problem}"));
+    let (pack, unpack) = (program("surface_texel"), program("normal_of"));
+    // The second bound is for normals nearly across the line of sight: what a rounded x and y leave
+    // of the length 1.
+    for (precision, bounds) in [(Precision::F64, [1e-12, 1e-7]), (Precision::F32, [3e-6, 1e-3])] {
+        let mut worst = [0.0_f64; 2];
+        for step in 0..=4000 {
+            let (z, turn) = (1.0 - f64::from(step) / 2000.0, 2.4 * f64::from(step));
+            let aside = (1.0 - z * z).sqrt();
+            let normal = [aside * turn.cos(), aside * turn.sin(), z];
+            let texel = pack.call(&[Value::vec(&normal), 2.5.into(), 3.0.into()], precision);
+            let texel = texel.unwrap_or_else(|problem| panic!("{problem}"));
+            let [x, y, depth, number] = texel.as_vec().expect("a texel");
+            assert_eq!([depth, number], [2.5, if z < 0.0 { -3.0 } else { 3.0 }]);
+            let divisor = z.max(0.2);
+            let slope = [normal[0] / divisor, normal[1] / divisor];
+            let off = (x - slope[0]).abs().max((y - slope[1]).abs());
+            assert!(off < 10.0 * bounds[0], "{precision:?}, {z}: {off:e}");
+            let got = unpack.call(&[texel], precision);
+            let got: [f64; 3] =
+                got.ok().and_then(|normal| normal.as_vec()).expect("a normal of a texel");
+            let off = got.iter().zip(normal).map(|(got, wanted)| (got - wanted).abs());
+            let place = usize::from(z.abs() < 0.1);
+            worst[place] = off.fold(worst[place], f64::max);
+        }
+        assert!(worst[0] < bounds[0] && worst[1] < bounds[1], "{precision:?}: {worst:?}");
     }
 }
 

@@ -12,8 +12,8 @@ use crate::diag::Diagnostic;
 use crate::document::Camera;
 use crate::frame::{Assets, FramePlan, Setup, SetupObject, View};
 use crate::ids::ObjectId;
-use crate::interp::Precision;
-use crate::library::Context;
+use crate::interp::{Precision, Value};
+use crate::library::{Context, Library};
 use crate::progress::Progress;
 use crate::reference::{
     FragmentStage, Modules, PassImages, PassTarget, QuadBatch, ReferenceOptions, Shader,
@@ -388,16 +388,7 @@ fn with_kappa(surface: &Surface) -> Surface {
 
 fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     let (size, view) = (surface.key.size, surface.view);
-    // The texels hold normal, object number and depth, as the pass that draws normals makes them.
-    let mut drawn = Texels::new(size, 5);
-    let rotation = view.rotation();
-    for (pixel, (normal, position)) in surface.normals.iter().zip(&surface.positions).enumerate() {
-        if *normal != Vec3::ZERO {
-            let n = rotation * normal.as_dvec3();
-            let depth = view.backward.dot(view.eye - position.as_dvec3());
-            drawn.values[5 * pixel..][..5].copy_from_slice(&[n.x, n.y, n.z, 1.0, depth]);
-        }
-    }
+    let drawn = texels(surface)?;
     let pass = Context::KAPPA.pass();
     let nothing = || Diagnostic::error("reference-plan", "no pass measures curvature");
     let pass = pass.ok_or_else(nothing)?;
@@ -408,6 +399,26 @@ fn kappa(surface: &Surface) -> Result<Vec<f32>, Diagnostic> {
     execute_screens(&plan, &mut images, &modules, &ReferenceOptions::default(), &Progress::new())?;
     let texels = images.first(pass).ok_or_else(nothing)?;
     Ok(texels.values.iter().map(|&x| x as f32).collect())
+}
+
+/// Texels of the surface as the pass that draws normals makes them, by its own function.
+fn texels(surface: &Surface) -> Result<Texels, Diagnostic> {
+    let (view, rotation) = (surface.view, surface.view.rotation());
+    let nothing = || Diagnostic::error("reference-plan", "no function packs texels");
+    let node = Library::built_in().nodes.values().next().ok_or_else(nothing)?;
+    let program = node.module.program("surface_texel")?;
+    let mut machine = program.machine(Precision::F64);
+    let mut drawn = Texels::new(surface.key.size, 4);
+    let pixels = surface.normals.iter().zip(&surface.positions);
+    for ((normal, position), texel) in pixels.zip(drawn.values.chunks_exact_mut(4)) {
+        if *normal != Vec3::ZERO {
+            let normal = (rotation * normal.as_dvec3()).to_array();
+            let depth = view.backward.dot(view.eye - position.as_dvec3());
+            let packed = machine.call(&[Value::vec(&normal), depth.into(), 1.0.into()])?;
+            texel.copy_from_slice(&packed.as_vec::<4>().ok_or_else(nothing)?);
+        }
+    }
+    Ok(drawn)
 }
 
 /// Number of values of a fragment: normal, position, and number of the part.

@@ -4,6 +4,7 @@ use super::uniform;
 use crate::compile::{BindingKind, CompiledShader};
 use crate::frame::{Draw, FramePlan, PassImage};
 use crate::pipeline::{LookPipeline, Sides};
+use crate::target::FAR_PLANE;
 use crate::{RenderError, Renderer};
 
 /// A draw with its pipeline and bind group.
@@ -25,16 +26,14 @@ pub(crate) fn cleared(
     }
 }
 
-/// A depth attachment that is cleared to the far plane and is not stored.
+/// A depth attachment that is cleared to the far plane.
 pub(super) fn depth_attachment(
     view: &wgpu::TextureView,
+    store: wgpu::StoreOp,
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
     wgpu::RenderPassDepthStencilAttachment {
         view,
-        depth_ops: Some(wgpu::Operations {
-            load: wgpu::LoadOp::Clear(1.0),
-            store: wgpu::StoreOp::Discard,
-        }),
+        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(FAR_PLANE), store }),
         stencil_ops: None,
     }
 }
@@ -69,7 +68,7 @@ impl Renderer {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("look"),
             color_attachments: &[Some(color)],
-            depth_stencil_attachment: Some(depth_attachment(depth)),
+            depth_stencil_attachment: Some(depth_attachment(depth, wgpu::StoreOp::Discard)),
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });

@@ -1,5 +1,5 @@
-//! Mesh passes: they come before the looks and draw every object with one sample a pixel: normals,
-//! object numbers and depth.
+//! Mesh passes: they come before the looks and draw every object with one sample a pixel: slopes,
+//! depth and object numbers.
 
 use super::look::{BoundDraw, depth_attachment};
 use super::uniform;
@@ -26,7 +26,8 @@ impl Renderer {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(pass.label()),
             color_attachments: &attachments,
-            depth_stencil_attachment: Some(depth_attachment(buffer)),
+            // Passes over the picture test it.
+            depth_stencil_attachment: Some(depth_attachment(buffer, wgpu::StoreOp::Store)),
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });

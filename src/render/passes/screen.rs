@@ -1,11 +1,16 @@
 //! Screen passes: the files of `shaders/passes`, each with the images that earlier passes drew.
+//!
+//! With one sample a pixel a screen pass runs only where a pixel shows an object: it is drawn at
+//! the far plane, and has to lie behind what its surface's pass drew there. The result is the same,
+//! which is 0 elsewhere; but a GPU tests depth before it shades, and software Vulkan, which goes
+//! through all of a shader for every pixel of a block, shades fewer blocks.
 
 use std::collections::hash_map::Entry;
 
 use super::uniform;
 use crate::frame::{FramePlan, PassId, ScreenModule, ScreenResource};
 use crate::gpu::Gpu;
-use crate::target::format_of;
+use crate::target::{DEPTH, FAR_PLANE, format_of};
 use crate::{RenderError, Renderer};
 
 /// The fixed pipeline of a screen pass.
@@ -17,11 +22,11 @@ pub(crate) struct ScreenPipeline {
 }
 
 impl ScreenPipeline {
-    /// The pipeline of a pass.
+    /// The pipeline of a pass; `tests_depth` if it is drawn only behind objects.
     ///
     /// # Errors
     /// A file that does not match the pass's row.
-    fn new(gpu: &Gpu, pass: PassId) -> Result<Self, RenderError> {
+    fn new(gpu: &Gpu, pass: PassId, tests_depth: bool) -> Result<Self, RenderError> {
         let refused = |message: String| RenderError::Refused { message };
         let module = ScreenModule::of(pass)
             .map_err(|problems| refused(problems[0].message.clone()))?
@@ -52,7 +57,13 @@ impl ScreenPipeline {
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: None,
+            depth_stencil: tests_depth.then(|| wgpu::DepthStencilState {
+                format: DEPTH,
+                depth_write_enabled: Some(false),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {
                 module: &shader,
@@ -65,6 +76,11 @@ impl ScreenPipeline {
         });
         Ok(Self { pipeline, layout, module })
     }
+}
+
+/// A depth attachment that is read and not changed.
+fn tested_depth(view: &wgpu::TextureView) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None }
 }
 
 fn layout(device: &wgpu::Device, module: &ScreenModule) -> wgpu::BindGroupLayout {
@@ -97,9 +113,13 @@ impl Renderer {
         pass: PassId,
         encoder: &mut wgpu::CommandEncoder,
     ) -> Result<(), RenderError> {
-        let ScreenPipeline { pipeline, layout, module } = match self.screens.entry(pass) {
+        // With several samples, pixels at an outline have values although they show no object.
+        let surface = pass.surface().filter(|_| plan.samples == 1);
+        let depth = surface.and_then(|surface| self.targets.buffer(surface));
+        let key = (pass, depth.is_some());
+        let ScreenPipeline { pipeline, layout, module } = match self.screens.entry(key) {
             Entry::Occupied(made) => made.into_mut(),
-            Entry::Vacant(place) => place.insert(ScreenPipeline::new(&self.gpu, pass)?),
+            Entry::Vacant(place) => place.insert(ScreenPipeline::new(&self.gpu, pass, key.1)?),
         };
         let device = &self.gpu.device;
         let uniforms = module.bindings.iter().filter_map(|binding| {
@@ -131,6 +151,7 @@ impl Renderer {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(pass.label()),
             color_attachments: &attachments,
+            depth_stencil_attachment: depth.map(tested_depth),
             timestamp_writes: Self::stamps(&mut self.timer),
             ..wgpu::RenderPassDescriptor::default()
         });
@@ -138,6 +159,10 @@ impl Renderer {
         pass.set_bind_group(0, &group, &[]);
         // The images are cleared to what the pass results in elsewhere.
         if !area.is_empty() {
+            if depth.is_some() {
+                let [width, height] = plan.size.map(|side| side as f32);
+                pass.set_viewport(0.0, 0.0, width, height, FAR_PLANE, FAR_PLANE);
+            }
             let ([x, y], [width, height]) = (area.begin, area.size());
             pass.set_scissor_rect(x, y, width, height);
             pass.draw(0..3, 0..1);

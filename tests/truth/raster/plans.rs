@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex};
 
 use chiaro::compile::Live;
 use chiaro::diag::Diagnostic;
-use chiaro::frame::{Assets, Draw, FramePlan, PassId, PassImage, PlanOptions, Planner, open};
+use chiaro::frame::{Assets, Draw, FramePlan, PassId, PlanOptions, Planner, open};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
 use chiaro::progress::Progress;
@@ -55,7 +55,7 @@ impl ShaderFactory for RecordingFactory {
             })
         } else {
             self.note("normals");
-            Plain::new(clip, |batch, lane| Some(vec![0.0, 0.0, 1.0, 7.0, -batch.varying(2)[lane]]))
+            Plain::new(clip, |batch, lane| Some(vec![0.0, 0.0, -batch.varying(2)[lane], 7.0]))
         };
         Ok(Box::new(shader.with(VaryingInterpolation::Perspective, seen)))
     }
@@ -68,14 +68,12 @@ impl ShaderFactory for RecordingFactory {
     ) -> Result<Box<dyn Shader + 'a>, Diagnostic> {
         assert_eq!(pass, CURVATURE);
         self.note("curvature");
-        let read = |output| images.get(PassImage { pass: NORMALS, output });
         let missing = || Diagnostic::error("reference-plan", "the normals come before");
-        let normals = read(0).ok_or_else(missing)?;
-        let depths = read(1).ok_or_else(missing)?;
+        let surface = images.first(NORMALS).ok_or_else(missing)?;
         let fragment = |batch: &chiaro::reference::QuadBatch, lane: usize| {
             let [x, y] = [0, 1].map(|c| batch.position(c)[lane] as u32);
-            let is_inside = x < normals.size[0] && y < normals.size[1];
-            Some(vec![if is_inside { normals.pixel(x, y)[3] + depths.pixel(x, y)[0] } else { 0.0 }])
+            let is_inside = x < surface.size[0] && y < surface.size[1];
+            Some(vec![if is_inside { surface.pixel(x, y)[2..].iter().sum::<f64>() } else { 0.0 }])
         };
         Ok(Box::new(Plain::new(Vec::new(), fragment)))
     }

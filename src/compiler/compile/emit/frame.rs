@@ -8,7 +8,7 @@ use super::{Binding, BindingKind, Emitter};
 use crate::compile::ImageShape;
 use crate::compile::intervals;
 use crate::document::ColorSpace;
-use crate::library::{PassId, Type};
+use crate::library::{PassId, StageValue, Type};
 
 /// Names that the frame uses, kept from the artist's; those of passes' maps stand in their rows.
 pub(super) const RESERVED: &[&str] = &[
@@ -20,7 +20,6 @@ pub(super) const RESERVED: &[&str] = &[
     "Vertex",
     "Varyings",
     "Shaded",
-    "Fragment",
     "view",
     "object",
     "look",
@@ -97,9 +96,11 @@ impl Emitter<'_> {
         let root = &self.special.values[self.special.root].ty;
         let own = [
             ("normalize_quick", true),
+            ("normalize_or", stage.draws_normals()),
+            ("surface_texel", stage.draws_normals()),
             ("straight", *root == Type::Composite),
             ("angle_radians", *root == Type::Angle),
-            ("finite_vec4", !self.is_finite_root()),
+            ("finite_vec4", !stage.draws_normals() && !self.is_finite_root()),
             ("display_from_linear", self.encodes()),
             ("linear_from_display", self.graph.color_space == ColorSpace::Linear),
         ];
@@ -283,20 +284,14 @@ impl Emitter<'_> {
     }
 
     fn write_fragment(&mut self) {
-        let draws_normals = self.options.stage.draws_normals();
-        if draws_normals {
-            self.out.push_str(
-                "\nstruct Fragment \
-                 {\n    /// The normal in camera axes, and the object's number plus 1.\n    \
-                 @location(0) normal: vec4f,\n    /// The distance in front of the eye.\n    \
-                 @location(1) depth: f32,\n}\n",
-            );
-        }
-        let result = if draws_normals { "Fragment" } else { "@location(0) vec4f" };
         let stage = self.options.stage;
+        let draws_normals = stage.draws_normals();
         let uses_front = self.needs.contexts.iter().any(|c| ExpressionInputs::at(*c, stage).normal);
         let front = if uses_front { ", @builtin(front_facing) is_front: bool" } else { "" };
-        let _ = write!(self.out, "\n@fragment\nfn fs_main(in: Varyings{front}) -> {result} {{\n");
+        let _ = writeln!(
+            self.out,
+            "\n@fragment\nfn fs_main(in: Varyings{front}) -> @location(0) vec4f {{"
+        );
         if uses_front {
             self.out
                 .push_str("    let facing = normalize_quick(in.normal, vec3f(0.0, 0.0, 1.0));\n");
@@ -340,11 +335,14 @@ impl Emitter<'_> {
             "shaded"
         };
         let _ = if draws_normals {
+            // Texels hold unit normals. A normal that an artist wires may have any length.
+            let is_unit = matches!(stage.row().value, StageValue::Context(_));
+            let unit = if is_unit { "seen" } else { "normalize_or(seen, vec3f(0.0, 0.0, 1.0))" };
             writeln!(
                 self.out,
                 "    let seen = (view.camera_from_world * vec4f({value}, 0.0)).xyz;\n    \
                  let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;\n    \
-                 return Fragment(vec4f(seen, object.id + 1.0), depth);\n}}"
+                 return surface_texel({unit}, depth, object.id + 1.0);\n}}"
             )
         } else {
             let pixel = shown(&self.special.values[self.special.root].ty, value);

@@ -87,6 +87,13 @@ impl PassId {
         self.row().reads.iter().any(|input| input.pass == other.row().slug)
     }
 
+    /// Pass over meshes that draws the surface from which the pass is made; `None` for a pass over
+    /// meshes.
+    pub fn surface(self) -> Option<Self> {
+        let mut read = self.row().reads.iter().filter_map(|input| Self::from_slug(input.pass));
+        read.find(|pass| !pass.is_screen())
+    }
+
     /// Distance between a pixel and the farthest pixel of meshes that it depends on, in steps of
     /// 1/800 of the picture's height.
     pub fn reach(self) -> u32 {
@@ -136,6 +143,7 @@ mod tests {
             let is_served = Context::all().any(|context| context.pass() == Some(pass));
             let is_read = PassId::all().any(|other| other.reads(pass));
             assert!(is_served || is_read || pass == PassId::LOOK, "nobody reads {pass:?}");
+            assert_eq!(pass.surface().is_some(), pass.is_screen(), "{pass:?}");
             assert!(!is_served || !row.map.is_empty(), "{pass:?}: a look reads it by what name?");
         }
         assert!(TABLE.len() < usize::from(u8::MAX));

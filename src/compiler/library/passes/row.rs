@@ -233,6 +233,12 @@ impl PassRow {
             let read = super::PassId::from_slug(input.pass)?.row();
             Some(read.writes[read.output(input.output)?].format.bytes())
         };
-        self.reads.iter().filter_map(format).sum()
+        // A texture that has two names is read once.
+        let is_same = |a: &PassInput, b: &PassInput| (a.pass, a.output) == (b.pass, b.output);
+        let reads = self.reads.iter().enumerate();
+        let is_first = |(index, input): &(usize, &PassInput)| {
+            !self.reads[..*index].iter().any(|before| is_same(before, input))
+        };
+        reads.filter(is_first).filter_map(|(_, input)| format(input)).sum()
     }
 }

@@ -1,31 +1,32 @@
 //! Table of all passes, a row each, each after those that it reads.
 //!
 //! A new pass over the picture results in 0 where no object is near, and is not run there
-//! (`FramePlan::screen_area`). It needs a row here and a file of `shaders/passes`, whose textures
-//! are the row's `reads` by name and whose uniform has numbers of the view, by the names in
-//! `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass through a row of the table
-//! of contexts.
+//! (`FramePlan::screen_area`). With one sample a pixel, it results in 0 at each pixel that shows no
+//! object, and the renderer leaves these out, too. It needs a row here and a file of
+//! `shaders/passes`, whose textures are the row's `reads` by name and whose uniform has numbers of
+//! the view, by the names in `VIEW_NUMBERS` (`src/scene/frame/screen.rs`). A look reads the pass
+//! through a row of the table of contexts.
 
 use super::row::{PassInput, PassOutput, PassRow, PassWork, Stage, TexelFormat};
 
-/// Outputs of every pass that draws normals.
-const SURFACE: &[PassOutput] = &[
-    // Normal in camera axes, and the object's number plus 1; 0 where no object is.
-    PassOutput { name: "normal", format: TexelFormat::Numbers },
-    // Depth in front of the eye.
-    PassOutput { name: "depth", format: TexelFormat::Number },
-];
+/// Outputs of every pass that draws normals: slope, depth and object of what a pixel shows, packed
+/// by `surface_texel` (`shaders/lib/slope.wgsl`); 0 where no object is.
+const SURFACE: &[PassOutput] = &[PassOutput { name: "surface", format: TexelFormat::Numbers }];
 const CURVATURE: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Number }];
 const TENSOR: &[PassOutput] = &[PassOutput { name: "curvature", format: TexelFormat::Numbers }];
 const NORMAL: &[PassOutput] = &[PassOutput { name: "normal", format: TexelFormat::Numbers }];
 const COLOR: &[PassOutput] = &[PassOutput { name: "color", format: TexelFormat::Picture }];
 
-/// Inputs of a pass: the normals of one pass, and the depths of the pass that drew the surface.
+/// Inputs of a pass: the surface that a pass drew, and for a level of smoothed normals the image of
+/// the level before, which for the first one is the surface.
 macro_rules! reads {
-    ($normals:literal, $depths:literal) => {
+    ($surface:literal) => {
+        &[PassInput { binding: "surface", pass: $surface, output: "surface" }]
+    };
+    ($surface:literal, $normals:literal, $output:literal) => {
         &[
-            PassInput { binding: "normals", pass: $normals, output: "normal" },
-            PassInput { binding: "depths", pass: $depths, output: "depth" },
+            PassInput { binding: "surface", pass: $surface, output: "surface" },
+            PassInput { binding: "normals", pass: $normals, output: $output },
         ]
     };
 }
@@ -40,14 +41,14 @@ const fn smooth(
     slug: &'static str,
     (label, map): (&'static str, &'static str),
     reads: &'static [PassInput],
-    steps: &'static [(&'static str, i32); 1],
+    level: &'static [(&'static str, i32); 1],
     help: &'static str,
 ) -> PassRow {
-    let reach = steps[0].1 as u32;
+    let reach = 1_u32 << level[0].1;
     PassRow {
         slug,
         label,
-        work: PassWork::Screen { shader: "smooth_normals", constants: steps, reach },
+        work: PassWork::Screen { shader: "smooth_normals", constants: level, reach },
         reads,
         writes: NORMAL,
         map,
@@ -74,7 +75,7 @@ pub(super) const TABLE: &[PassRow] = &[
         slug: "curvature",
         label: "curvature",
         work: measured("curvature", 3),
-        reads: reads!("normals", "normals"),
+        reads: reads!("normals"),
         writes: CURVATURE,
         map: "curvature_map",
         purpose: "curvature",
@@ -85,7 +86,7 @@ pub(super) const TABLE: &[PassRow] = &[
         slug: "curvature_sparse",
         label: "sparse curvature",
         work: measured("curvature_sparse", 3),
-        reads: reads!("normals", "normals"),
+        reads: reads!("normals"),
         writes: CURVATURE,
         map: "curvature_sparse_map",
         purpose: "curvature from four neighbors, its cheaper tier",
@@ -96,7 +97,7 @@ pub(super) const TABLE: &[PassRow] = &[
         slug: "curvature_tensor",
         label: "curvature tensor",
         work: measured("curvature_tensor", 3),
-        reads: reads!("normals", "normals"),
+        reads: reads!("normals"),
         writes: TENSOR,
         map: "curvature_tensor_map",
         purpose: "curvature by direction",
@@ -106,29 +107,29 @@ pub(super) const TABLE: &[PassRow] = &[
     smooth(
         "smooth_normals_1",
         ("smooth normals 1", "smooth_normal_1_map"),
-        reads!("normals", "normals"),
-        &[("STEPS", 2)],
+        reads!("normals", "normals", "surface"),
+        &[("LEVEL", 1)],
         "Smooths normals from neighbors two steps away.",
     ),
     smooth(
         "smooth_normals_2",
         ("smooth normals 2", "smooth_normal_2_map"),
-        reads!("smooth_normals_1", "normals"),
-        &[("STEPS", 4)],
+        reads!("normals", "smooth_normals_1", "normal"),
+        &[("LEVEL", 2)],
         "Smooths normals further, from neighbors four steps away.",
     ),
     smooth(
         "smooth_normals_3",
         ("smooth normals 3", "smooth_normal_3_map"),
-        reads!("smooth_normals_2", "normals"),
-        &[("STEPS", 8)],
+        reads!("normals", "smooth_normals_2", "normal"),
+        &[("LEVEL", 3)],
         "Smooths normals further, from neighbors eight steps away.",
     ),
     smooth(
         "smooth_normals_4",
         ("smooth normals 4", "smooth_normal_4_map"),
-        reads!("smooth_normals_3", "normals"),
-        &[("STEPS", 16)],
+        reads!("normals", "smooth_normals_3", "normal"),
+        &[("LEVEL", 4)],
         "Smooths normals further, from neighbors sixteen steps away.",
     ),
     PassRow {
@@ -146,7 +147,7 @@ pub(super) const TABLE: &[PassRow] = &[
         slug: "detail_curvature",
         label: "detail curvature",
         work: measured("curvature", 3),
-        reads: reads!("detail_normals", "detail_normals"),
+        reads: reads!("detail_normals"),
         writes: CURVATURE,
         map: "curvature_detail_map",
         purpose: "curvature",
@@ -157,7 +158,7 @@ pub(super) const TABLE: &[PassRow] = &[
         slug: "detail_curvature_sparse",
         label: "sparse detail curvature",
         work: measured("curvature_sparse", 3),
-        reads: reads!("detail_normals", "detail_normals"),
+        reads: reads!("detail_normals"),
         writes: CURVATURE,
         map: "curvature_detail_sparse_map",
         purpose: "curvature from four neighbors, its cheaper tier",
