@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::names::Names;
 use super::specialize::Function;
-use crate::library::NodeModule;
+use crate::library::{ModuleDeclaration, NodeModule};
 use crate::wgsl::{Declaration, DeclarationKind, rename_identifiers};
 
 /// Collects declarations from node modules and gives each a name of its own.
@@ -51,7 +51,7 @@ impl Items {
         while let Some((module, name)) = open.pop_front() {
             let Some(declaration) = self.modules[module].declaration(&name) else { continue };
             if used.insert((module, name)) {
-                open.extend(declaration.uses.iter().map(|used| (module, used.clone())));
+                open.extend(declaration.scanned.uses.iter().map(|used| (module, used.clone())));
             }
         }
         let mut collected = CollectedItems {
@@ -59,25 +59,24 @@ impl Items {
             ..CollectedItems::default()
         };
         let mut by_text: HashMap<&str, String> = HashMap::new();
-        let mut ordered: Vec<(usize, &Declaration)> = used
+        let mut ordered: Vec<(usize, ModuleDeclaration<'_>)> = used
             .iter()
             .filter_map(|(module, name)| {
                 self.modules[*module].declaration(name).map(|found| (*module, found))
             })
             .collect();
-        ordered.sort_by_key(|(module, declaration)| (*module, declaration.span.start));
+        ordered.sort_by_key(|(module, declaration)| (*module, declaration.start));
         let mut printed = Vec::new();
-        for (module, declaration) in &ordered {
-            let text = &self.modules[*module].linked.text[declaration.body.clone()];
-            let key = (*module, declaration.name.clone());
+        for (module, ModuleDeclaration { scanned, text, .. }) in ordered {
+            let key = (module, scanned.name.clone());
             if let Some(name) = by_text.get(text) {
                 collected.names.insert(key, name.clone());
                 continue;
             }
-            let name = names.give_exact(&declaration.name);
+            let name = names.give_exact(&scanned.name);
             by_text.insert(text, name.clone());
             collected.names.insert(key, name);
-            printed.push((*module, *declaration, text));
+            printed.push((module, scanned, text));
         }
         for (module, declaration, text) in printed {
             let renamed = |name: &str| {

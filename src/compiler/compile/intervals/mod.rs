@@ -42,11 +42,10 @@ pub(super) use surroundings::context_ranges;
 /// cannot be followed.
 pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
     let own = |name: &str| {
-        let text =
-            module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
-        text.is_some_and(|text| LIBRARY_TEXTS.get(name).is_some_and(|own| own == text))
+        let text = module.declaration(name).map(|found| found.text);
+        text.is_some() && text == LIBRARY_TEXTS.get(name).copied()
     };
-    run(&module.valid, function, arguments, &own)
+    run(module.valid(function).ok()?, function, arguments, &own)
 }
 
 /// Calls on ranges, each made once.
@@ -93,14 +92,14 @@ fn run(
 }
 
 /// The texts of the library's functions that [`library`] knows.
-static LIBRARY_TEXTS: LazyLock<HashMap<&'static str, String>> = LazyLock::new(|| {
+static LIBRARY_TEXTS: LazyLock<HashMap<&'static str, &'static str>> = LazyLock::new(|| {
     let mut texts = HashMap::new();
-    for (_, source) in wgsl::SHADER_LIBRARY {
-        for declaration in &wgsl::scan(source).declarations {
+    for (source, scan) in wgsl::library_scans() {
+        for declaration in &scan.declarations {
             if let Some(name) = library::NAMES.iter().find(|name| **name == declaration.name)
                 && let Some(text) = source.get(declaration.body.clone())
             {
-                texts.insert(*name, text.to_owned());
+                texts.insert(*name, text);
             }
         }
     }
