@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::{BufRead as _, BufReader};
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use chiaro::clock::Clock;
@@ -10,14 +11,14 @@ use chiaro::milestones;
 use crate::times::spread;
 use crate::{example, has_display};
 
-/// Number of starts that are counted; one more comes before them to warm up files and the driver's
-/// cache.
+/// Number of starts that are counted; one more comes before them to warm up files, the program's
+/// cache and the driver's.
 const STARTS: usize = 7;
 /// Name of the last milestone.
 const LAST: &str = "picture on the screen";
 
 /// Times of one start: seconds from the program's start to every milestone.
-fn start(has_display: bool) -> BTreeMap<String, f64> {
+fn start(has_display: bool, cache: &Path) -> BTreeMap<String, f64> {
     let look = example("figure1-layers");
     let folder = tempfile::tempdir().expect("a folder for what the program remembers");
     let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
@@ -33,6 +34,7 @@ fn start(has_display: bool) -> BTreeMap<String, f64> {
     for place in ["CHIARO_CONFIG_DIR", "CHIARO_STATE_DIR", "XDG_DATA_HOME"] {
         command.env(place, folder.path());
     }
+    command.env("CHIARO_CACHE_DIR", cache);
     command.env(milestones::VARIABLE, "1").stdout(Stdio::null()).stderr(Stdio::piped());
     let clock = Clock::start();
     let mut program = command.spawn().expect("the program that was built with this benchmark");
@@ -70,10 +72,11 @@ pub(crate) fn run() {
     } else {
         "`chiaro render`, as there is no display"
     };
-    start(has_display);
+    let cache = tempfile::tempdir().expect("a folder for what the program keeps");
+    start(has_display, cache.path());
     let mut all: BTreeMap<String, Vec<f64>> = BTreeMap::new();
     for _ in 0..STARTS {
-        for (milestone, seconds) in start(has_display) {
+        for (milestone, seconds) in start(has_display, cache.path()) {
             all.entry(milestone).or_default().push(seconds * 1e3);
         }
     }

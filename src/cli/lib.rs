@@ -160,6 +160,7 @@ pub fn command() -> clap::Command {
 /// Reads the command line and runs the subcommand, except for the editor, which `main` opens.
 pub fn run() -> Outcome {
     milestones::reached("program");
+    files::cache::open_for_user();
     threads::prepare_pool();
     let output = Output::new();
     let arguments = match Arguments::try_parse() {

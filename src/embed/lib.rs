@@ -1,5 +1,6 @@
 //! Embeds every file of a folder in a crate. Files are found by walking the folder, so that none is
-//! forgotten and no list of files has to be kept.
+//! forgotten and no list of files has to be kept. [`hash_sources`] names a crate's sources by their
+//! hash.
 //!
 //! A crate's build script names its folders as rows of one table:
 //!
@@ -21,6 +22,7 @@
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -65,6 +67,35 @@ pub fn embed(tables: &[Table<'_>]) {
         fs::write(&file, slice(&root, table))
             .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     }
+}
+
+/// Sets an environment variable for the crate, which reads it by `env!`, to a hash of the target and
+/// of files: those of `paths`, and all Rust sources in folders of `paths`, relative to the crate's
+/// manifest. A path that leads to nothing, as one out of a package of the crate does, is left out.
+///
+/// # Panics
+///
+/// As [`embed`].
+#[expect(clippy::print_stdout, reason = "cargo listens to what a build script prints")]
+pub fn hash_sources(variable: &str, paths: &[&str]) {
+    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("cargo sets it"));
+    let mut files = Vec::new();
+    for path in paths.iter().map(|path| root.join(path)) {
+        if path.is_dir() {
+            walk(&path, &["rs"], &mut files);
+        } else if path.is_file() {
+            watch(&path);
+            files.push(path);
+        }
+    }
+    files.sort();
+    let mut hasher = DefaultHasher::new();
+    env::var_os("TARGET").expect("cargo sets it").hash(&mut hasher);
+    for file in &files {
+        let bytes = fs::read(file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        bytes.hash(&mut hasher);
+    }
+    println!("cargo::rustc-env={variable}={:016x}", hasher.finish());
 }
 
 /// Source code of one table's slice.

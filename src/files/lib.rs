@@ -1,13 +1,14 @@
-//! Access of Chiaro to the disk: reading, writing, and the journal.
+//! Access of Chiaro to the disk: reading, writing, the journal and the cache.
 //!
 //! [`Disk`] is the compiler's source of [`Files`]: plain files within a bound, and folders that are
 //! walked once. [`Outputs`] is the writer for commands, guarded against writing over files that
 //! somebody made; [`write_atomic`] and [`FileSet`] write whole files or none; a [`journal`] keeps
-//! unsaved work.
+//! unsaved work, and a [`cache`] what takes long to compute.
 
 use chiaro_compiler::document;
 use chiaro_language::{clock, diag};
 
+pub mod cache;
 mod disk;
 pub mod journal;
 mod outputs;

@@ -31,11 +31,9 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     pub(super) fn new(shader: &CompiledShader, images: &[Arc<Image>]) -> Result<Self, Diagnostic> {
-        let program = Program::compile(
-            &shader.valid.module,
-            "fs_main",
-            interp::FunctionOptions::stage(&shader.wgsl),
-        )?;
+        let literals = interp::Literals::of(&shader.wgsl);
+        let options = interp::FunctionOptions::stage(&literals);
+        let program = Program::compile(&shader.valid.module, "fs_main", options)?;
         let mut bindings = Bindings::new();
         let mut samples = None;
         for binding in &shader.bindings {

@@ -34,7 +34,9 @@ struct ModulePrograms {
 
 impl ModulePrograms {
     fn compile(valid: &ValidModule, source: &str, observe: bool) -> Result<Self, Diagnostic> {
-        let options = interp::FunctionOptions { observe, ..interp::FunctionOptions::stage(source) };
+        let literals = interp::Literals::of(source);
+        let options =
+            interp::FunctionOptions { observe, ..interp::FunctionOptions::stage(&literals) };
         let stage = |name| Program::compile(&valid.module, name, options);
         Ok(Self { vertex: stage("vs_main")?, fragment: stage("fs_main")? })
     }

@@ -9,10 +9,9 @@
 use chiaro_compiler::examples;
 use chiaro_compiler::{catalog, compile, document, library};
 use chiaro_files as files;
-#[cfg(test)]
-use chiaro_language::clock;
-use chiaro_language::{diag, figures, ids, interp, progress, wgsl};
+use chiaro_language::{clock, diag, figures, ids, interp, progress, wgsl};
 
+mod cache;
 pub mod directions;
 pub mod drawing;
 pub mod export;

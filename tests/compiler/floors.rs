@@ -37,7 +37,12 @@ const CRATES: &[(&str, &[&[&str]])] = &[
     ("files", &[]),
     (
         "scene",
-        &[&["directions", "geometry", "hcbtf", "threads"], &["drawing", "frame"], &["export"]],
+        &[
+            &["cache"],
+            &["directions", "geometry", "hcbtf", "threads"],
+            &["drawing", "frame"],
+            &["export"],
+        ],
     ),
     ("reference", &[]),
     ("render", &[]),

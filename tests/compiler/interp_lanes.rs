@@ -150,7 +150,7 @@ fn every_look_runs_in_lanes_as_it_runs_alone() {
                 let program = Program::compile(
                     module,
                     &entry.name,
-                    interp::FunctionOptions::stage(&shader.wgsl),
+                    interp::FunctionOptions::stage(&interp::Literals::of(&shader.wgsl)),
                 )
                 .unwrap_or_else(|error| panic!("{} {}: {error}", path.display(), entry.name));
                 assert!(
@@ -206,7 +206,7 @@ fn measure() {
         let program = Program::compile(
             &shader.valid.module,
             "fs_main",
-            interp::FunctionOptions::stage(&shader.wgsl),
+            interp::FunctionOptions::stage(&interp::Literals::of(&shader.wgsl)),
         )
         .unwrap();
         for precision in [Precision::F64, Precision::F32] {

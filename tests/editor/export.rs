@@ -63,6 +63,7 @@ fn exported(look: &Path, language: &str) -> BTreeMap<String, Vec<u8>> {
         .arg(look)
         .args(["--to", language, "-o"])
         .arg(folder.path())
+        .env("CHIARO_CACHE_DIR", "")
         .output()
         .unwrap();
     assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));

@@ -16,7 +16,9 @@ use chiaro::document::{Directions, Grid, Hcbtf, Look, Tile};
 use chiaro::export::{ExportFile, LANGUAGES, export};
 use chiaro::frame::Assets;
 use chiaro::hcbtf;
-use chiaro::interp::{Derivatives, FunctionOptions, Precision, Program, ScalarKind, Shape, Value};
+use chiaro::interp::{
+    Derivatives, FunctionOptions, Literals, Precision, Program, ScalarKind, Shape, Value,
+};
 use chiaro::library::Library;
 use chiaro::wgsl;
 use glam::{DMat3, DQuat};
@@ -465,9 +467,10 @@ fn evaluate(
 ) -> Vec<Vec<f64>> {
     let valid = wgsl::parse(functions).expect("valid WGSL");
     // Constants are taken as written, in f64.
+    let literals = Literals::of(functions);
     let options = FunctionOptions {
         derivatives: Derivatives::Zero,
-        source: Some(functions),
+        literals: Some(&literals),
         ..FunctionOptions::default()
     };
     let mut values: Vec<StepValue> = Vec::new();

@@ -45,7 +45,8 @@ impl Shop {
 
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_chiaro"));
-        command.args(arguments).current_dir(self.0.path());
+        // Without a cache, so that a run computes what it shows.
+        command.args(arguments).current_dir(self.0.path()).env("CHIARO_CACHE_DIR", "");
         command
     }
 
@@ -566,6 +567,27 @@ fn a_mesh_without_uvs_is_told_of_where_a_look_reads_them() {
             }
         }
     }
+}
+
+#[test]
+fn what_takes_long_is_kept_between_starts_and_a_damaged_cache_is_no_error() {
+    let shop = shop();
+    let cache = shop.path("cache");
+    let picture = |name: &str| {
+        let look = ["render", "flat.json", "--mesh", "shape:creature", "--size", "16x16"];
+        let mut command = shop.command(&[&look[..], &["-o", name, "--on", "reference"]].concat());
+        Ran::of(command.env("CHIARO_CACHE_DIR", &cache).output().unwrap()).ok();
+        fs::read(shop.path(name)).unwrap()
+    };
+    let made = picture("made.png");
+    let kept: Vec<PathBuf> = fs::read_dir(&cache).unwrap().map(|e| e.unwrap().path()).collect();
+    let [mesh] = kept.as_slice() else { panic!("{kept:?}") };
+    let whole = fs::read(mesh).unwrap();
+    assert!(picture("read.png") == made);
+    assert!(fs::read(mesh).unwrap() == whole);
+    fs::write(mesh, &whole[..whole.len() / 2]).unwrap();
+    assert!(picture("again.png") == made);
+    assert!(fs::read(mesh).unwrap() == whole, "it was made anew");
 }
 
 #[test]

@@ -44,6 +44,7 @@ impl Shop {
             ("WGPU_BACKEND", "noop"),
             ("VK_DRIVER_FILES", "/none"),
             ("VK_ICD_FILENAMES", "/none"),
+            ("CHIARO_CACHE_DIR", ""),
         ]);
         command.args(arguments).current_dir(self.0.path());
         command

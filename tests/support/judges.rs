@@ -47,7 +47,8 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("examples", &[]),
     ("files", &[]),
     ("library", &["src/compiler/library/context", "src/compiler/library/passes"]),
-    // Scenes.
+    // Scenes. The cache gives what its makers made, and tests have none.
+    ("cache", &[]),
     ("directions", &["src/scene/directions"]),
     ("drawing", &[]),
     ("export", &[]),

@@ -321,6 +321,7 @@ fn exposed_values_are_heard() {
     ]);
     let mut child = Command::new(env!("CARGO_BIN_EXE_chiaro"))
         .args(["eval", path.to_str().expect("a path"), "--at", "-"])
+        .env("CHIARO_CACHE_DIR", "")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::inherit())

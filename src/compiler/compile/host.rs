@@ -305,9 +305,10 @@ static CONVERSIONS: LazyLock<Conversions> = LazyLock::new(|| {
     }
     let linked = wgsl::link(&[NamedSource { name: "conversions", text: &text }]).ok();
     let valid = linked.as_ref().and_then(|linked| wgsl::parse(&linked.text).ok());
+    let literals = linked.map(|linked| interp::Literals::of(linked.text));
     let compiled = |(from, to, name): (Type, Type, String)| {
         let options = interp::FunctionOptions {
-            source: Some(&linked.as_ref()?.text),
+            literals: literals.as_ref(),
             ..interp::FunctionOptions::default()
         };
         let program = Program::compile(&valid.as_ref()?.module, &name, options).ok()?;

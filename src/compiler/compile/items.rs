@@ -9,7 +9,7 @@ use super::functions::{
 };
 use super::names::Names;
 use super::specialize::Function;
-use crate::library::NodeModule;
+use crate::library::{ModuleDeclaration, NodeModule};
 use crate::wgsl::{Declaration, DeclarationKind, Field, rename_identifiers};
 
 /// Collects declarations from node modules and gives each a name of its own.
@@ -98,9 +98,8 @@ impl Items {
             for code in &codes {
                 self.want_names(module, code);
             }
-            let Some(declaration) = self.modules[module].declaration(&function.name) else {
-                continue;
-            };
+            let Some(found) = self.modules[module].declaration(&function.name) else { continue };
+            let declaration = found.scanned;
             let types = declaration.fields.iter().map(|field| &field.ty);
             let types = types.chain(&declaration.result).chain(function.body.types());
             let names: Vec<String> = types.flat_map(|ty| crate::wgsl::identifiers(ty)).collect();
@@ -121,7 +120,7 @@ impl Items {
         while let Some((module, name)) = open.pop_front() {
             let Some(declaration) = self.modules[module].declaration(&name) else { continue };
             if used.insert((module, name)) {
-                open.extend(declaration.uses.iter().map(|used| (module, used.clone())));
+                open.extend(declaration.scanned.uses.iter().map(|used| (module, used.clone())));
             }
         }
         let mut collected = CollectedItems {
@@ -129,7 +128,7 @@ impl Items {
             ..CollectedItems::default()
         };
         let mut by_text: HashMap<&str, String> = HashMap::new();
-        let mut ordered: Vec<(usize, &Declaration, Option<usize>)> = used
+        let mut ordered: Vec<(usize, ModuleDeclaration<'_>, Option<usize>)> = used
             .iter()
             .filter_map(|(module, name)| {
                 self.modules[*module].declaration(name).map(|found| (*module, found, None))
@@ -139,24 +138,23 @@ impl Items {
             let name = &functions.made[made].name;
             Some((module, self.modules[module].declaration(name)?, Some(made)))
         }));
-        ordered.sort_by_key(|(module, declaration, made)| (*module, declaration.span.start, *made));
+        ordered.sort_by_key(|(module, declaration, made)| (*module, declaration.start, *made));
         let mut printed = Vec::new();
-        for (module, declaration, made) in &ordered {
+        for (module, ModuleDeclaration { scanned, text, .. }, made) in ordered {
             if let Some(made) = made {
-                collected.made.insert(*made, names.give_exact(&declaration.name));
-                printed.push((*module, Printed::Made(declaration, *made)));
+                collected.made.insert(made, names.give_exact(&scanned.name));
+                printed.push((module, Printed::Made(scanned, made)));
                 continue;
             }
-            let text = &self.modules[*module].linked.text[declaration.body.clone()];
-            let key = (*module, declaration.name.clone());
+            let key = (module, scanned.name.clone());
             if let Some(name) = by_text.get(text) {
                 collected.names.insert(key, name.clone());
                 continue;
             }
-            let name = names.give_exact(&declaration.name);
+            let name = names.give_exact(&scanned.name);
             by_text.insert(text, name.clone());
             collected.names.insert(key, name);
-            printed.push((*module, Printed::Original(declaration, text)));
+            printed.push((module, Printed::Original(scanned, text)));
         }
         for (module, item) in printed {
             let renamed = |name: &str| {

@@ -6,13 +6,14 @@ use std::sync::{Arc, LazyLock};
 use indexmap::IndexMap;
 
 use super::embedded::NODES;
+use super::module::NodeModule;
 use super::node::NodeDef;
-use super::read::{load_module, load_node, read_node, stem_and_folder};
+use super::read::{load_node, read_node, stem_and_folder};
 use crate::diag::{Diagnostic, has_errors};
 use crate::document::{Definition, Look};
 use crate::files::{self, Files, ReadError, WalkBounds};
 use crate::milestones;
-use crate::wgsl::NamedSource;
+use crate::wgsl::{self, NamedSource};
 
 /// Bounds of the walk to a project's nodes: deeper than any category.
 const BOUNDS: WalkBounds = WalkBounds { depth: 8, entries: 20_000 };
@@ -48,8 +49,8 @@ pub struct GroupDef {
 /// Built-in library, loaded on first use.
 static BUILT_IN: LazyLock<Library> = LazyLock::new(|| match Library::load_built_in() {
     Ok(library) => library,
-    // A test loads every shipped file, so a release cannot come here; the problems tell a developer
-    // what is wrong.
+    // A test loads and validates every shipped file, so a release cannot come here; the problems
+    // tell a developer what is wrong.
     Err(problems) => Library { problems, ..Library::default() },
 });
 
@@ -63,10 +64,13 @@ impl Library {
         let is_node = |path: &&(&str, &str)| path.0.ends_with(".wgsl");
         let sources: Vec<_> =
             NODES.iter().filter(is_node).map(|&(name, text)| NamedSource { name, text }).collect();
-        let module = Arc::new(load_module(&sources)?);
+        let module = Arc::new(NodeModule::of_files(wgsl::link(&sources)?));
         let mut library = Self::default();
+        let mut files = module.linked.files.iter();
         for source in &sources {
-            match read_node(source, &module, None) {
+            // A source stands behind all that it imports.
+            let Some(file) = files.find(|file| file.name == source.name) else { continue };
+            match read_node(source, &file.scan, &module, None) {
                 Ok(node) => {
                     library.nodes.insert(node.kind.clone(), Arc::new(node));
                 }

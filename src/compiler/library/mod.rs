@@ -19,6 +19,7 @@ pub mod docs;
 mod embedded;
 mod group;
 mod load;
+mod module;
 mod node;
 mod passes;
 mod read;
@@ -52,9 +53,10 @@ pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};
 pub use load::node_files;
 pub use load::{GroupDef, Library};
+pub use module::{ModuleDeclaration, NodeModule};
 pub use node::{
     ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeFunction,
-    NodeModule, Output, PrepareFunction, Preset, Test, TierError, Treatment,
+    Output, PrepareFunction, Preset, Test, TierError, Treatment,
 };
 pub use passes::{
     PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,

@@ -1,16 +1,13 @@
 //! Description of a node in the library.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex};
+use std::sync::Arc;
 
 use super::Context;
-use super::rules::Rule;
+use super::module::NodeModule;
 use super::types::Type;
 use crate::diag::Diagnostic;
 use crate::document::{Tier, Value};
 use crate::ids::PortName;
-use crate::interp::{Derivatives, FunctionOptions, Program};
-use crate::wgsl::{Declaration, LinkedSource, Operations, Scan, ValidModule};
 
 /// Kind of node.
 #[derive(Clone, Debug)]
@@ -292,72 +289,5 @@ impl NodeDef {
     /// Inputs that are shown as ports or values.
     pub fn visible_inputs(&self) -> impl Iterator<Item = &Input> {
         self.inputs.iter().filter(|input| !input.hidden)
-    }
-}
-
-/// Validated WGSL with the functions of one or more nodes.
-#[derive(Debug)]
-pub struct NodeModule {
-    /// Text that was validated, with a map back to the files.
-    pub linked: LinkedSource,
-    /// Declarations in the text.
-    pub scan: Scan,
-    /// Module as naga parsed and validated it.
-    pub valid: ValidModule,
-    operations: Operations,
-    by_name: HashMap<String, usize>,
-    rules: HashMap<String, Vec<Rule>>,
-    programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
-}
-
-impl NodeModule {
-    /// Wraps validated text.
-    pub fn new(
-        linked: LinkedSource,
-        scan: Scan,
-        valid: ValidModule,
-        rules: HashMap<String, Vec<Rule>>,
-    ) -> Self {
-        let by_name =
-            scan.declarations.iter().enumerate().map(|(i, d)| (d.name.clone(), i)).collect();
-        let operations = Operations::of(&valid.module);
-        Self { linked, scan, valid, operations, by_name, rules, programs: Mutex::default() }
-    }
-
-    /// Forms that a function comes to where facts about its arguments hold, the cheapest first.
-    pub fn rules(&self, function: &str) -> &[Rule] {
-        self.rules.get(function).map_or(&[], Vec::as_slice)
-    }
-
-    /// Top-level declaration by name.
-    pub fn declaration(&self, name: &str) -> Option<&Declaration> {
-        self.by_name.get(name).map(|&index| &self.scan.declarations[index])
-    }
-
-    /// Number of operations of a function, counted in the IR.
-    pub fn operations(&self, function: &str) -> u64 {
-        self.operations.of_function(&self.valid.module, function)
-    }
-
-    /// Program of a function that runs on the CPU, with constants at f64; compiled on the first
-    /// call. Derivatives are 0 in the program, because all values before the fragment are the same
-    /// in all fragments.
-    ///
-    /// # Errors
-    /// A diagnostic that names the part of the function that the interpreter cannot run.
-    pub fn program(&self, function: &str) -> Result<Arc<Program>, Diagnostic> {
-        let mut programs = self.programs.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        if let Some(program) = programs.get(function) {
-            return program.clone();
-        }
-        let source = Some(self.linked.text.as_str());
-        let options = FunctionOptions {
-            derivatives: Derivatives::Zero,
-            source,
-            ..FunctionOptions::default()
-        };
-        let program = Program::compile(&self.valid.module, function, options).map(Arc::new);
-        programs.insert(function.to_owned(), program.clone());
-        program
     }
 }

@@ -6,15 +6,19 @@ use indexmap::IndexMap;
 
 use super::Context;
 use super::docs::{self, Docs, Tag, TagPiece};
+use super::module::{NodeModule, refused};
 use super::node::{
     ArgumentSource, Bypass, BypassResult, Condition, Fallback, Input, Limit, NodeDef, NodeFunction,
-    NodeModule, Output, PrepareFunction, Preset, ShareBound, Test, TierError, Treatment,
+    Output, PrepareFunction, Preset, ShareBound, Test, TierError, Treatment,
 };
+use super::rules::with_forms;
 use super::types::Type;
 use crate::diag::{Diagnostic, LineColumn};
 use crate::document::{Curve, Interpolation, Ramp, RampStop, Tier, Value};
 use crate::ids::PortName;
-use crate::wgsl::{self, Declaration, DeclarationKind, LinkedSource, NamedSource, Scan};
+use crate::wgsl::{
+    self, Declaration, DeclarationKind, LinkedSource, NamedSource, Scan, ValidModule,
+};
 
 pub(super) fn stem_and_folder(path: &str) -> (String, String) {
     let path = path.replace('\\', "/");
@@ -25,32 +29,16 @@ pub(super) fn stem_and_folder(path: &str) -> (String, String) {
     (stem, folder)
 }
 
-pub(super) fn load_module(sources: &[NamedSource<'_>]) -> Result<NodeModule, Vec<Diagnostic>> {
-    let mut linked = wgsl::link(sources)?;
-    let mut scan = wgsl::scan(&linked.text);
-    let rules = super::rules::read_rules(&mut linked, &scan)?;
-    if !rules.is_empty() {
-        scan = wgsl::scan(&linked.text);
+/// Links a source, and validates all of it, with the forms of its rules.
+fn validated(
+    source: NamedSource<'_>,
+) -> Result<(LinkedSource, String, ValidModule), Vec<Diagnostic>> {
+    let linked = wgsl::link(&[source])?;
+    let text = with_forms(&linked)?;
+    match wgsl::parse(&text) {
+        Ok(valid) => Ok((linked, text, valid)),
+        Err(error) => Err(vec![refused(&linked, "invalid-wgsl", &error)]),
     }
-    match wgsl::parse(&linked.text) {
-        Ok(valid) => {
-            let rules = rules.into_iter().collect();
-            Ok(NodeModule::new(linked, scan, valid, rules))
-        }
-        Err(error) => Err(vec![place(&linked, "invalid-wgsl", &error)]),
-    }
-}
-
-/// Diagnostic of an error in linked text, with the file and the line.
-fn place(linked: &LinkedSource, code: &'static str, error: &wgsl::WgslError) -> Diagnostic {
-    let mut problem = Diagnostic::error(code, error.message.clone());
-    let place = error.span.as_ref().and_then(|span| linked.locate(span.start));
-    if let (Some((file, at)), Some(span)) = (place, &error.span) {
-        problem = problem.in_file(file).at(at);
-        let line = linked.text[span.start..].lines().next().unwrap_or_default().trim();
-        problem = problem.hint(format!("it is about `{line}`"));
-    }
-    problem
 }
 
 /// Reads one node file. `kind` names a custom node, whose first function may have any name;
@@ -62,7 +50,7 @@ fn place(linked: &LinkedSource, code: &'static str, error: &wgsl::WgslError) -> 
 pub fn load_node(file: &str, text: &str, kind: Option<&str>) -> Result<NodeDef, Vec<Diagnostic>> {
     let source = NamedSource { name: file, text };
     let node = load_own_module(&source).and_then(|(module, notes)| {
-        let node = read_node(&source, &Arc::new(module), kind)?;
+        let node = read_node(&source, &wgsl::scan(text), &Arc::new(module), kind)?;
         Ok(NodeDef { notes, ..node })
     });
     let in_code = |mut problems: Vec<Diagnostic>| {
@@ -95,24 +83,22 @@ fn load_own_module(
     if !beyond.is_empty() {
         return Err(beyond.iter().map(|error| in_source("code-bound", error)).collect());
     }
-    let module = load_module(std::slice::from_ref(source))?;
-    let own = module.linked.last_source();
-    let refusals = wgsl::refusals(&module.valid, &own);
+    let (linked, text, valid) = validated(*source)?;
+    let refusals = wgsl::refusals(&valid, &linked.last_source());
     if !refusals.is_empty() {
-        return Err(refusals
-            .iter()
-            .map(|error| place(&module.linked, "code-not-allowed", error))
-            .collect());
+        let refused = |error| refused(&linked, "code-not-allowed", error);
+        return Err(refusals.iter().map(refused).collect());
     }
     let loops = wgsl::bound_loops(source.text);
     if !loops.beyond.is_empty() {
         return Err(loops.beyond.iter().map(|error| in_source("code-bound", error)).collect());
     }
     if loops.counted.is_empty() {
-        return Ok((module, Vec::new()));
+        return Ok((NodeModule::of_valid(linked, text, valid), Vec::new()));
     }
     let notes = loops.counted.iter().map(|found| counted_loop(source, found)).collect();
-    Ok((load_module(&[NamedSource { text: &loops.text, ..*source }])?, notes))
+    let (linked, text, valid) = validated(NamedSource { text: &loops.text, ..*source })?;
+    Ok((NodeModule::of_valid(linked, text, valid), notes))
 }
 
 fn counted_loop(source: &NamedSource<'_>, found: &wgsl::CountedLoop) -> Diagnostic {
@@ -136,14 +122,15 @@ fn tell_place_in_code(problem: &mut Diagnostic) {
     }
 }
 
+/// Reads a node from the scan of its file.
 pub(super) fn read_node(
     source: &NamedSource<'_>,
+    scan: &Scan,
     module: &Arc<NodeModule>,
     custom: Option<&str>,
 ) -> Result<NodeDef, Vec<Diagnostic>> {
-    let scan = wgsl::scan(source.text);
     let (stem, category) = stem_and_folder(source.name);
-    let mut reader = Reader { source, scan: &scan, problems: Vec::new() };
+    let mut reader = Reader { source, scan, problems: Vec::new() };
     let node = reader.node(custom, &stem, category, module);
     match node {
         Some(node) if reader.problems.is_empty() => Ok(node),

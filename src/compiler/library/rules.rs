@@ -15,11 +15,9 @@
 //! first form whose facts hold is taken, so that the cheapest stands first. A rule may go on in
 //! following lines that are indented by two spaces or more.
 
-use std::fmt::Write as _;
-
 use crate::diag::Diagnostic;
 use crate::document::Tier;
-use crate::wgsl::{Declaration, DeclarationKind, LinkedSource, Scan};
+use crate::wgsl::{Declaration, DeclarationKind, LinkedSource};
 
 /// Form that a function comes to where facts hold.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +26,8 @@ pub struct Rule {
     pub facts: Vec<Fact>,
     /// Name of the function that has the form as its body.
     pub function: String,
+    /// Text of that function.
+    pub text: String,
     /// Greatest difference that the form makes; `None` for none but rounding.
     pub bound: Option<f64>,
 }
@@ -65,45 +65,48 @@ pub enum RuleLimit {
 /// Tag of a rule's line.
 const TAG: &str = "@where ";
 
-/// Reads the rules of all functions of a linked source, and appends a function for each form to
-/// its text.
+/// Reads the rules of a function.
+///
+/// # Errors
+/// A message for the first line that is no rule.
+pub(super) fn read_rules(declaration: &Declaration) -> Result<Vec<Rule>, String> {
+    let mut rules: Vec<Rule> = Vec::new();
+    if declaration.kind != DeclarationKind::Function {
+        return Ok(rules);
+    }
+    for line in rule_lines(&declaration.doc) {
+        let function = format!("{}_where_{}", declaration.name, rules.len() + 1);
+        let (facts, form, bound) = read_rule(&line, declaration)
+            .map_err(|message| format!("`{}`: `{TAG}{line}`: {message}", declaration.name))?;
+        let parameters: Vec<String> = declaration
+            .fields
+            .iter()
+            .map(|field| format!("{}: {}", field.name, field.ty))
+            .collect();
+        let text = format!(
+            "fn {function}({}) -> {} {{ return {form}; }}\n",
+            parameters.join(", "),
+            declaration.result.as_deref().unwrap_or_default()
+        );
+        rules.push(Rule { facts, function, text, bound });
+    }
+    Ok(rules)
+}
+
+/// Linked text with a function for the form of every rule in it, for naga.
 ///
 /// # Errors
 /// A diagnostic for every line that is no rule, with its file.
-pub(super) fn read_rules(
-    linked: &mut LinkedSource,
-    scan: &Scan,
-) -> Result<Vec<(String, Vec<Rule>)>, Vec<Diagnostic>> {
-    let mut rules = Vec::new();
+pub(super) fn with_forms(linked: &LinkedSource) -> Result<String, Vec<Diagnostic>> {
+    let mut text = linked.text.clone();
     let mut problems = Vec::new();
-    let mut text = String::new();
-    let functions = scan.declarations.iter().filter(|d| d.kind == DeclarationKind::Function);
-    for declaration in functions {
-        let mut own: Vec<Rule> = Vec::new();
-        for line in rule_lines(&declaration.doc) {
-            let line = line.as_str();
-            let function = format!("{}_where_{}", declaration.name, own.len() + 1);
-            match read_rule(line, declaration) {
-                Ok((facts, form, bound)) => {
-                    let parameters: Vec<String> = declaration
-                        .fields
-                        .iter()
-                        .map(|field| format!("{}: {}", field.name, field.ty))
-                        .collect();
-                    let _ = writeln!(
-                        text,
-                        "fn {function}({}) -> {} {{ return {form}; }}",
-                        parameters.join(", "),
-                        declaration.result.as_deref().unwrap_or_default()
-                    );
-                    own.push(Rule { facts, function, bound });
-                }
+    for file in &linked.files {
+        for declaration in &file.scan.declarations {
+            match read_rules(declaration) {
+                Ok(rules) => rules.iter().for_each(|rule| text.push_str(&rule.text)),
                 Err(message) => {
-                    let problem = Diagnostic::error(
-                        "bad-rule",
-                        format!("`{}`: `{TAG}{line}`: {message}", declaration.name),
-                    );
-                    let place = linked.locate(declaration.span.start);
+                    let problem = Diagnostic::error("bad-rule", message);
+                    let place = linked.locate(file.span.start + declaration.span.start);
                     problems.push(match place {
                         Some((file, at)) => problem.in_file(file).at(at),
                         None => problem,
@@ -111,12 +114,8 @@ pub(super) fn read_rules(
                 }
             }
         }
-        if !own.is_empty() {
-            rules.push((declaration.name.clone(), own));
-        }
     }
-    linked.text.push_str(&text);
-    if problems.is_empty() { Ok(rules) } else { Err(problems) }
+    if problems.is_empty() { Ok(text) } else { Err(problems) }
 }
 
 /// The rules of a doc comment, each on one line: lines that are indented by two spaces or more go on
@@ -197,24 +196,15 @@ mod tests {
     use super::*;
     use crate::wgsl::{NamedSource, link, scan};
 
-    fn read(text: &str) -> Result<(String, Vec<(String, Vec<Rule>)>), String> {
-        let mut linked = link(&[NamedSource { name: "f.wgsl", text }]).expect("no imports");
-        let scan = scan(&linked.text);
-        let rules = read_rules(&mut linked, &scan);
-        rules.map(|rules| (linked.text, rules)).map_err(|problems| problems[0].to_string())
-    }
-
     #[test]
     fn a_rule_becomes_a_function() {
-        let (text, rules) = read(
-            "/// x.\n/// @where x is finite and low < x : x + low ~ 0.5\n\
-             fn f(x: f32, low: f32) -> f32 { return x; }",
-        )
-        .expect("it is one");
-        assert!(text.ends_with("fn f_where_1(x: f32, low: f32) -> f32 { return x + low; }\n"));
+        let text = "/// x.\n/// @where x is finite and low < x : x\n///   + low ~ 0.5\n\
+                    fn f(x: f32, low: f32) -> f32 { return x; }";
+        let rules = read_rules(&scan(text).declarations[0]).expect("it is one");
         let facts = vec![Fact::Finite(0), Fact::Below(1, RuleLimit::Parameter(0))];
-        let rule = Rule { facts, function: "f_where_1".to_owned(), bound: Some(0.5) };
-        assert_eq!(rules, [("f".to_owned(), vec![rule])]);
+        let text = "fn f_where_1(x: f32, low: f32) -> f32 { return x + low; }\n".to_owned();
+        let function = "f_where_1".to_owned();
+        assert_eq!(rules, [Rule { facts, function, text, bound: Some(0.5) }]);
     }
 
     #[test]
@@ -226,7 +216,8 @@ mod tests {
             ("x is finite : x ~ much", "no number"),
         ] {
             let text = format!("\n/// x.\n/// @where {line}\nfn f(x: f32) -> f32 {{ return x; }}");
-            let problem = read(&text).expect_err("it is none");
+            let linked = link(&[NamedSource { name: "f.wgsl", text: &text }]).expect("no imports");
+            let problem = with_forms(&linked).expect_err("it is none")[0].to_string();
             assert!(problem.starts_with("f.wgsl:2:1"), "{problem}");
             assert!(problem.contains(wanted), "{problem}");
         }

@@ -40,8 +40,8 @@
 //!
 //! With [`Precision::F64`] every float is an f64, and nothing is rounded to f32 but bitcasts, which
 //! go through f32's bits, and literals, which naga's WGSL front end has already rounded (and
-//! folded, in f32) before the interpreter sees them; given the [`source`](FunctionOptions::source),
-//! literals are read again from there. With [`Precision::F32`] each float operation is computed in
+//! folded, in f32) before the interpreter sees them; given the module's [`Literals`], they are
+//! read again from its text. With [`Precision::F32`] each float operation is computed in
 //! f64 and rounded to f32, which for `+ - * / sqrt` is exactly f32 arithmetic, and for the rest the
 //! nearest f32 to a nearly exact result. Nothing flushes subnormals; infinities and NaN propagate
 //! as in IEEE 754. Functions composed of others (`dot`, `mix`, `smoothstep`, `refract`, ...) follow
@@ -79,6 +79,7 @@ mod value;
 #[cfg(test)]
 mod tests;
 
+pub use compile::Literals;
 pub use lanes::{Batch, LANES, Lanes};
 pub use machine::Machine;
 pub use observed::ObservedValue;
@@ -115,16 +116,16 @@ pub enum Derivatives {
 }
 
 /// Options of the compilation of a function.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub struct FunctionOptions<'s> {
     /// Meaning of derivatives.
     pub derivatives: Derivatives,
     /// True if the function may use features that only a stage of a pipeline has: resources,
     /// private variables, `discard`.
     pub is_stage: bool,
-    /// Text that the module was read from. Literals are read from it at f64, as naga has rounded
-    /// them to f32; [`Precision::F32`] uses naga's.
-    pub source: Option<&'s str>,
+    /// Literals of the module at f64, since naga has rounded them to f32; [`Precision::F32`] uses
+    /// naga's.
+    pub literals: Option<&'s Literals>,
     /// True if values that the source names can be read after a run.
     pub observe: bool,
     /// Number of instructions after which a call is given up as endless; an instruction that copies
@@ -137,7 +138,7 @@ impl Default for FunctionOptions<'_> {
         Self {
             derivatives: Derivatives::default(),
             is_stage: false,
-            source: None,
+            literals: None,
             observe: false,
             step_limit: 10_000_000,
         }
@@ -146,11 +147,11 @@ impl Default for FunctionOptions<'_> {
 
 impl<'s> FunctionOptions<'s> {
     /// Options for an entry point of a pipeline, run in [`Lanes`], with constants at f64.
-    pub fn stage(source: &'s str) -> Self {
+    pub fn stage(literals: &'s Literals) -> Self {
         Self {
             derivatives: Derivatives::Quads,
             is_stage: true,
-            source: Some(source),
+            literals: Some(literals),
             ..Self::default()
         }
     }

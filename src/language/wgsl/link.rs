@@ -1,7 +1,10 @@
 //! Linker: resolves `import chiaro::name;` lines.
+//!
+//! Every file of the shared library is scanned once, however many sources import it.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
+use std::sync::{Arc, LazyLock, OnceLock};
 
 use super::embedded::SHADER_LIBRARY;
 use super::scan::{Scan, scan};
@@ -24,30 +27,36 @@ pub struct NamedSource<'a> {
 pub struct LinkedSource {
     /// Text, ready for naga.
     pub text: String,
-    parts: Vec<SourceSpan>,
+    /// Files that the text consists of, in its order.
+    pub files: Vec<LinkedFile>,
 }
 
+/// File in a [`LinkedSource`].
 #[derive(Clone, Debug)]
-struct SourceSpan {
-    name: String,
-    span: Range<usize>,
+pub struct LinkedFile {
+    /// File name, as messages give it.
+    pub name: String,
+    /// Byte range in the linked text.
+    pub span: Range<usize>,
+    /// Scan of the file; ranges in it begin at the file's own beginning.
+    pub scan: Arc<Scan>,
 }
 
 impl LinkedSource {
     /// File that a byte of the text came from, and the place in it.
     pub fn locate(&self, offset: usize) -> Option<(&str, LineColumn)> {
-        let part =
-            self.parts.iter().find(|part| part.span.contains(&offset)).or(self.parts.last())?;
-        let text = &self.text[part.span.clone()];
-        Some((&part.name, LineColumn::of(text, offset.saturating_sub(part.span.start))))
+        let file =
+            self.files.iter().find(|file| file.span.contains(&offset)).or(self.files.last())?;
+        let text = &self.text[file.span.clone()];
+        Some((&file.name, LineColumn::of(text, offset.saturating_sub(file.span.start))))
     }
 
     /// Byte range of the last source, which nothing imports.
     pub fn last_source(&self) -> Range<usize> {
-        self.parts.last().map_or(0..0, |part| part.span.clone())
+        self.files.last().map_or(0..0, |file| file.span.clone())
     }
 
-    fn push(&mut self, source: &NamedSource<'_>, scan: &Scan) {
+    fn push(&mut self, source: &NamedSource<'_>, scan: Arc<Scan>) {
         let start = self.text.len();
         let mut at = 0;
         // Imports become spaces, so that lines and columns stay true.
@@ -60,15 +69,41 @@ impl LinkedSource {
         if !self.text.ends_with('\n') {
             self.text.push('\n');
         }
-        self.parts.push(SourceSpan { name: source.name.to_owned(), span: start..self.text.len() });
+        let span = start..self.text.len();
+        self.files.push(LinkedFile { name: source.name.to_owned(), span, scan });
     }
 }
 
+/// File of the shared library.
+struct LibraryFile {
+    source: NamedSource<'static>,
+    /// Scan of the file, made when the file is first imported.
+    scan: OnceLock<Arc<Scan>>,
+}
+
+impl LibraryFile {
+    fn scan(&self) -> &Arc<Scan> {
+        self.scan.get_or_init(|| Arc::new(scan(self.source.text)))
+    }
+}
+
+/// Files of the shared library by the names that imports give them.
+static LIBRARY: LazyLock<HashMap<&'static str, LibraryFile>> = LazyLock::new(|| {
+    let file = |&(name, text): &(&'static str, &'static str)| {
+        let source = NamedSource { name, text };
+        (file_stem(name), LibraryFile { source, scan: OnceLock::new() })
+    };
+    SHADER_LIBRARY.iter().map(file).collect()
+});
+
+/// Texts and scans of all files of the shared library, in no order.
+pub fn library_scans() -> impl Iterator<Item = (&'static str, &'static Scan)> {
+    LIBRARY.values().map(|file| (file.source.text, &**file.scan()))
+}
+
 /// File of the shared library that `import` names.
-fn library_file(import: &str) -> Option<NamedSource<'static>> {
-    let name = import.strip_prefix(ROOT)?;
-    let (path, text) = SHADER_LIBRARY.iter().find(|(path, _)| file_stem(path) == name)?;
-    Some(NamedSource { name: path, text })
+fn library_file(import: &str) -> Option<&'static LibraryFile> {
+    LIBRARY.get(import.strip_prefix(ROOT)?)
 }
 
 fn file_stem(path: &str) -> &str {
@@ -85,9 +120,9 @@ pub fn link(sources: &[NamedSource<'_>]) -> Result<LinkedSource, Vec<Diagnostic>
     let mut done = HashSet::new();
     let mut problems = Vec::new();
     for source in sources {
-        let scan = scan(source.text);
+        let scan = Arc::new(scan(source.text));
         add_imports(source, &scan, &mut done, &mut linked, &mut problems);
-        linked.push(source, &scan);
+        linked.push(source, scan);
     }
     if problems.is_empty() { Ok(linked) } else { Err(problems) }
 }
@@ -119,9 +154,8 @@ fn add_imports(
             continue;
         };
         if done.insert(import.path.clone()) {
-            let scan = scan(file.text);
-            add_imports(&file, &scan, done, linked, problems);
-            linked.push(&file, &scan);
+            add_imports(&file.source, file.scan(), done, linked, problems);
+            linked.push(&file.source, file.scan().clone());
         }
     }
 }

@@ -25,7 +25,7 @@ use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::LazyLock;
 
-use super::embedded::SHADER_LIBRARY;
+use super::link::library_scans;
 use super::scan::{DeclarationKind, Scan, Token, TokenKind, scan, tokenize};
 use super::validate::WgslError;
 
@@ -42,10 +42,10 @@ const LIBRARY_ROUNDS: u64 = 64;
 
 /// Functions that may be imported.
 static LIBRARY_FUNCTIONS: LazyLock<HashSet<String>> = LazyLock::new(|| {
-    let declarations = SHADER_LIBRARY.iter().flat_map(|(_, text)| scan(text).declarations);
+    let declarations = library_scans().flat_map(|(_, scan)| &scan.declarations);
     declarations
         .filter(|found| found.kind == DeclarationKind::Function)
-        .map(|found| found.name)
+        .map(|found| found.name.clone())
         .collect()
 });
 

@@ -24,7 +24,7 @@ pub use depth::depth_of_entry_points;
 #[cfg(test)]
 pub use embedded::shipped_nodes;
 pub use embedded::{PASSES, SHADER_LIBRARY};
-pub use link::{LinkedSource, NamedSource, link};
+pub use link::{LinkedFile, LinkedSource, NamedSource, library_scans, link};
 pub use loops::{BoundedLoops, CountedLoop, MAX_CALL_ROUNDS, MAX_ROUNDS, bound_loops};
 pub use operations::Operations;
 pub use permitted::{

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::store::{AssetStore, FileStamp, HcbtfKey};
+use crate::cache::{CachedValue, EntryReader, EntryWriter, cached};
 use crate::diag::{Diagnostic, WithWarnings};
 use crate::document::{Address, Directions, Grid, Hcbtf, Tile};
 use crate::files::{Files, ReadError, SharedFiles};
@@ -70,6 +71,28 @@ impl Image {
     /// The pixels decoded to RGBA, four bytes a pixel.
     pub fn rgba(&self) -> Cow<'_, [u8]> {
         self.coding.rgba(self.size, &self.bytes)
+    }
+}
+
+impl CachedValue for Image {
+    fn write(&self, entry: &mut EntryWriter) {
+        entry.words([self.size[0], self.size[1], self.layers].into_iter());
+        entry.number(match self.coding {
+            TexelCoding::Rgba8 => 0,
+            TexelCoding::Bc7 => 1,
+        });
+        entry.bytes(&self.bytes);
+    }
+
+    fn read(entry: &mut EntryReader<'_>) -> Option<Self> {
+        let [width, height, count] = <[u32; 3]>::try_from(entry.words()?).ok()?;
+        let coding = match entry.number()? {
+            0 => TexelCoding::Rgba8,
+            1 => TexelCoding::Bc7,
+            _ => return None,
+        };
+        let bytes = entry.bytes()?.to_vec();
+        Some(Self::new(LayeredTexture { size: [width, height], count, coding, bytes }))
     }
 }
 
@@ -416,12 +439,16 @@ fn read_hcbtf(
     key: &HcbtfKey,
     progress: &Progress,
 ) -> Result<WithWarnings<Image>, Vec<Diagnostic>> {
-    let (mut hcbtf, notes) = hcbtf::load(files, &key.path)?.into_parts();
+    let name = key.path.display().to_string();
+    let bytes = hcbtf::read_bytes(files, &key.path).map_err(|problem| vec![*problem])?;
+    let (mut hcbtf, notes) = hcbtf::read(&bytes, &name)?.into_parts();
     if key.is_draft && hcbtf.painted.is_empty() {
         hcbtf.grid = drafted(hcbtf.grid);
     }
-    let image = bake(&hcbtf, key.options, progress)
-        .map_err(|problem| vec![problem.in_file(key.path.display().to_string())])?;
+    // Rules draw the same samples again: a relief takes seconds.
+    let sources = (bytes, key.options, key.is_draft);
+    let image = cached("hcbtf", &sources, || bake(&hcbtf, key.options, progress))
+        .map_err(|problem| vec![problem.in_file(name)])?;
     Ok(WithWarnings::new(image, notes))
 }
 

@@ -1,10 +1,9 @@
 //! Turns a `TriangleSoup` as read from a file into a `Mesh` as a renderer draws it.
 
-use std::collections::HashMap;
-
 use glam::{DVec3, Vec3};
 
 use super::closed::is_solid;
+use super::map::{MeshMap, with_room};
 use super::mesh::{Mesh, MeshPart};
 use super::normals::{make_missing, place, weld};
 use super::soup::{Corner, NONE, TriangleSoup};
@@ -144,7 +143,7 @@ struct Joiner<'a> {
     /// Index of the first normal, or UV, of equal value, by index of normal or UV.
     same_normal: Vec<u32>,
     same_uv: Vec<u32>,
-    known: HashMap<VertexKey, u32>,
+    known: MeshMap<VertexKey, u32>,
     vertices: Vec<VertexKey>,
     /// Vertex indices of each triangle of the soup.
     indices: Vec<[u32; 3]>,
@@ -156,7 +155,7 @@ impl<'a> Joiner<'a> {
             soup,
             same_normal: weld(&soup.normals),
             same_uv: weld(&soup.uvs.iter().map(|&[u, v]| [u, v, 0.0]).collect::<Vec<_>>()),
-            known: HashMap::with_capacity(soup.points.len()),
+            known: with_room(soup.points.len()),
             vertices: Vec::with_capacity(soup.points.len()),
             indices: vec![[0; 3]; soup.triangles.len()],
         }

@@ -1,16 +1,15 @@
 //! Test for solids: triangles that enclose a volume, so that nobody outside ever sees their backs.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
+
+use super::map::{MeshMap, with_room};
 
 /// True if the triangles form solids: every edge joins exactly two triangles that run along the
 /// edge in opposite directions, and every connected piece has its front outside. `triangles` index
 /// `point`s that are welded where they are equal.
 pub(super) fn is_solid(triangles: &[[u32; 3]], point: impl Fn(u32) -> DVec3) -> bool {
     // The two triangles at each edge, by the direction in which they run along it.
-    let mut edges: HashMap<(u32, u32), [Option<u32>; 2]> =
-        HashMap::with_capacity(triangles.len() * 3 / 2);
+    let mut edges: MeshMap<(u32, u32), [Option<u32>; 2]> = with_room(triangles.len() * 3 / 2);
     for (index, corners) in triangles.iter().enumerate() {
         for corner in 0..3 {
             let (from, to) = (corners[corner], corners[(corner + 1) % 3]);
@@ -27,7 +26,7 @@ pub(super) fn is_solid(triangles: &[[u32; 3]], point: impl Fn(u32) -> DVec3) -> 
         let (a, b) = (root(&mut pieces, *a), root(&mut pieces, *b));
         pieces[a as usize] = b;
     }
-    let mut volumes: HashMap<u32, f64> = HashMap::new();
+    let mut volumes: MeshMap<u32, f64> = MeshMap::default();
     for (index, corners) in triangles.iter().enumerate() {
         let [a, b, c] = corners.map(&point);
         *volumes.entry(root(&mut pieces, index as u32)).or_default() += a.dot(b.cross(c));

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use glam::{DMat4, DVec3, Vec3};
 
+use crate::cache::{CachedValue, EntryReader, EntryWriter};
+
 /// Name of the material of triangles without a material in the file.
 pub const DEFAULT_MATERIAL: &str = "default";
 
@@ -132,9 +134,99 @@ impl Mesh {
     }
 }
 
+impl CachedValue for Mesh {
+    fn write(&self, entry: &mut EntryWriter) {
+        entry.bytes(self.name.as_bytes());
+        entry.vectors(&self.positions);
+        entry.vectors(&self.normals);
+        entry.vectors(&self.tangents);
+        entry.vectors(&self.uvs);
+        entry.vectors(&self.colors);
+        entry.words(self.indices.iter().copied());
+        entry.number(self.parts.len() as u64);
+        for part in &self.parts {
+            entry.bytes(part.material.as_bytes());
+            entry.words([part.indices.start, part.indices.end].into_iter());
+            entry.number(part.two_sided.into());
+            entry.vectors(part.alpha_cutoff.map(|cutoff| [cutoff]).as_slice());
+        }
+        for is_given in [self.has_uvs, self.has_colors, self.has_normals] {
+            entry.number(is_given.into());
+        }
+    }
+
+    fn read(entry: &mut EntryReader<'_>) -> Option<Self> {
+        let mut mesh = Self {
+            name: text(entry)?,
+            positions: entry.vectors()?,
+            normals: entry.vectors()?,
+            tangents: entry.vectors()?,
+            uvs: entry.vectors()?,
+            colors: entry.vectors()?,
+            indices: entry.words()?,
+            ..Self::default()
+        };
+        for _ in 0..entry.number()? {
+            let material = text(entry)?;
+            let [start, end] = <[u32; 2]>::try_from(entry.words()?).ok()?;
+            mesh.parts.push(MeshPart {
+                material,
+                indices: start..end,
+                two_sided: entry.number()? != 0,
+                alpha_cutoff: entry.vectors::<1>()?.first().map(|cutoff| cutoff[0]),
+            });
+        }
+        mesh.has_uvs = entry.number()? != 0;
+        mesh.has_colors = entry.number()? != 0;
+        mesh.has_normals = entry.number()? != 0;
+        let count = mesh.positions.len();
+        let lengths = [mesh.normals.len(), mesh.tangents.len(), mesh.uvs.len(), mesh.colors.len()];
+        let is_whole = lengths == [count; 4]
+            && mesh.indices.iter().all(|&index| (index as usize) < count)
+            && mesh.parts.iter().all(|part| mesh.indices.len() >= part.indices.end as usize);
+        is_whole.then_some(mesh)
+    }
+}
+
+fn text(entry: &mut EntryReader<'_>) -> Option<String> {
+    String::from_utf8(entry.bytes()?.to_vec()).ok()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_mesh_from_the_cache_is_the_same() {
+        let part = |material: &str, indices, two_sided, alpha_cutoff| MeshPart {
+            material: material.to_owned(),
+            indices,
+            two_sided,
+            alpha_cutoff,
+        };
+        let mesh = Mesh {
+            name: "m".to_owned(),
+            positions: vec![[0.0, 1.0, 2.0], [3.0, 4.0, -0.5], [0.1, 0.2, 0.3]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            tangents: vec![[1.0, 0.0, 0.0, -1.0]; 3],
+            uvs: vec![[0.25, 0.75]; 3],
+            colors: vec![[1.0; 4]; 3],
+            indices: vec![0, 1, 2, 2, 1, 0],
+            parts: vec![part("a", 0..3, true, Some(0.5)), part("b", 3..6, false, None)],
+            has_uvs: true,
+            has_colors: false,
+            has_normals: true,
+        };
+        let again = |mesh: &Mesh| {
+            let mut entry = EntryWriter::default();
+            mesh.write(&mut entry);
+            Mesh::read(&mut EntryReader::of(&entry))
+        };
+        assert_eq!(again(&mesh).as_ref(), Some(&mesh));
+        assert_eq!(again(&Mesh { uvs: Vec::new(), ..mesh.clone() }), None);
+        assert_eq!(again(&Mesh { indices: vec![0, 1, 3, 2, 1, 0], ..mesh.clone() }), None);
+        assert_eq!(again(&Mesh { indices: vec![0, 1, 2], ..mesh }), None);
+    }
 
     #[test]
     fn a_fitted_mesh_touches_the_unit_sphere() {

@@ -9,6 +9,7 @@
 mod build;
 mod closed;
 mod import;
+mod map;
 mod mesh;
 mod normals;
 mod shapes;

@@ -13,10 +13,9 @@
 //! does, others along UV seams) is shaded as smoothly as one that does not. Edges may join any
 //! number of triangles.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 
+use super::map::{MeshMap, with_room};
 use super::soup::{NONE, TriangleSoup};
 
 /// Greatest angle by which an edge may bend within a smooth region where normals are made, in
@@ -32,7 +31,7 @@ const MAX_COMPARED: usize = 16;
 
 /// The index, for each point, of the first point at the same position (-0 and 0 are the same).
 pub(super) fn weld(points: &[[f32; 3]]) -> Vec<u32> {
-    let mut first_at: HashMap<[u32; 3], u32> = HashMap::with_capacity(points.len());
+    let mut first_at: MeshMap<[u32; 3], u32> = with_room(points.len());
     points
         .iter()
         .enumerate()

@@ -12,10 +12,9 @@
 //! triangles of a non-manifold edge are paired in one sweep, and around a point of more than
 //! [`MAX_COMPARED`] triangles opposite directions stay in.
 
-use std::collections::HashMap;
-
 use glam::{DVec3, Vec3};
 
+use super::map::{MeshMap, with_room};
 use super::soup::{Corner, NONE, TriangleSoup};
 
 /// Greatest size of a group in which opposite directions are looked for, in triangles.
@@ -46,7 +45,7 @@ pub(super) fn of_corners(
         corners.iter().all(|c| c.uv != NONE) && !corners.iter().all(|c| soup.has_tangent(c.point))
     };
     let triangles: Vec<usize> = (0..soup.triangles.len()).filter(lacks).collect();
-    let mut known: HashMap<[u32; 3], u32> = HashMap::with_capacity(triangles.len());
+    let mut known: MeshMap<[u32; 3], u32> = with_room(triangles.len());
     let vertices: Vec<[u32; 3]> = triangles
         .iter()
         .map(|&t| {
@@ -61,7 +60,7 @@ pub(super) fn of_corners(
     let mut space = TangentSpace { soup, triangles: &triangles, vertices: &vertices, faces };
     let mut result =
         CornerTangents { of_corner: vec![[NONE; 3]; soup.triangles.len()], ..Default::default() };
-    let mut known = HashMap::new();
+    let mut known = MeshMap::default();
     space.visit_groups(&neighbors(&vertices), &mut |corner, tangent| {
         let (triangle, k) = (triangles[corner / 3], corner % 3);
         if soup.has_tangent(soup.triangles[triangle][k].point) {
@@ -138,34 +137,59 @@ impl Face {
 /// next, or [`NONE`]. Of several triangles at one edge, those that run along it in opposite
 /// directions are paired in their order.
 fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
-    // (lower vertex, upper vertex, corner)
-    let mut edges: Vec<[u32; 3]> = Vec::with_capacity(vertices.len() * 3);
-    for (t, v) in vertices.iter().enumerate() {
-        for k in 0..3 {
-            let (a, b) = (v[k], v[(k + 1) % 3]);
-            edges.push([a.min(b), a.max(b), (t * 3 + k) as u32]);
-        }
-    }
-    edges.sort_unstable();
+    let edge = |corner: usize| {
+        let (a, b) = (vertices[corner / 3][corner % 3], vertices[corner / 3][(corner + 1) % 3]);
+        [a.min(b), a.max(b)]
+    };
+    let (starts, mut edges) = by_lower_vertex(vertices.len() * 3, edge);
     let mut neighbors = vec![NONE; edges.len()];
-    for run in edges.chunk_by(|a, b| a[..2] == b[..2]) {
+    // Corners that wait for a partner of the other direction: all of them run the same way.
+    let mut waiting: Vec<u32> = Vec::new();
+    for (lower, range) in starts.windows(2).enumerate() {
         let is_upward =
-            |corner: u32| vertices[corner as usize / 3][corner as usize % 3] == run[0][0];
-        // Corners that wait for a partner of the other direction: all of them run the same way.
-        let mut first_waiting = 0;
-        let mut waiting: Vec<u32> = Vec::new();
-        for &[_, _, corner] in run {
-            match waiting.get(first_waiting) {
-                Some(&other) if is_upward(other) != is_upward(corner) => {
-                    neighbors[corner as usize] = other / 3;
-                    neighbors[other as usize] = corner / 3;
-                    first_waiting += 1;
+            |corner: u32| vertices[corner as usize / 3][corner as usize % 3] as usize == lower;
+        let of_lower = &mut edges[range[0]..range[1]];
+        of_lower.sort_unstable();
+        for run in of_lower.chunk_by(|a, b| a[0] == b[0]) {
+            let mut first_waiting = 0;
+            waiting.clear();
+            for &[_, corner] in run {
+                match waiting.get(first_waiting) {
+                    Some(&other) if is_upward(other) != is_upward(corner) => {
+                        neighbors[corner as usize] = other / 3;
+                        neighbors[other as usize] = corner / 3;
+                        first_waiting += 1;
+                    }
+                    _ => waiting.push(corner),
                 }
-                _ => waiting.push(corner),
             }
         }
     }
     neighbors
+}
+
+/// The upper vertex and the corner of every edge, by the edges' lower vertices, with the place where
+/// the edges of each vertex begin, and the end of the last one's. `edge` gives the lower and the
+/// upper vertex of the edge from a corner to the next.
+fn by_lower_vertex(
+    corners: usize,
+    edge: impl Fn(usize) -> [u32; 2],
+) -> (Vec<usize>, Vec<[u32; 2]>) {
+    let count = (0..corners).map(|corner| edge(corner)[0] as usize + 1).max().unwrap_or_default();
+    let mut starts = vec![0; count + 1];
+    (0..corners).for_each(|corner| starts[edge(corner)[0] as usize + 1] += 1);
+    for vertex in 0..count {
+        starts[vertex + 1] += starts[vertex];
+    }
+    let mut next = starts.clone();
+    let mut edges = vec![[0; 2]; corners];
+    for corner in 0..corners {
+        let [lower, upper] = edge(corner);
+        let place = &mut next[lower as usize];
+        edges[*place] = [upper, corner as u32];
+        *place += 1;
+    }
+    (starts, edges)
 }
 
 /// A triangle's share in a group.

@@ -53,8 +53,9 @@ impl Studio {
     #[track_caller]
     pub(super) fn chiaro(&self, arguments: &[&str]) -> String {
         let program = env!("CARGO_BIN_EXE_chiaro");
-        let output =
-            Command::new(program).args(arguments).current_dir(self.0.path()).output().unwrap();
+        let mut command = Command::new(program);
+        command.args(arguments).current_dir(self.0.path()).env("CHIARO_CACHE_DIR", "");
+        let output = command.output().unwrap();
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         assert!(
             output.status.success(),

@@ -92,7 +92,7 @@ impl Emitter<'_> {
                     .enumerate()
                     .map(|(i, part)| {
                         let ty = declaration
-                            .and_then(|d| d.fields.get(i))
+                            .and_then(|d| d.scanned.fields.get(i))
                             .map(|field| Type::from_wgsl(&field.ty));
                         self.literal(part, &ty.unwrap_or(Type::Float), node)
                     })

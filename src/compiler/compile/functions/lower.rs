@@ -15,12 +15,11 @@ use naga::{
 };
 
 use super::code::{Callee, Code, Line, level, without_unread};
-use super::{Specialized, SpecializedFunctions};
+use super::{Scope, Specialized, SpecializedFunctions};
 use crate::compile::emit::float_literal;
 use crate::compile::intervals::{Floats, Range, Ranges, Trace};
 use crate::document::Tier;
 use crate::interp::Scalar;
-use crate::library::NodeModule;
 
 /// Longest text of a literal that is taken over as it was written, in bytes.
 const LONGEST_LITERAL: usize = 60;
@@ -58,21 +57,23 @@ type Written<T> = Result<T, NotWritten>;
 /// has changed.
 pub(super) fn lower(
     functions: &mut SpecializedFunctions,
-    module: &NodeModule,
+    scope: Scope<'_>,
     handle: Handle<naga::Function>,
     tier: Tier,
     arguments: &[Ranges],
     trace: Trace,
 ) -> Written<(Body, bool)> {
-    let function = &module.valid.module.functions[handle];
+    let function = &scope.valid.module.functions[handle];
     let mut taken: HashSet<String> =
         function.arguments.iter().filter_map(|argument| argument.name.clone()).collect();
-    taken.extend(module.scan.declarations.iter().map(|declaration| declaration.name.clone()));
+    let declared = scope.valid.module.functions.iter().filter_map(|(_, f)| f.name.clone());
+    let constants = scope.valid.module.constants.iter().filter_map(|(_, c)| c.name.clone());
+    taken.extend(declared.chain(constants));
     let mut lowering = Lowering {
         functions,
-        module,
+        scope,
         function,
-        info: &module.valid.info[handle],
+        info: &scope.valid.info[handle],
         tier,
         arguments,
         trace,
@@ -96,7 +97,7 @@ pub(super) fn lower(
 
 struct Lowering<'a> {
     functions: &'a mut SpecializedFunctions,
-    module: &'a NodeModule,
+    scope: Scope<'a>,
     function: &'a naga::Function,
     info: &'a naga::valid::FunctionInfo,
     tier: Tier,
@@ -139,7 +140,7 @@ impl Lowering<'_> {
             let Some(name) = &variable.name else { continue };
             let index = self.local(name);
             self.variables.insert(handle, index);
-            let ty = self.type_text(&self.module.valid.module.types[variable.ty])?;
+            let ty = self.type_text(&self.scope.valid.module.types[variable.ty])?;
             let init = variable.init.map(|init| self.code(init)).transpose()?;
             lines.push(Line::Var(index, ty.into(), init));
         }
@@ -415,7 +416,7 @@ impl Lowering<'_> {
             self.bind_code(result, literal);
             return Ok(());
         }
-        let module = &self.module.valid.module;
+        let module = &self.scope.valid.module;
         let callee = &module.functions[function];
         let name = callee.name.clone().ok_or(NotWritten)?;
         let recorded = self.trace.arguments(result).map(<[_]>::to_vec);
@@ -429,7 +430,7 @@ impl Lowering<'_> {
         for &argument in arguments {
             codes.push(self.code(argument)?);
         }
-        let code = match self.functions.specialize(self.module, &name, self.tier, &given) {
+        let code = match self.functions.within(self.scope, &name, self.tier, &given) {
             Specialized::Original => Code::Call(Callee::Original(name.into()), codes),
             Specialized::Made(index) => {
                 self.is_changed = true;
@@ -505,7 +506,7 @@ impl Lowering<'_> {
     }
 
     fn inner(&self, handle: Handle<Expression>) -> &TypeInner {
-        self.info[handle].ty.inner_with(&self.module.valid.module.types)
+        self.info[handle].ty.inner_with(&self.scope.valid.module.types)
     }
 
     fn floats(&self, handle: Handle<Expression>) -> Option<Vec<Floats>> {
@@ -540,15 +541,15 @@ impl Lowering<'_> {
         Ok(match expression {
             Expression::Literal(literal) => self.literal(handle, *literal)?,
             Expression::Constant(constant) => {
-                let name = self.module.valid.module.constants[*constant].name.as_deref();
+                let name = self.scope.valid.module.constants[*constant].name.as_deref();
                 Code::Constant(name.ok_or(NotWritten)?.into())
             }
             Expression::ZeroValue(ty) => Code::BuiltIn(
-                self.type_text(&self.module.valid.module.types[*ty])?.into(),
+                self.type_text(&self.scope.valid.module.types[*ty])?.into(),
                 Vec::new(),
             ),
             Expression::Compose { ty, components } => {
-                let ty = &self.module.valid.module.types[*ty];
+                let ty = &self.scope.valid.module.types[*ty];
                 let parts =
                     components.iter().map(|&part| self.code(part)).collect::<Written<Vec<_>>>()?;
                 let name: Rc<str> = self.type_text(ty)?.into();
@@ -643,7 +644,7 @@ impl Lowering<'_> {
     /// A literal as the file has it, or what naga made of constants.
     fn literal(&self, handle: Handle<Expression>, literal: naga::Literal) -> Written<Code> {
         let span = self.function.expressions.get_span(handle).to_range();
-        let text = span.and_then(|span| self.module.linked.text.get(span)).unwrap_or_default();
+        let text = span.and_then(|span| self.scope.source.get(span)).unwrap_or_default();
         Ok(match literal {
             naga::Literal::F32(x) => {
                 let is_number = text.starts_with(|c: char| c.is_ascii_digit())
@@ -676,8 +677,7 @@ impl Lowering<'_> {
     }
 
     fn access(&mut self, base: Handle<Expression>, index: u32) -> Written<Code> {
-        let module = self.module;
-        let types = &module.valid.module.types;
+        let types = &self.scope.valid.module.types;
         let info = self.info;
         let inner = match info[base].ty.inner_with(types) {
             TypeInner::Pointer { base, .. } => &types[*base].inner,
@@ -980,7 +980,7 @@ impl Lowering<'_> {
                 format!("mat{}x{}{}", *columns as usize, *rows as usize, scalar(of)?)
             }
             TypeInner::Array { base, size: naga::ArraySize::Constant(count), .. } => {
-                let base = self.type_text(&self.module.valid.module.types[*base])?;
+                let base = self.type_text(&self.scope.valid.module.types[*base])?;
                 format!("array<{base}, {count}>")
             }
             _ => return Err(NotWritten),

@@ -23,6 +23,7 @@ use naga::Handle;
 use super::intervals::{self, Ranges};
 use crate::document::Tier;
 use crate::library::NodeModule;
+use crate::wgsl::ValidModule;
 
 pub(super) use code::{Callee, Code, CodeNames, Line, each_code, level, write_line, write_lines};
 pub(super) use lower::Body;
@@ -44,10 +45,17 @@ pub(super) enum Specialized {
     Made(usize),
 }
 
+/// The part of a module that naga has read for a function.
+#[derive(Clone, Copy)]
+struct Scope<'m> {
+    module: &'m NodeModule,
+    valid: &'m ValidModule,
+    source: &'m str,
+}
+
 /// A function that was written anew.
 #[derive(Debug)]
 pub(super) struct MadeFunction {
-    pub(super) module: usize,
     /// The name in its file.
     pub(super) name: Rc<str>,
     pub(super) body: Body,
@@ -74,7 +82,20 @@ impl SpecializedFunctions {
         tier: Tier,
         arguments: &[Ranges],
     ) -> Specialized {
-        let module_key = std::ptr::from_ref(module) as usize;
+        let Ok(valid) = module.valid(name) else { return Specialized::Original };
+        let source = module.source(name);
+        self.within(Scope { module, valid, source }, name, tier, arguments)
+    }
+
+    /// The function for arguments within these ranges, as a part of its module that naga has read.
+    fn within(
+        &mut self,
+        scope: Scope<'_>,
+        name: &str,
+        tier: Tier,
+        arguments: &[Ranges],
+    ) -> Specialized {
+        let module_key = std::ptr::from_ref(scope.module) as usize;
         let bits = arguments
             .iter()
             .flat_map(|ranges| ranges.iter())
@@ -86,7 +107,7 @@ impl SpecializedFunctions {
         }
         let specialized = if self.depth < MOST_DEPTH {
             self.depth += 1;
-            let specialized = self.written(module, module_key, name, tier, arguments);
+            let specialized = self.written(scope, module_key, name, tier, arguments);
             self.depth -= 1;
             specialized.unwrap_or(Specialized::Original)
         } else {
@@ -98,24 +119,25 @@ impl SpecializedFunctions {
 
     fn written(
         &mut self,
-        module: &NodeModule,
+        scope: Scope<'_>,
         module_key: usize,
         name: &str,
         tier: Tier,
         arguments: &[Ranges],
     ) -> Option<Specialized> {
-        let rules = module.rules(name);
+        let rules = scope.module.rules(name);
         let rule = rules.iter().find(|rule| facts::all_hold(&rule.facts, tier, arguments));
         let wanted = rule.map_or(name, |rule| &rule.function);
-        let handles = self.handles.entry(module_key).or_insert_with(|| {
-            let functions = module.valid.module.functions.iter();
+        let handles = self.handles.entry(std::ptr::from_ref(scope.valid) as usize);
+        let handles = handles.or_insert_with(|| {
+            let functions = scope.valid.module.functions.iter();
             functions
                 .filter_map(|(handle, function)| Some((function.name.clone()?, handle)))
                 .collect()
         });
         let handle = *handles.get(wanted)?;
-        let trace = intervals::trace(module, handle, arguments)?;
-        let (body, is_changed) = lower::lower(self, module, handle, tier, arguments, trace).ok()?;
+        let trace = intervals::trace(scope.module, scope.valid, handle, arguments)?;
+        let (body, is_changed) = lower::lower(self, scope, handle, tier, arguments, trace).ok()?;
         let is_changed = is_changed || rule.is_some();
         if let [Line::Return(code)] = body.lines.as_slice()
             && code.size() <= MOST_INLINED
@@ -145,7 +167,7 @@ impl SpecializedFunctions {
         }
         let index = self.made.len();
         let (_, name, body) = key.clone();
-        self.made.push(MadeFunction { module, name, body });
+        self.made.push(MadeFunction { name, body });
         self.by_body.insert(key, index);
         Specialized::Made(index)
     }

@@ -45,25 +45,26 @@ pub(super) use trace::Trace;
 /// The ranges of a node's function for arguments within these ranges; `None` where the function
 /// cannot be followed.
 pub(super) fn call(module: &NodeModule, function: &str, arguments: &[Ranges]) -> Option<Ranges> {
-    run(&module.valid, function, arguments, &|name| is_of_library(module, name))
+    let valid = module.valid(function).ok()?;
+    run(valid, function, arguments, &|name| is_of_library(module, name))
 }
 
 /// The record of a function's expressions for arguments within these ranges; `None` where the
 /// function cannot be followed.
 pub(super) fn trace(
     module: &NodeModule,
+    valid: &ValidModule,
     function: Handle<naga::Function>,
     arguments: &[Ranges],
 ) -> Option<Trace> {
     let own = |name: &str| is_of_library(module, name);
-    Machine::new(&module.valid, &own).trace(function, arguments).ok()
+    Machine::new(valid, &own).trace(function, arguments).ok()
 }
 
 /// True if a function of a module has the text of the shader library's own.
 fn is_of_library(module: &NodeModule, name: &str) -> bool {
-    let text =
-        module.declaration(name).and_then(|found| module.linked.text.get(found.body.clone()));
-    text.is_some_and(|text| LIBRARY_TEXTS.get(name).is_some_and(|own| own == text))
+    let text = module.declaration(name).map(|found| found.text);
+    text.is_some() && text == LIBRARY_TEXTS.get(name).copied()
 }
 
 /// Anything of a type of naga's IR; `None` for what is no plain value.
@@ -115,14 +116,14 @@ fn run(
 }
 
 /// The texts of the library's functions that [`library`] knows.
-static LIBRARY_TEXTS: LazyLock<HashMap<&'static str, String>> = LazyLock::new(|| {
+static LIBRARY_TEXTS: LazyLock<HashMap<&'static str, &'static str>> = LazyLock::new(|| {
     let mut texts = HashMap::new();
-    for (_, source) in wgsl::SHADER_LIBRARY {
-        for declaration in &wgsl::scan(source).declarations {
+    for (source, scan) in wgsl::library_scans() {
+        for declaration in &scan.declarations {
             if let Some(name) = library::NAMES.iter().find(|name| **name == declaration.name)
                 && let Some(text) = source.get(declaration.body.clone())
             {
-                texts.insert(*name, text.to_owned());
+                texts.insert(*name, text);
             }
         }
     }

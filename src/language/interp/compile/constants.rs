@@ -134,7 +134,8 @@ impl<'a> FunctionCompiler<'a> {
         match literal {
             Literal::F32(x) => {
                 let single = f64::from(x);
-                let wide = self.context.literals.and_then(|literals| literals.wide(span, x));
+                let literals = self.context.options.literals;
+                let wide = literals.and_then(|literals| literals.wide(span, x));
                 self.assembler.wide_float(wide.unwrap_or(single), single)
             }
             Literal::F64(x) | Literal::AbstractFloat(x) => self.assembler.float(x),

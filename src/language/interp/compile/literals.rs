@@ -6,6 +6,7 @@
 //! number bit for bit is the first one used. So a misreading does no harm: naga's number stands.
 
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 use naga::Span;
 
@@ -18,43 +19,23 @@ const MAX_LENGTH: usize = 1000;
 /// Greatest number of passes over the module's constants until all that name others are known.
 const MAX_PASSES: usize = 32;
 
-/// Text of a module, and the values of its constants.
-pub(super) struct Literals<'s> {
-    source: &'s str,
-    constants: HashMap<String, ConstantNumber>,
+/// Text of a module, from which the literals of any number of its functions are read at f64.
+#[derive(Clone, Debug)]
+pub struct Literals {
+    source: String,
+    /// Values of the module's constants, computed when a literal is first read.
+    constants: OnceLock<HashMap<String, ConstantNumber>>,
 }
 
-impl<'s> Literals<'s> {
-    pub(super) fn of(source: &'s str) -> Self {
-        let scan = scan(source);
-        let constants = scan
-            .declarations
-            .iter()
-            .filter(|declaration| declaration.kind == DeclarationKind::Constant);
-        let mut unknown: Vec<(&str, Option<&str>, &str)> = constants
-            .filter_map(|declaration| {
-                let (head, value) = source.get(declaration.body.clone())?.split_once('=')?;
-                let ty = head.split_once(':').map(|(_, ty)| ty.trim());
-                Some((declaration.name.as_str(), ty, value.trim_end().trim_end_matches(';')))
-            })
-            .filter(|(_, _, value)| value.len() <= MAX_LENGTH)
-            .collect();
-        let mut literals = Self { source, constants: HashMap::new() };
-        for _ in 0..MAX_PASSES {
-            let before = unknown.len();
-            unknown.retain(|(name, ty, value)| {
-                let number = evaluate(value, &literals.constants).and_then(|number| match ty {
-                    Some("f32") => Some(number.single()),
-                    None => Some(number),
-                    Some(_) => None,
-                });
-                number.map(|number| literals.constants.insert((*name).to_owned(), number)).is_none()
-            });
-            if unknown.len() == before {
-                break;
-            }
-        }
-        literals
+impl Literals {
+    /// Literals of a module that naga read from `source`.
+    pub fn of(source: impl Into<String>) -> Self {
+        Self { source: source.into(), constants: OnceLock::new() }
+    }
+
+    /// Text that naga read.
+    pub fn source(&self) -> &str {
+        &self.source
     }
 
     /// The f64 in the text where naga read `single`; `None` if the text denotes another number.
@@ -71,9 +52,43 @@ impl<'s> Literals<'s> {
         if text.len() > MAX_LENGTH {
             return None;
         }
-        let number = evaluate(text, &self.constants)?;
+        let constants = self.constants.get_or_init(|| constants(&self.source));
+        let number = evaluate(text, constants)?;
         number.agrees_with(single).then_some(number.wide())
     }
+}
+
+/// Values of a module's constants that can be read from its text.
+fn constants(source: &str) -> HashMap<String, ConstantNumber> {
+    let scan = scan(source);
+    let constants = scan
+        .declarations
+        .iter()
+        .filter(|declaration| declaration.kind == DeclarationKind::Constant);
+    let mut unknown: Vec<(&str, Option<&str>, &str)> = constants
+        .filter_map(|declaration| {
+            let (head, value) = source.get(declaration.body.clone())?.split_once('=')?;
+            let ty = head.split_once(':').map(|(_, ty)| ty.trim());
+            Some((declaration.name.as_str(), ty, value.trim_end().trim_end_matches(';')))
+        })
+        .filter(|(_, _, value)| value.len() <= MAX_LENGTH)
+        .collect();
+    let mut known = HashMap::new();
+    for _ in 0..MAX_PASSES {
+        let before = unknown.len();
+        unknown.retain(|(name, ty, value)| {
+            let number = evaluate(value, &known).and_then(|number| match ty {
+                Some("f32") => Some(number.single()),
+                None => Some(number),
+                Some(_) => None,
+            });
+            number.map(|number| known.insert((*name).to_owned(), number)).is_none()
+        });
+        if unknown.len() == before {
+            break;
+        }
+    }
+    known
 }
 
 /// End of the bracket that opens `text`.

@@ -21,6 +21,8 @@ mod purity;
 mod statements;
 mod unsupported;
 
+pub use literals::Literals;
+
 use naga::front::Typifier;
 use naga::proc::ResolveContext;
 use naga::{Block, Expression, Function, Handle, Module, Statement};
@@ -31,7 +33,6 @@ use crate::diag::Diagnostic;
 use assembler::Assembler;
 use globals::Globals;
 use layout::Layouts;
-use literals::Literals;
 use purity::Purity;
 use statements::FunctionCompiler;
 
@@ -58,7 +59,6 @@ struct CompileContext<'a> {
     layouts: &'a Layouts,
     options: FunctionOptions<'a>,
     globals: &'a Globals,
-    literals: Option<&'a Literals<'a>>,
     /// Frames of all functions of the module that have been compiled.
     frames: &'a [Option<FunctionFrame>],
 }
@@ -80,8 +80,6 @@ pub(super) fn compile(
     } else {
         Globals::default()
     };
-    let literals = options.source.map(Literals::of);
-    let literals = literals.as_ref();
     let mut purity = Purity::new(module);
     let mut frames: Vec<Option<FunctionFrame>> = Vec::new();
     frames.resize_with(module.functions.len(), || None);
@@ -91,7 +89,6 @@ pub(super) fn compile(
             layouts: &layouts,
             options,
             globals: &globals,
-            literals,
             frames: &frames,
         };
         let begin = assembler.length();
@@ -103,14 +100,8 @@ pub(super) fn compile(
         }
         frames[callee.index()] = Some(frame);
     }
-    let context = CompileContext {
-        module,
-        layouts: &layouts,
-        options,
-        globals: &globals,
-        literals,
-        frames: &frames,
-    };
+    let context =
+        CompileContext { module, layouts: &layouts, options, globals: &globals, frames: &frames };
     let frame = compile_function(&context, &mut assembler, function, true)?;
     let parameters: Vec<ProgramParameter> = parameters
         .into_iter()

@@ -33,7 +33,9 @@ const MAX_SLOTS: usize = 1 << 20;
 /// Memory in which a program runs for [`LANES`] lanes at once, one batch after the other.
 ///
 /// ```
-/// use chiaro_language::interp::{Bindings, FunctionOptions, LANES, Precision, Program};
+/// use chiaro_language::interp::{
+///     Bindings, FunctionOptions, LANES, Literals, Precision, Program,
+/// };
 ///
 /// let source = "
 ///     @group(0) @binding(0) var<uniform> tint: vec4f;
@@ -41,7 +43,8 @@ const MAX_SLOTS: usize = 1 << 20;
 ///         return tint * dpdx(x * x);
 ///     }";
 /// let module = chiaro_language::wgsl::parse(source).expect("valid WGSL").module;
-/// let program = Program::compile(&module, "shade", FunctionOptions::stage(source))?;
+/// let literals = Literals::of(source);
+/// let program = Program::compile(&module, "shade", FunctionOptions::stage(&literals))?;
 /// let mut bindings = Bindings::new();
 /// bindings.buffer(0, 0, [0.5, 0.25, 1.0, 1.0].into());
 /// let bound = program.bind(&bindings, Precision::F64).map_err(|mut problems| problems.remove(0))?;

@@ -4,7 +4,8 @@ use super::super::{Bindings, BoundProgram, LANES, Lanes};
 use super::*;
 
 pub(super) fn stage(source: &str, function: &str) -> Program {
-    Program::compile(&module(source), function, FunctionOptions::stage(source))
+    let literals = Literals::of(source);
+    Program::compile(&module(source), function, FunctionOptions::stage(&literals))
         .unwrap_or_else(|e| panic!("{e}"))
 }
 

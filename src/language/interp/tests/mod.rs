@@ -17,7 +17,7 @@ mod shared;
 mod textures;
 mod vectors;
 
-use super::{FunctionOptions, Precision, Program, Value};
+use super::{FunctionOptions, Literals, Precision, Program, Value};
 use crate::diag::Diagnostic;
 
 /// Module that naga's validator accepts.

@@ -81,7 +81,8 @@ fn halves_are_rounded_in_f32_and_floats_in_f64() {
 fn literals_are_read_again_at_f64_and_stay_nagas_in_f32() {
     let source =
         "const PLACE: f32 = 4.10000001; fn f(x: f32) -> f32 { return x * 0.1 + PLACE / 3.0; }";
-    let options = FunctionOptions { source: Some(source), ..FunctionOptions::default() };
+    let literals = Literals::of(source);
+    let options = FunctionOptions { literals: Some(&literals), ..FunctionOptions::default() };
     let program = Program::compile(&module(source), "f", options).unwrap();
     assert_eq!(
         program.call(&[0.7.into()], Precision::F64).unwrap(),

@@ -152,7 +152,8 @@ fn what_only_compute_has_is_refused_in_stages_too() {
         ),
     ];
     for (source, message) in cases {
-        let error = Program::compile(&module(source), "f", FunctionOptions::stage(source))
+        let literals = Literals::of(source);
+        let error = Program::compile(&module(source), "f", FunctionOptions::stage(&literals))
             .expect_err("refused");
         assert_eq!(error.code, "interp-unsupported");
         assert!(error.message.starts_with(message), "{error}");

@@ -2,7 +2,7 @@
 //!
 //! All but the plane, the waves and the city are closed; all lie within about 1.5 units of the
 //! origin, y up, the front towards +z. Shapes are made once, at first use, from formulas alone, so
-//! they are the same everywhere.
+//! they are the same everywhere; the program keeps those that take long.
 
 mod blob;
 mod city;
@@ -15,12 +15,14 @@ mod sculpture;
 mod sweep;
 mod uv;
 
+use std::convert::Infallible;
 use std::sync::OnceLock;
 
 use super::build::build;
 use super::mesh::Mesh;
 use super::normals::CREASE_ANGLE;
 use super::soup::TriangleSoup;
+use crate::cache;
 
 /// A built-in shape.
 #[derive(Clone, Copy, Debug)]
@@ -112,10 +114,14 @@ pub const SHAPES: &[OwnShape] = &[
 pub fn shape(name: &str) -> Option<Mesh> {
     static MADE: [OnceLock<Mesh>; SHAPES.len()] = [const { OnceLock::new() }; SHAPES.len()];
     let index = SHAPES.iter().position(|shape| shape.name == name)?;
-    let make = || {
+    let make = || -> Result<Mesh, Infallible> {
         let mut soup = (SHAPES[index].make)();
         SHAPES[index].name.clone_into(&mut soup.name);
-        build(soup, CREASE_ANGLE).0
+        Ok(build(soup, CREASE_ANGLE).0)
     };
-    Some(MADE[index].get_or_init(make).clone())
+    let mesh = MADE[index].get_or_init(|| {
+        let Ok(mesh) = cache::cached("shape", &name, make);
+        mesh
+    });
+    Some(mesh.clone())
 }

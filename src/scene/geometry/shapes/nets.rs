@@ -182,6 +182,16 @@ impl Grid {
         (z * self.size[1] + y) * self.size[0] + x
     }
 
+    /// All cells, x fastest: the first corner of each, and the corner's index.
+    fn cells(&self) -> impl Iterator<Item = ([usize; 3], usize)> {
+        let [nx, ny, nz] = self.size;
+        let rows = (0..nz - 1).flat_map(move |z| (0..ny - 1).map(move |y| [y, z]));
+        rows.flat_map(move |[y, z]| {
+            let row = (z * ny + y) * nx;
+            (0..nx - 1).map(move |x| ([x, y, z], row + x))
+        })
+    }
+
     fn place(&self, [x, y, z]: [usize; 3]) -> DVec3 {
         DVec3::new(self.marks[0][x], self.marks[1][y], self.marks[2][z])
     }
@@ -191,19 +201,18 @@ impl Grid {
         let mut net = Net { points: Vec::new(), normals: Vec::new(), quads: Vec::new() };
         let mut crossed: Vec<[u32; EDGES]> = Vec::new();
         let mut cell_of = vec![NOWHERE; self.values.len()];
-        for at in steps([0; 3], self.size.map(|n| n - 1), 1) {
-            let values: [f64; 8] =
-                std::array::from_fn(|i| f64::from(self.values[self.index(corner(at, i))]));
+        let corners: [usize; 8] = std::array::from_fn(|i| self.index(corner([0; 3], i)));
+        for (at, index) in self.cells() {
+            let values = corners.map(|corner| self.values[index + corner]);
             if values.iter().any(|v| *v < 0.0) && values.iter().any(|v| *v >= 0.0) {
-                cell_of[self.index(at)] = crossed.len() as u32;
-                crossed.push(self.sheets(at, &values, &mut net.points));
+                cell_of[index] = crossed.len() as u32;
+                crossed.push(self.sheets(at, &values.map(f64::from), &mut net.points));
             }
         }
         let [nx, ny, _] = self.size;
         // Steps in the index from a corner to the next along x, y and z.
         let strides = [1, nx, nx * ny];
-        for at in steps([0; 3], self.size.map(|n| n - 1), 1) {
-            let index = self.index(at);
+        for (at, index) in self.cells() {
             for axis in 0..3 {
                 let (second, third) = ((axis + 1) % 3, (axis + 2) % 3);
                 let inside = self.values[index] < 0.0;
