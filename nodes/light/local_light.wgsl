@@ -35,7 +35,7 @@ fn local_light(
     let bent = light.direction + weight * clamp(bounded_vec3(bend), vec3f(-1e6), vec3f(1e6));
     // The direction of a sum of nearly 0 would be rounding's.
     let direction = select(light.direction, normalize_or(bent, light.direction),
-        dot(bent, bent) > 1e-6 && weight > 0.0);
+        (dot(bent, bent) > 1e-6) & (weight > 0.0));
     let intensity = light.intensity * mixed(1.0, clamp(bounded(strength), 0.0, 1e6), weight);
     return Light(direction, light.own_direction, light.color, min(intensity, 1e30));
 }

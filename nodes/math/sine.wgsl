@@ -7,18 +7,18 @@ import chiaro::total;
 /// @param angle "Angle" unit=rad default=0 : Any angle.
 /// @return sine "Sine" : From -1 to 1.
 fn sine(angle: f32) -> f32 {
-    return sin_cos_of(angle).x;
+    return sine_of(angle);
 }
 
 fn sine_vec2(angle: vec2f) -> vec2f {
-    return vec2f(sin_cos_of(angle.x).x, sin_cos_of(angle.y).x);
+    return vec2f(sine_of(angle.x), sine_of(angle.y));
 }
 
 fn sine_vec3(angle: vec3f) -> vec3f {
-    return vec3f(sin_cos_of(angle.x).x, sin_cos_of(angle.y).x, sin_cos_of(angle.z).x);
+    return vec3f(sine_of(angle.x), sine_of(angle.y), sine_of(angle.z));
 }
 
 fn sine_vec4(angle: vec4f) -> vec4f {
-    return vec4f(sin_cos_of(angle.x).x, sin_cos_of(angle.y).x, sin_cos_of(angle.z).x,
-        sin_cos_of(angle.w).x);
+    return vec4f(sine_of(angle.x), sine_of(angle.y), sine_of(angle.z),
+        sine_of(angle.w));
 }

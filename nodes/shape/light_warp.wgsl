@@ -39,7 +39,7 @@ fn light_warp(
     let most = clamp(bounded(amount), -8.0, 8.0) * seen_well(dot(n, view));
     let warped = warped_light(light.direction, n, view, camera_from_world, tensor_safe(tensor),
         most, slope);
-    let is_flat = most == 0.0 || slope == 0.0;
+    let is_flat = (most == 0.0) | (slope == 0.0);
     return Light(select(warped, light.direction, is_flat), light.own_direction, light.color,
         light.intensity);
 }

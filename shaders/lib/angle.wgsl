@@ -74,6 +74,6 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }

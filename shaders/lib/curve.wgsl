@@ -32,7 +32,7 @@ fn curve_at(curve: Curve, x: f32, w: f32) -> f32 {
         at = select(at, i, points[i].x <= x);
     }
     let a = points[at];
-    if at + 1u >= count || x <= a.x {
+    if (at + 1u >= count) | (x <= a.x) {
         return bounded(a.y);
     }
     let b = points[at + 1u];
@@ -72,7 +72,7 @@ fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
         at = select(at, i, places[i / 4u][i % 4u] <= x);
     }
     let place = places[at / 4u][at % 4u];
-    if at + 1u >= count || x <= place {
+    if (at + 1u >= count) | (x <= place) {
         return bounded_vec4(colors[at]);
     }
     let after = at + 1u;
@@ -163,7 +163,7 @@ fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
         found = select(found, bounded_vec3(colors[i].xyz), far < nearest);
         nearest = min(nearest, far);
     }
-    if softness <= 0.0 || count == 0u {
+    if (softness <= 0.0) | (count == 0u) {
         return found;
     }
     var sum = vec3f(0.0);

@@ -337,7 +337,7 @@ fn hcbtf_piece_blend(sheet: texture_2d_array<f32>, grid: HcbtfGrid, piece: vec2i
         sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.xw, width),
             (1.0 - w.x) * w.y);
     }
-    if w.x > 0.0 && w.y > 0.0 {
+    if (w.x > 0.0) & (w.y > 0.0) {
         sum = hcbtf_add(sum, hcbtf_piece_texel(sheet, grid, piece, at.zw, width), w.x * w.y);
     }
     return sum;

@@ -131,7 +131,7 @@ fn area_square(stretch: vec3f) -> f32 {
 /// Octave of the marks at a place: log2 of how many times finer than the place's own units they
 /// must lie, for a squared stretch; within +-16.
 fn octave_of(square: f32) -> f32 {
-    return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
+    return clamp(-0.5 * log2_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
 /// Style of strokes.
@@ -196,7 +196,7 @@ fn stray_at(place: vec2f, zoom: i32, seed: u32) -> f32 {
 /// to both sides.
 fn band_filtered(t: f32, half: f32, w: f32) -> f32 {
     if w < 1e-30 {
-        return select(0.0, 1.0, abs(t) <= half && half > 0.0);
+        return select(0.0, 1.0, (abs(t) <= half) & (half > 0.0));
     }
     return clamp((clamp(t + 0.5 * w, -half, half) - clamp(t - 0.5 * w, -half, half)) / w, 0.0, 1.0);
 }
@@ -215,7 +215,7 @@ fn hatched(place: vec2f, w: f32, level: f32, ink: f32, style: Strokes) -> f32 {
         stray_at(place, i32(zoom) + 1, style.seed), level - zoom);
     let across = place.y + style.wobble * stray;
     // Every whole number of an octave has its stroke; between them those of the next octave grow.
-    let density = clamp(level + LOG2_E * log_stable(max(number, 1e-9)), -40.0, 17.0);
+    let density = clamp(level + log2_stable(max(number, 1e-9)), -40.0, 17.0);
     let octave = floor(density);
     let growth = exp2_stable(density - octave) - 1.0;
     let scale = power_of_two(i32(octave));

@@ -68,7 +68,7 @@ fn exponent_of_width(width: f32) -> f32 {
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
 /// (Walter et al. 2007, Heitz 2014).
 fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
-    if r.n_l <= 0.0 || r.n_v <= 0.0 {
+    if (r.n_l <= 0.0) | (r.n_v <= 0.0) {
         return 0.0;
     }
     let a2 = width * width;
@@ -105,7 +105,7 @@ fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f,
     widths: vec2f) -> f32 {
     let n_l = dot(normal, light);
     let n_v = dot(normal, view);
-    if n_l <= 0.0 || n_v <= 0.0 {
+    if (n_l <= 0.0) | (n_v <= 0.0) {
         return 0.0;
     }
     let half = half_of(light, normal, view);

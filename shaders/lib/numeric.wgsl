@@ -44,7 +44,7 @@ fn finite_vec4(v: vec4f) -> vec4f {
 /// @where |v| <= 1e15 : normalize_moderate(v, otherwise)
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
+    if !((largest > 1e-30) & (largest < 1e30)) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -56,18 +56,16 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
 /// 2^n for n in [-126, 127], by its bits.
@@ -75,19 +73,22 @@ fn power_of_two(n: i32) -> f32 {
     return bitcast<f32>(u32(n + 127) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
+}
+
+/// ln(x) for normal x > 0.
+fn log_stable(x: f32) -> f32 {
+    return LN_2 * log2_stable(x);
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -108,6 +109,8 @@ fn log1p_negative_small(y: f32) -> f32 {
 
 /// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
 /// 4.9e-4.
+/// @where |x| <= 0.1 : sin_cos_tiny(x)
+/// @where |x| <= 0.785 : sin_cos_eighth(x)
 fn sin_cos_quarter(x: f32) -> vec2f {
     // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
     // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
@@ -122,6 +125,24 @@ fn sin_cos_quarter(x: f32) -> vec2f {
         + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
     let c = 1.0 - one_minus_c;
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+}
+
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+fn sin_cos_eighth(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
+        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
+        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    return vec2f(s, c);
+}
+
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
 }
 
 /// sin(x/2) and cos(x/2) for x in [0, pi], given `left`, which is pi - x: both keep their relative
@@ -172,9 +193,15 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1; a vector shorter than 1e-15 keeps its direction alone. For vectors that are
-/// hardly ever 0, and no longer than 1e15.
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+}
+
+/// [`normalize_seen`] without a direction for what has none: a vector shorter than 1e-15 stays
+/// short.
+fn normalize_seen_balanced(v: vec3f) -> vec3f {
     return v * inverseSqrt(max(dot(v, v), 1e-30));
 }
 

@@ -44,7 +44,7 @@ fn profile_shape(offset: f32, falloff: f32, cutoff: f32) -> ProfileShape {
     }
     let sin_c = sin_cos_quarter(0.5 * c).x;
     let sin_f = sin_cos_quarter(0.5 * f).x;
-    if sin_c <= 0.0 || sin_f < 1e-9 {
+    if (sin_c <= 0.0) | (sin_f < 1e-9) {
         return shape;
     }
     shape.kind = PROFILE_SOFT;
@@ -97,7 +97,7 @@ fn profile_edge(shape: ProfileShape, c: f32) -> ProfileShape {
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    if (s <= 0.0) | (shape.kind == PROFILE_AMBIENT) {
         return 1.0;
     }
     if shape.kind == PROFILE_STEP {
@@ -115,11 +115,11 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return clamp(exp2_stable(exponent * log_base), 0.0, 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -127,17 +127,15 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | (shape.kind == PROFILE_AMBIENT) {
         return point;
     }
     // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
     // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
+    if (shape.edge_deviation < 0.145) & (w >= 3.46410161513775459 * shape.edge_deviation) {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
         return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
     }
     let reach = sin_cos_quarter(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
@@ -183,7 +181,8 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
         return 1.0;
     }
     let place = profile_place(u, shape);
-    if shape.kind == PROFILE_STEP || (w > 0.0 && w >= 3.46410161513775459 * shape.edge_deviation) {
+    let is_narrow = (w > 0.0) & (w >= 3.46410161513775459 * shape.edge_deviation);
+    if (shape.kind == PROFILE_STEP) | is_narrow {
         return profile_ramp_quick(place.x, w, shape);
     }
     let point = profile_soft_quick(place.x, shape);
@@ -203,7 +202,8 @@ fn profile_filtered_quick(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 fn profile_ramped(u: Angle, shape: ProfileShape) -> f32 {
     let s = profile_place(u, shape).x;
     let w = min(finite_or(2.0 * (abs(dpdx(s)) + abs(dpdy(s))), 0.5), 0.5);
-    if shape.kind == PROFILE_SOFT && (w <= 0.0 || w < 3.46410161513775459 * shape.edge_deviation) {
+    let is_soft = (w <= 0.0) | (w < 3.46410161513775459 * shape.edge_deviation);
+    if (shape.kind == PROFILE_SOFT) & is_soft {
         return profile_soft_quick(s, shape);
     }
     return select(profile_ramp_quick(s, w, shape), 1.0, shape.kind == PROFILE_AMBIENT);

@@ -47,7 +47,7 @@ fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f 
 fn lines_filtered(x: f32, share: f32, w: f32) -> f32 {
     let t = x - round(x);
     if w < 1e-30 {
-        return select(0.0, 1.0, abs(t) <= 0.5 * share && share > 0.0);
+        return select(0.0, 1.0, (abs(t) <= 0.5 * share) & (share > 0.0));
     }
     // Beyond a thousand lines to the pixel the average does not change any more.
     let half = 0.5 * min(w, 1e3);
@@ -91,7 +91,7 @@ fn dot_radius(share: f32) -> f32 {
 /// inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
-        return select(0.0, 1.0, d <= r && r > 0.0);
+        return select(0.0, 1.0, (d <= r) & (r > 0.0));
     }
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
@@ -114,7 +114,7 @@ fn ink_of_dots(cell: vec2f, share: f32, w: f32) -> f32 {
     }
     // Cells as small as a pixel are their average.
     let mean = mix(ink, share, eased(w, 0.4, 1.0));
-    return select(mean, share, share <= 0.0 || share >= 1.0);
+    return select(mean, share, (share <= 0.0) | (share >= 1.0));
 }
 
 /// Ink of lines in both directions that cover `share` of the plane together.

@@ -49,7 +49,7 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
     let x = bounded_vec4(along_x);
     let y = bounded_vec4(along_y);
     let largest = max(length_of(x.xyz), length_of(y.xyz));
-    if largest < 1e-18 || largest > 1e18 {
+    if (largest < 1e-18) | (largest > 1e18) {
         return n;
     }
     // Derivatives are measured in the larger one, so that neither tiny nor huge scenes under- or

@@ -65,7 +65,7 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
     // digits left.
     let left = bounded(turned - size * floor(bounded(turned / size)));
     let wrapped = select(left, left + size, left < 0.0);
-    let inside = select(0.0, wrapped, wrapped >= 0.0 && wrapped < size);
+    let inside = select(0.0, wrapped, (wrapped >= 0.0) & (wrapped < size));
     return select(-inside, inside, y > 0.0);
 }
 
@@ -88,12 +88,10 @@ fn powered(base: f32, exponent: f32) -> f32 {
         return bounded(b * b);
     }
     let magnitude = abs(b);
-    if magnitude < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    let raised = exp2_stable(bounded(e * (LOG2_E * log_stable(magnitude))));
+    let raised = exp2_stable(bounded(e * log2_stable(max(magnitude, SMALLEST_NORMAL))));
     let is_even = floor(e * 0.5) == e * 0.5;
-    return select(raised, -raised, b < 0.0 && !is_even);
+    let signed = select(raised, -raised, (b < 0.0) & !is_even);
+    return select(signed, 0.0, magnitude < SMALLEST_NORMAL);
 }
 
 /// [`powered`], component by component.
@@ -185,6 +183,52 @@ fn length_of(v: vec3f) -> f32 {
         return 0.0;
     }
     return bounded(largest * length(w / largest));
+}
+
+/// sin(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase.
+/// @where tier is balanced and |x| <= 1e7 : sin(x) ~ 2e-3
+/// @where |x| <= 3000 : sine_near(x)
+fn sine_of(x: f32) -> f32 {
+    let b = bounded(x);
+    let turns = round(b * 0.318309886183790672);
+    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
+    let r = ((b - turns * 3.140625) - turns * 0.0009670257568359375)
+        - turns * 6.27832957300962643e-7;
+    return sine_turned(clamp(r, -HALF_PI, HALF_PI), turns);
+}
+
+/// [`sine_of`] where two parts of pi are enough.
+fn sine_near(x: f32) -> f32 {
+    let turns = round(x * 0.318309886183790672);
+    return sine_turned((x - turns * 3.140625) - turns * 0.000967653589793238463, turns);
+}
+
+/// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase.
+/// @where tier is balanced and |x| <= 1e7 : cos(x) ~ 2e-3
+/// @where |x| <= 3000 : cosine_near(x)
+fn cosine_of(x: f32) -> f32 {
+    let b = bounded(x);
+    let turns = round(b * 0.318309886183790672 - 0.5);
+    let middle = turns + 0.5;
+    let r = ((b - middle * 3.140625) - middle * 0.0009670257568359375)
+        - middle * 6.27832957300962643e-7;
+    return sine_turned(-clamp(r, -HALF_PI, HALF_PI), turns);
+}
+
+/// [`cosine_of`] where two parts of pi are enough.
+fn cosine_near(x: f32) -> f32 {
+    let turns = round(x * 0.318309886183790672 - 0.5);
+    let middle = turns + 0.5;
+    return sine_turned((middle * 3.140625 - x) + middle * 0.000967653589793238463, turns);
+}
+
+/// sin(r + pi turns) for |r| <= pi/2 and whole turns: a minimax polynomial (absolute error below
+/// 5e-9 beside rounding).
+fn sine_turned(r: f32, turns: f32) -> f32 {
+    let y = r * r;
+    let s = r * (1.0 + y * (-0.16666657096459908 + y * (0.008333017290471173
+        + y * (-0.00019806615122643014 + y * 0.0000026000545937497925))));
+    return clamp(select(s, -s, fract(turns * 0.5) != 0.0), -1.0, 1.0);
 }
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the

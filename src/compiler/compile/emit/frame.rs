@@ -7,7 +7,7 @@ use super::surface::{ExpressionInputs, expression};
 use super::{Binding, BindingKind, Emitter};
 use crate::compile::ImageShape;
 use crate::compile::intervals;
-use crate::document::ColorSpace;
+use crate::document::{ColorSpace, Tier};
 use crate::library::{PassId, StageValue, Type};
 
 /// Names that the frame uses, kept from the artist's; those of passes' maps stand in their rows.
@@ -33,6 +33,10 @@ pub(super) const RESERVED: &[&str] = &[
 
 /// Number of samples in a row of an evaluation's target; each sample takes two by two pixels.
 pub const SAMPLES_PER_ROW: u32 = 256;
+
+/// Function that normalizes what is interpolated, and its form in cheaper tiers.
+const SEEN: &str = "normalize_seen";
+const SEEN_BALANCED: &str = "normalize_seen_balanced";
 
 const VIEW: &str = "\
 struct View {
@@ -95,7 +99,7 @@ impl Emitter<'_> {
         }
         let root = &self.special.values[self.special.root].ty;
         let own = [
-            ("normalize_quick", true),
+            (SEEN, true),
             ("normalize_or", stage.draws_normals()),
             ("surface_texel", stage.draws_normals()),
             ("straight", *root == Type::Composite),
@@ -107,7 +111,17 @@ impl Emitter<'_> {
         let own = own.into_iter().filter(|(_, is_used)| *is_used).map(|(name, _)| name.to_owned());
         let contexts = self.needs.contexts.iter();
         own.chain(contexts.flat_map(|context| ExpressionInputs::at(*context, stage).functions))
+            .map(|name| self.of_tier(&name).to_owned())
             .collect()
+    }
+
+    /// The name of a library function that the frame calls, in the cheapest tier that all nodes of
+    /// the look allow.
+    fn of_tier<'n>(&self, name: &'n str) -> &'n str {
+        let nodes =
+            self.calls.iter().map(|&id| self.graph.nodes[self.special.values[id].node].tier);
+        let is_exact = self.options.unspecialized || nodes.min().is_none_or(|t| t == Tier::Exact);
+        if name == SEEN && !is_exact { SEEN_BALANCED } else { name }
     }
 
     pub(super) fn write_structs(&mut self) {
@@ -293,12 +307,12 @@ impl Emitter<'_> {
             "\n@fragment\nfn fs_main(in: Varyings{front}) -> @location(0) vec4f {{"
         );
         if uses_front {
-            self.out
-                .push_str("    let facing = normalize_quick(in.normal, vec3f(0.0, 0.0, 1.0));\n");
+            let normalize = self.of_tier(SEEN);
+            let _ = writeln!(self.out, "    let facing = {normalize}(in.normal);");
             self.out.push_str(if draws_normals {
                 // Slivers at outlines may be taken for backs; turned around, one of them would bend
                 // all that is near.
-                "    let toward = normalize_quick(view.eye.xyz - view.eye.w * in.position, \
+                "    let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, \
                  facing);\n    \
                  let is_behind = !is_front && dot(facing, toward) < -0.1;\n    \
                  let normal = select(facing, -facing, is_behind);\n"

@@ -319,7 +319,7 @@ fn operand_levels(operator: &str, a: &Code, b: &Code) -> (u8, u8) {
 const COMPONENTS: [&str; 4] = ["x", "y", "z", "w"];
 
 /// The vector, or the first components of it, whose components a constructor lists in order.
-fn whole(name: &str, parts: &[Code]) -> Option<Code> {
+pub(super) fn whole(name: &str, parts: &[Code]) -> Option<Code> {
     let count = match name {
         "vec2f" => 2,
         "vec3f" => 3,

@@ -526,6 +526,12 @@ impl Lowering<'_> {
             return Ok(bound.clone());
         }
         let expression = &self.function.expressions[handle];
+        // Put together from parts of another vector, it is that vector.
+        if let Expression::Compose { ty, components } = expression
+            && let Some(whole) = self.whole(&self.scope.valid.module.types[*ty], components)?
+        {
+            return Ok(whole);
+        }
         let is_written = matches!(
             expression,
             Expression::Literal(_) | Expression::Constant(_) | Expression::LocalVariable(_)
@@ -639,6 +645,27 @@ impl Lowering<'_> {
             | Expression::ImageQuery { .. } => self.image(expression)?,
             _ => return Err(NotWritten),
         })
+    }
+
+    /// The vector whose parts are put together again, even where a part is known.
+    fn whole(
+        &mut self,
+        ty: &naga::Type,
+        components: &[Handle<Expression>],
+    ) -> Written<Option<Code>> {
+        if !matches!(ty.inner, TypeInner::Vector { .. }) {
+            return Ok(None);
+        }
+        let mut parts = Vec::with_capacity(components.len());
+        for &component in components {
+            let is_free = !self.bound.contains_key(&component);
+            parts.push(match self.function.expressions[component] {
+                Expression::AccessIndex { base, index } if is_free => self.access(base, index)?,
+                _ => self.code(component)?,
+            });
+        }
+        let name = self.type_text(ty)?;
+        Ok(super::code::whole(&name, &parts))
     }
 
     /// A literal as the file has it, or what naga made of constants.

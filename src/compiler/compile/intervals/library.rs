@@ -24,10 +24,13 @@ pub(super) const NAMES: &[&str] = &[
     "finite_or",
     "normalize_or",
     "exp2_stable",
+    "log2_stable",
     "log_stable",
     "log1p_negative",
     "sin_cos_quarter",
     "sin_cos",
+    "sine_of",
+    "cosine_of",
     "angle_between",
     "angle_of",
     "atan2_positive",
@@ -60,15 +63,19 @@ pub(super) fn result(name: &str, arguments: &[Ranges]) -> Option<Ranges> {
             vec![inside(x, -150.0, 128.0).smooth(f64::exp2, 1e-5, 1e-38, limits).with_nan(x.nan)]
         }
         // Meant for normal numbers above 0.
-        ("log_stable", [x])
+        ("log2_stable" | "log_stable", [x])
             if !x.nan && x.low >= 0.999 * f64::from(f32::MIN_POSITIVE) && x.high <= LARGEST =>
         {
-            vec![x.smooth(f64::ln, 1e-5, 1e-5, [-1e3, 1e3])]
+            let log = if name == "log_stable" { f64::ln } else { f64::log2 };
+            vec![x.smooth(log, 1e-5, 1e-5, [-1e3, 1e3])]
         }
-        ("log_stable", [_]) => vec![Floats::ALL],
+        ("log2_stable" | "log_stable", [_]) => vec![Floats::ALL],
         ("log1p_negative", [y]) if y.is_within(0.0, 1.0) => vec![Floats::between(-88.0, 0.0)],
         ("log1p_negative", [_]) => vec![Floats::ALL],
         ("sin_cos_quarter", [x]) if x.is_within(-QUARTER, QUARTER) => quarter(*x),
+        ("sine_of" | "cosine_of", [_]) => {
+            vec![Floats { minus_zero: true, ..Floats::between(-1.0, 1.0) }]
+        }
         ("sin_cos", [x]) if x.is_within(-1e5, 1e5) => {
             vec![Floats::between(-1.0 - SLACK, 1.0 + SLACK); 2]
         }

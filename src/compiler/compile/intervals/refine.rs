@@ -37,7 +37,7 @@ impl Machine<'_> {
                 self.assume_within(frame, state, expr, !is_on, depth + 1)
             }
             Expression::Binary { op, left, right } => match (op, is_on) {
-                (Op::LogicalAnd, true) | (Op::LogicalOr, false) => {
+                (Op::LogicalAnd | Op::And, true) | (Op::LogicalOr | Op::InclusiveOr, false) => {
                     Ok(self.assume_within(frame, state, left, is_on, depth + 1)?
                         && self.assume_within(frame, state, right, is_on, depth + 1)?)
                 }

@@ -68,7 +68,7 @@ pub(super) const TABLE: &[Row] = &[
     Row::fragment(
         "view",
         "vec3f",
-        "normalize_quick(view.eye.xyz - view.eye.w * in.position, vec3f(0.0, 0.0, 1.0))",
+        "normalize(view.eye.xyz - view.eye.w * in.position)",
         "unit, from the surface to the eye, world space",
     )
     .within(ContextBounds::Unit)
