@@ -1,26 +1,8 @@
-//! Statements and expressions of a function that is written anew, and their WGSL.
+//! Statements and expressions of a function that is written anew.
 
 use std::rc::Rc;
 
-use crate::wgsl::rename_identifiers;
-
-/// Greatest length of a line, as in the library's files.
-const LINE: usize = 100;
-
-/// Levels of WGSL's grammar, from what binds least to what needs no brackets.
-pub(in crate::compile) mod level {
-    pub(in crate::compile) const LOWEST: u8 = 0;
-    /// `&&`, `||`
-    pub(in crate::compile) const LOGICAL: u8 = 1;
-    /// `&`, `|`, `^`: no operator binds their operands
-    pub(in crate::compile) const BITS: u8 = 2;
-    pub(in crate::compile) const RELATION: u8 = 3;
-    pub(in crate::compile) const SHIFT: u8 = 4;
-    pub(in crate::compile) const SUM: u8 = 5;
-    pub(in crate::compile) const PRODUCT: u8 = 6;
-    pub(in crate::compile) const UNARY: u8 = 7;
-    pub(in crate::compile) const ATOM: u8 = 8;
-}
+use super::print::level;
 
 /// Function that a call names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -71,15 +53,6 @@ pub(in crate::compile) enum Line {
     Continue,
     Discard,
     Return(Code),
-}
-
-/// Names of what code refers to.
-pub(in crate::compile) trait CodeNames {
-    fn parameter(&self, index: usize) -> String;
-    fn local(&self, index: usize) -> String;
-    /// The name of a declaration of the module, by the name in its file.
-    fn declaration(&self, name: &str) -> String;
-    fn made(&self, index: usize) -> String;
 }
 
 impl Code {
@@ -170,7 +143,7 @@ impl Code {
         found
     }
 
-    /// How often a parameter is read.
+    /// Number of times that a parameter is read.
     pub(in crate::compile) fn reads(&self, parameter: usize) -> usize {
         let mut count = 0;
         self.each(&mut |code| count += usize::from(*code == Self::Parameter(parameter)));
@@ -232,91 +205,10 @@ impl Code {
             other => other,
         }
     }
-
-    fn level(&self) -> u8 {
-        match self {
-            Self::Text(_, level) | Self::Argument(_, level) => *level,
-            Self::Unary(..) => level::UNARY,
-            Self::Binary(operator, ..) => operator_level(operator),
-            _ => level::ATOM,
-        }
-    }
-
-    /// WGSL, in brackets where it binds less than `least`.
-    pub(in crate::compile) fn wgsl(&self, least: u8, names: &dyn CodeNames) -> String {
-        let text = self.bare(names);
-        if self.level() < least { format!("({text})") } else { text }
-    }
-
-    fn bare(&self, names: &dyn CodeNames) -> String {
-        let all = |parts: &[Self]| {
-            let parts: Vec<String> =
-                parts.iter().map(|part| part.wgsl(level::LOWEST, names)).collect();
-            parts.join(", ")
-        };
-        match self {
-            Self::Text(text, _) => rename_identifiers(text, |name| Some(names.declaration(name))),
-            Self::Argument(text, _) => text.to_string(),
-            Self::Parameter(index) => names.parameter(*index),
-            Self::Local(index) => names.local(*index),
-            Self::Constant(name) => names.declaration(name),
-            Self::Member(of, name, _) => format!("{}.{name}", of.wgsl(level::ATOM, names)),
-            Self::Index(of, index) => {
-                format!("{}[{}]", of.wgsl(level::ATOM, names), index.wgsl(level::LOWEST, names))
-            }
-            Self::Unary(operator, of) => {
-                // Two minus signs side by side would be another operator.
-                let of = of.wgsl(level::UNARY, names);
-                if of.starts_with('-') {
-                    format!("{operator}({of})")
-                } else {
-                    format!("{operator}{of}")
-                }
-            }
-            Self::Binary(operator, a, b) => {
-                let (left, right) = operand_levels(operator, a, b);
-                format!("{} {operator} {}", a.wgsl(left, names), b.wgsl(right, names))
-            }
-            Self::BuiltIn(name, parts) => format!("{name}({})", all(parts)),
-            Self::Struct(name, parts) => format!("{}({})", names.declaration(name), all(parts)),
-            Self::Call(Callee::Original(name), parts) => {
-                format!("{}({})", names.declaration(name), all(parts))
-            }
-            Self::Call(Callee::Made(index), parts) => {
-                format!("{}({})", names.made(*index), all(parts))
-            }
-        }
-    }
 }
 
-fn operator_level(operator: &str) -> u8 {
-    match operator {
-        "&&" | "||" => level::LOGICAL,
-        "&" | "|" | "^" => level::BITS,
-        "<" | "<=" | ">" | ">=" | "==" | "!=" => level::RELATION,
-        "<<" | ">>" => level::SHIFT,
-        "+" | "-" => level::SUM,
-        _ => level::PRODUCT,
-    }
-}
-
-/// The least levels of an operator's operands.
-fn operand_levels(operator: &str, a: &Code, b: &Code) -> (u8, u8) {
-    let is_same = |code: &Code| matches!(code, Code::Binary(other, ..) if *other == operator);
-    match operator_level(operator) {
-        level::LOGICAL => (
-            if is_same(a) { level::LOGICAL } else { level::RELATION },
-            if is_same(b) { level::LOGICAL } else { level::RELATION },
-        ),
-        level::BITS => (if is_same(a) { level::BITS } else { level::UNARY }, level::UNARY),
-        level::RELATION => (level::SHIFT, level::SHIFT),
-        level::SHIFT => (level::UNARY, level::UNARY),
-        level::SUM => (level::SUM, level::PRODUCT),
-        _ => (level::PRODUCT, level::UNARY),
-    }
-}
-
-const COMPONENTS: [&str; 4] = ["x", "y", "z", "w"];
+/// Names of a vector's components.
+pub(super) const COMPONENTS: [&str; 4] = ["x", "y", "z", "w"];
 
 /// The vector, or the first components of it, whose components a constructor lists in order.
 pub(super) fn whole(name: &str, parts: &[Code]) -> Option<Code> {
@@ -407,7 +299,7 @@ pub(in crate::compile) fn each_code(lines: &[Line], tell: &mut dyn FnMut(&Code))
     for line in lines {
         match line {
             Line::Let(_, code) | Line::Return(code) | Line::Var(_, _, Some(code)) => {
-                code.each(tell)
+                code.each(tell);
             }
             Line::Assign(place, code) => {
                 place.each(tell);
@@ -434,149 +326,59 @@ pub(in crate::compile) fn each_code(lines: &[Line], tell: &mut dyn FnMut(&Code))
     }
 }
 
-/// Removes variables that nothing reads.
-pub(super) fn without_unread(mut lines: Vec<Line>) -> Vec<Line> {
-    loop {
-        let mut read = std::collections::HashSet::new();
-        each_code(&lines, &mut |code| {
-            if let Code::Local(index) = code {
-                read.insert(*index);
-            }
-        });
-        let before = count(&lines);
-        lines = kept(lines, &read);
-        if count(&lines) == before {
-            return lines;
-        }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A part of a parameter that is a vector with so many components.
+    fn part(parameter: usize, name: &str, width: usize) -> Code {
+        Code::Member(Box::new(Code::Parameter(parameter)), name.into(), width)
     }
-}
 
-fn kept(lines: Vec<Line>, read: &std::collections::HashSet<usize>) -> Vec<Line> {
-    let is_kept = |line: &Line| match line {
-        Line::Let(index, _) | Line::Var(index, ..) => read.contains(index),
-        _ => true,
-    };
-    let inside = |line: Line| match line {
-        Line::If(condition, accept, reject) => {
-            Line::If(condition, kept(accept, read), kept(reject, read))
-        }
-        Line::Loop(body, continuing, end) => {
-            Line::Loop(kept(body, read), kept(continuing, read), end)
-        }
-        Line::Switch(selector, cases) => Line::Switch(
-            selector,
-            cases.into_iter().map(|(value, body)| (value, kept(body, read))).collect(),
-        ),
-        other => other,
-    };
-    lines.into_iter().filter(is_kept).map(inside).collect()
-}
-
-fn count(lines: &[Line]) -> usize {
-    let inner = |line: &Line| match line {
-        Line::If(_, accept, reject) => count(accept) + count(reject),
-        Line::Loop(body, continuing, _) => count(body) + count(continuing),
-        Line::Switch(_, cases) => cases.iter().map(|(_, body)| count(body)).sum(),
-        _ => 0,
-    };
-    lines.len() + lines.iter().map(inner).sum::<usize>()
-}
-
-/// Writes statements at an indentation.
-pub(in crate::compile) fn write_lines(
-    lines: &[Line],
-    indent: usize,
-    names: &dyn CodeNames,
-    out: &mut String,
-) {
-    let text = |code: &Code| code.wgsl(level::LOWEST, names);
-    for line in lines {
-        match line {
-            Line::Let(index, code) => {
-                write_line(&format!("let {} = {};", names.local(*index), text(code)), indent, out);
-            }
-            Line::Var(index, ty, None) => {
-                let ty = rename_identifiers(ty, |name| Some(names.declaration(name)));
-                write_line(&format!("var {}: {ty};", names.local(*index)), indent, out);
-            }
-            Line::Var(index, _, Some(code)) => {
-                write_line(&format!("var {} = {};", names.local(*index), text(code)), indent, out);
-            }
-            Line::Assign(place, code) => {
-                write_line(&format!("{} = {};", text(place), text(code)), indent, out);
-            }
-            Line::If(condition, accept, reject) => {
-                write_line(&format!("if {} {{", text(condition)), indent, out);
-                write_lines(accept, indent + 1, names, out);
-                if !reject.is_empty() {
-                    write_line("} else {", indent, out);
-                    write_lines(reject, indent + 1, names, out);
-                }
-                write_line("}", indent, out);
-            }
-            Line::Loop(body, continuing, break_if) => {
-                write_line("loop {", indent, out);
-                write_lines(body, indent + 1, names, out);
-                if !continuing.is_empty() || break_if.is_some() {
-                    write_line("continuing {", indent + 1, out);
-                    write_lines(continuing, indent + 2, names, out);
-                    if let Some(code) = break_if {
-                        write_line(&format!("break if {};", text(code)), indent + 2, out);
-                    }
-                    write_line("}", indent + 1, out);
-                }
-                write_line("}", indent, out);
-            }
-            Line::Switch(selector, cases) => {
-                write_line(&format!("switch {} {{", text(selector)), indent, out);
-                for (value, body) in cases {
-                    let head = if value == "default" { "default" } else { "case " };
-                    let value = if value == "default" { "" } else { value };
-                    write_line(&format!("{head}{value}: {{"), indent + 1, out);
-                    write_lines(body, indent + 2, names, out);
-                    write_line("}", indent + 1, out);
-                }
-                write_line("}", indent, out);
-            }
-            Line::Break => write_line("break;", indent, out),
-            Line::Continue => write_line("continue;", indent, out),
-            Line::Discard => write_line("discard;", indent, out),
-            Line::Return(code) => write_line(&format!("return {};", text(code)), indent, out),
-        }
+    fn vector(kind: &str, parts: &[Code]) -> Code {
+        Code::BuiltIn(kind.into(), parts.to_vec())
     }
-}
 
-/// Writes a line, broken after commas and before operators where it is too long.
-pub(in crate::compile) fn write_line(line: &str, indent: usize, out: &mut String) {
-    let mut rest = line;
-    let mut indent = 4 * indent;
-    loop {
-        out.extend(std::iter::repeat_n(' ', indent));
-        let room = LINE.saturating_sub(indent).max(40);
-        if rest.len() <= room {
-            out.push_str(rest);
-            out.push('\n');
-            return;
-        }
-        let is_operator = |c: u8| b"+-*/%<>=!&|^".contains(&c);
-        let bytes = rest.as_bytes();
-        let is_break = |at: usize| {
-            bytes[at] == b' '
-                && (bytes[at - 1] == b',' || (is_operator(bytes[at + 1]) && at + 1 < room))
-                && bytes[at + 1] != b'='
+    #[test]
+    fn a_vector_of_all_components_is_the_vector() {
+        let each = ["x", "y", "z"].map(|name| part(0, name, 3));
+        assert_eq!(vector("vec3f", &each).simplified(), Code::Parameter(0));
+        let parts = [part(0, "xyz", 4), part(0, "w", 4)];
+        assert_eq!(vector("vec4f", &parts).simplified(), Code::Parameter(0));
+        let first = ["x", "y"].map(|name| part(0, name, 3));
+        assert_eq!(vector("vec2f", &first).simplified(), part(0, "xy", 3));
+    }
+
+    #[test]
+    fn a_vector_of_other_components_stays() {
+        let swapped = vector("vec3f", &["x", "z", "y"].map(|name| part(0, name, 3)));
+        assert_eq!(swapped.clone().simplified(), swapped);
+        let mixed = vector("vec3f", &[part(0, "x", 3), part(1, "y", 3), part(0, "z", 3)]);
+        assert_eq!(mixed.clone().simplified(), mixed);
+        // Members of a struct, whatever their names.
+        let members = vector("vec2f", &["x", "y"].map(|name| part(0, name, 0)));
+        assert_eq!(members.clone().simplified(), members);
+    }
+
+    #[test]
+    fn a_part_of_what_was_put_together_is_the_part() {
+        let opaque = || vector("vec4f", &[part(0, "xyz", 4), Code::number("1.0")]);
+        let of = |vector: Code, name: &str, width| {
+            Code::Member(Box::new(vector), name.into(), width).simplified()
         };
-        let last = bytes.len().saturating_sub(2).min(room);
-        let first = (1..bytes.len().saturating_sub(1)).find(|&at| is_break(at));
-        let Some(at) = (1..=last).rev().find(|&at| is_break(at)).or(first) else {
-            out.push_str(rest);
-            out.push('\n');
-            return;
+        assert_eq!(of(opaque(), "xyz", 4), part(0, "xyz", 4));
+        assert_eq!(of(opaque(), "y", 4), part(0, "y", 4));
+        assert_eq!(of(opaque(), "w", 4), Code::number("1.0"));
+        assert_eq!(of(part(0, "zyx", 4), "x", 3), part(0, "z", 4));
+    }
+
+    #[test]
+    fn a_negative_number_changes_the_sign_before_it() {
+        let code = |operator, number| {
+            Code::Binary(operator, Box::new(Code::Parameter(0)), Box::new(Code::number(number)))
         };
-        out.push_str(&rest[..at]);
-        out.push('\n');
-        if rest.len() == line.len() {
-            indent += 4;
-        }
-        rest = &rest[at + 1..];
+        assert_eq!(code("-", "-1.0").simplified(), code("+", "1.0"));
+        assert_eq!(code("+", "-1.0").simplified(), code("-", "1.0"));
+        assert_eq!(code("*", "-1.0").simplified(), code("*", "-1.0"));
     }
 }

@@ -1,4 +1,4 @@
-//! SpecializedFunctions of nodes, written for the arguments that a look gives them.
+//! Functions of nodes, written for the arguments that a look gives them.
 //!
 //! A function of the library gives a documented result for every input, and guards it. Where the
 //! ranges of its arguments prove that a guard changes nothing or a branch is never taken, the
@@ -6,13 +6,17 @@
 //! as a function of its own. A function of which nothing is proved stands as it does in its file,
 //! with its comments.
 //!
-//! - `code`: statements and expressions, and their WGSL.
+//! - `code`: statements and expressions.
+//! - `print`: their WGSL.
 //! - `facts`: what ranges prove about arguments, for the rules that stand in the library's files.
-//! - `lower`: from naga's IR to these, by the record that `intervals` keeps.
+//! - `lower`: from naga's IR to statements, by the record that `intervals` keeps.
+//! - `reshape`: statements in the form in which people would write them.
 
 mod code;
 mod facts;
 mod lower;
+mod print;
+mod reshape;
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -25,11 +29,15 @@ use crate::document::Tier;
 use crate::library::NodeModule;
 use crate::wgsl::ValidModule;
 
-pub(super) use code::{Callee, Code, CodeNames, Line, each_code, level, write_line, write_lines};
+pub(super) use code::{Callee, Code, Line, each_code};
 pub(super) use lower::Body;
+pub(super) use print::{CodeNames, level, write_line, write_lines};
 
 /// Most operators of an expression that stands in its caller in place of a call.
 const MOST_INLINED: usize = 9;
+
+/// Most operators of two results between which a condition selects, in place of a branch.
+const MOST_SELECTED: usize = 6;
 
 /// Deepest calls within calls that are written anew.
 const MOST_DEPTH: usize = 40;
