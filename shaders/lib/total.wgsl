@@ -163,7 +163,8 @@ fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
-/// @where low < high and x is finite and |low| <= 1e30 and |high| <= 1e30 : smoothstep(low, high, x)
+/// @where low < high and x is finite and |low| <= 1e30 and |high| <= 1e30 :
+///   smoothstep(low, high, x)
 fn eased(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);

@@ -1,5 +1,5 @@
-//! Values that take long to make, kept in the [cache](crate::files::cache) of the program, if it has
-//! one.
+//! Values that take long to make, kept in the [cache](crate::files::cache) of the program, if it
+//! has one.
 //!
 //! A value goes by everything that it is made of: what its maker was given, and the sources of this
 //! crate and of documents, with the versions of other crates. So another code, or another content,

@@ -614,12 +614,12 @@ mod rules {
                 "scene/hcbtf/file.rs",
                 "use crate::ids::NodeId;\n\nuse crate::{\n    diag,\n    frame::Plan,\n};"
             ),
-            ["src/scene/hcbtf/file.rs:5: `crate::frame`: `hcbtf` (floor 0) reaches up to \
-                 `frame` (floor 1)"]
+            ["src/scene/hcbtf/file.rs:5: `crate::frame`: `hcbtf` (floor 1) reaches up to \
+                 `frame` (floor 2)"]
         );
         let sideways = check("scene/geometry/mod.rs", "fn f() { crate::directions::run() }");
         assert_eq!(sideways.len(), 1);
-        assert!(sideways[0].contains("share floor 0"), "{sideways:?}");
+        assert!(sideways[0].contains("share floor 1"), "{sideways:?}");
     }
 
     #[test]

@@ -34,7 +34,7 @@ pub(super) struct CollectedItems {
 }
 
 /// A declaration to be printed.
-enum Printed<'a> {
+enum PrintedItem<'a> {
     Original(&'a Declaration, &'a str),
     Made(&'a Declaration, usize),
 }
@@ -143,7 +143,7 @@ impl Items {
         for (module, ModuleDeclaration { scanned, text, .. }, made) in ordered {
             if let Some(made) = made {
                 collected.made.insert(made, names.give_exact(&scanned.name));
-                printed.push((module, Printed::Made(scanned, made)));
+                printed.push((module, PrintedItem::Made(scanned, made)));
                 continue;
             }
             let key = (module, scanned.name.clone());
@@ -154,7 +154,7 @@ impl Items {
             let name = names.give_exact(&scanned.name);
             by_text.insert(text, name.clone());
             collected.names.insert(key, name);
-            printed.push((module, Printed::Original(scanned, text)));
+            printed.push((module, PrintedItem::Original(scanned, text)));
         }
         for (module, item) in printed {
             let renamed = |name: &str| {
@@ -162,7 +162,7 @@ impl Items {
                 Some(name.clone())
             };
             let text = match item {
-                Printed::Original(declaration, text) => {
+                PrintedItem::Original(declaration, text) => {
                     let is_constant = declaration.kind == DeclarationKind::Constant;
                     format!(
                         "{}{}{}",
@@ -171,7 +171,7 @@ impl Items {
                         if is_constant { "\n" } else { "\n\n" }
                     )
                 }
-                Printed::Made(declaration, made) => {
+                PrintedItem::Made(declaration, made) => {
                     collected.made_text(module, declaration, made, functions)
                 }
             };

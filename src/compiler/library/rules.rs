@@ -118,8 +118,8 @@ pub(super) fn with_forms(linked: &LinkedSource) -> Result<String, Vec<Diagnostic
     if problems.is_empty() { Ok(text) } else { Err(problems) }
 }
 
-/// The rules of a doc comment, each on one line: lines that are indented by two spaces or more go on
-/// with the one before.
+/// The rules of a doc comment, each on one line: lines that are indented by two spaces or more
+/// go on with the one before.
 fn rule_lines(doc: &[String]) -> Vec<String> {
     let mut rules: Vec<String> = Vec::new();
     let mut is_open = false;

@@ -1,7 +1,7 @@
 //! Values as WGSL expressions and literals.
 
 use super::Emitter;
-use crate::compile::functions::{Code, Specialized, level, module_key};
+use crate::compile::functions::{CallForm, Code, level, module_key};
 use crate::compile::specialize::{Argument, Operation, ValueId};
 use crate::interp::{Scalar, Value};
 use crate::library::{Conversion, Rate, Type};
@@ -48,11 +48,11 @@ impl Emitter<'_> {
             Argument::Sampler(image) => format!("{}_sampler", self.image_name(*image)),
         };
         let name = match self.specialized.get(&id) {
-            None | Some(Specialized::Original) => {
+            None | Some(CallForm::Original) => {
                 self.collected.name(&function.module, &function.name)
             }
-            Some(Specialized::Made(index)) => self.collected.made(*index),
-            Some(Specialized::Expression(code, _)) => {
+            Some(CallForm::Made(index)) => self.collected.made(*index),
+            Some(CallForm::Expression(code, _)) => {
                 let arguments: Vec<Code> = arguments
                     .iter()
                     .map(|argument| match argument {
@@ -72,7 +72,7 @@ impl Emitter<'_> {
     /// expressions of it.
     fn argument(&self, id: ValueId) -> Code {
         match (&self.special.values[id].operation, self.specialized.get(&id)) {
-            (Operation::Convert { value, .. }, Some(Specialized::Expression(code, _)))
+            (Operation::Convert { value, .. }, Some(CallForm::Expression(code, _)))
                 if !self.is_host(id) =>
             {
                 code.with_arguments(&[self.argument(*value)])

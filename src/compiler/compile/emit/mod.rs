@@ -21,7 +21,7 @@ use std::sync::Arc;
 
 use super::CompileOptions;
 use super::check::TypedGraph;
-use super::functions::{Specialized, SpecializedFunctions};
+use super::functions::{CallForm, SpecializedFunctions};
 use super::host::{
     Callee, HostDriver, HostProgram, ProgramStep, UniformMember, conversion_program,
 };
@@ -153,7 +153,7 @@ struct Emitter<'a> {
     items: Items,
     functions: SpecializedFunctions,
     /// The form of each call.
-    specialized: HashMap<ValueId, Specialized>,
+    specialized: HashMap<ValueId, CallForm>,
     /// WGSL name of each value: a local variable, a constant, or a member of `look`.
     value_names: HashMap<ValueId, String>,
     /// Struct constants: their names.
@@ -285,10 +285,10 @@ impl<'a> Emitter<'a> {
             })
             .collect();
         let tier = self.graph.nodes[special.values[id].node].tier;
-        let mut form = ranges.map_or(Specialized::Original, |ranges| {
+        let mut form = ranges.map_or(CallForm::Original, |ranges| {
             self.functions.specialize(&function.module, &function.name, tier, &ranges)
         });
-        if let Specialized::Expression(code, is_changed) = &form {
+        if let CallForm::Expression(code, is_changed) = &form {
             let is_repeated = |(index, argument): (usize, &Argument)| {
                 code.reads(index) > 1
                     && matches!(argument, Argument::Value(id) if !self.is_short(*id))
@@ -297,14 +297,14 @@ impl<'a> Emitter<'a> {
                 form = if *is_changed {
                     self.functions.function_of(&function.module, &function.name, code)
                 } else {
-                    Specialized::Original
+                    CallForm::Original
                 };
             }
         }
         match &form {
-            Specialized::Original => self.items.want_function(function),
-            Specialized::Made(index) => self.items.want_made(&function.module, *index),
-            Specialized::Expression(code, _) => self.items.want_code(&function.module, code),
+            CallForm::Original => self.items.want_function(function),
+            CallForm::Made(index) => self.items.want_made(&function.module, *index),
+            CallForm::Expression(code, _) => self.items.want_code(&function.module, code),
         }
         self.specialized.insert(id, form);
     }
@@ -321,12 +321,12 @@ impl<'a> Emitter<'a> {
         let ranges = &self.special.values[from].ranges;
         if let (Some(name), Some(ranges), false) = (name, ranges, self.options.unspecialized)
             && built_in.declaration(name).is_some()
-            && let Specialized::Expression(code, true) =
+            && let CallForm::Expression(code, true) =
                 self.functions.specialize(built_in, name, Tier::Exact, std::slice::from_ref(ranges))
             && (code.reads(0) < 2 || self.is_short(from))
             && !code.names_declarations()
         {
-            self.specialized.insert(id, Specialized::Expression(code, true));
+            self.specialized.insert(id, CallForm::Expression(code, true));
             return;
         }
         for name in crate::wgsl::identifiers(template) {

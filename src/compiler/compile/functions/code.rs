@@ -7,9 +7,9 @@ use super::print::level;
 /// Function that a call names.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in crate::compile) enum Callee {
-    /// As it stands in its file.
+    /// Function as it stands in its file.
     Original(Rc<str>),
-    /// Written anew: an index into the functions that were made.
+    /// WriteResult anew: an index into the functions that were made.
     Made(usize),
 }
 

@@ -44,8 +44,8 @@ const MOST_DEPTH: usize = 40;
 
 /// A function for certain arguments.
 #[derive(Clone, Debug)]
-pub(super) enum Specialized {
-    /// As it stands in its file.
+pub(super) enum CallForm {
+    /// Function as it stands in its file.
     Original,
     /// An expression of its parameters; `true` if it is not just what its file says.
     Expression(Rc<Code>, bool),
@@ -76,7 +76,7 @@ type CallKey = (usize, Rc<str>, Tier, Vec<u64>);
 pub(super) struct SpecializedFunctions {
     pub(super) made: Vec<MadeFunction>,
     by_body: HashMap<(usize, Rc<str>, Body), usize>,
-    by_call: HashMap<CallKey, Specialized>,
+    by_call: HashMap<CallKey, CallForm>,
     handles: HashMap<usize, HashMap<String, Handle<naga::Function>>>,
     depth: usize,
 }
@@ -89,8 +89,8 @@ impl SpecializedFunctions {
         name: &str,
         tier: Tier,
         arguments: &[Ranges],
-    ) -> Specialized {
-        let Ok(valid) = module.valid(name) else { return Specialized::Original };
+    ) -> CallForm {
+        let Ok(valid) = module.valid(name) else { return CallForm::Original };
         let source = module.source(name);
         self.within(Scope { module, valid, source }, name, tier, arguments)
     }
@@ -102,7 +102,7 @@ impl SpecializedFunctions {
         name: &str,
         tier: Tier,
         arguments: &[Ranges],
-    ) -> Specialized {
+    ) -> CallForm {
         let module_key = std::ptr::from_ref(scope.module) as usize;
         let bits = arguments
             .iter()
@@ -117,9 +117,9 @@ impl SpecializedFunctions {
             self.depth += 1;
             let specialized = self.written(scope, module_key, name, tier, arguments);
             self.depth -= 1;
-            specialized.unwrap_or(Specialized::Original)
+            specialized.unwrap_or(CallForm::Original)
         } else {
-            Specialized::Original
+            CallForm::Original
         };
         self.by_call.insert(key, specialized.clone());
         specialized
@@ -132,7 +132,7 @@ impl SpecializedFunctions {
         name: &str,
         tier: Tier,
         arguments: &[Ranges],
-    ) -> Option<Specialized> {
+    ) -> Option<CallForm> {
         let rules = scope.module.rules(name);
         let rule = rules.iter().find(|rule| facts::all_hold(&rule.facts, tier, arguments));
         let wanted = rule.map_or(name, |rule| &rule.function);
@@ -150,10 +150,10 @@ impl SpecializedFunctions {
         if let [Line::Return(code)] = body.lines.as_slice()
             && code.size() <= MOST_INLINED
         {
-            return Some(Specialized::Expression(Rc::new(code.clone()), is_changed));
+            return Some(CallForm::Expression(Rc::new(code.clone()), is_changed));
         }
         if !is_changed {
-            return Some(Specialized::Original);
+            return Some(CallForm::Original);
         }
         Some(self.make(module_key, name, body))
     }
@@ -164,20 +164,20 @@ impl SpecializedFunctions {
         module: &Arc<NodeModule>,
         name: &str,
         code: &Code,
-    ) -> Specialized {
+    ) -> CallForm {
         self.make(module_key(module), name, Body::returning(code.clone()))
     }
 
-    fn make(&mut self, module: usize, name: &str, body: Body) -> Specialized {
+    fn make(&mut self, module: usize, name: &str, body: Body) -> CallForm {
         let key = (module, Rc::from(name), body);
         if let Some(&index) = self.by_body.get(&key) {
-            return Specialized::Made(index);
+            return CallForm::Made(index);
         }
         let index = self.made.len();
         let (_, name, body) = key.clone();
         self.made.push(MadeFunction { name, body });
         self.by_body.insert(key, index);
-        Specialized::Made(index)
+        CallForm::Made(index)
     }
 }
 

@@ -320,7 +320,7 @@ mod tests {
 
     #[test]
     fn long_lines_break_before_operators() {
-        let sum = vec!["some_value * some_factor"; 8].join(" + ");
+        let sum = ["some_value * some_factor"; 8].join(" + ");
         let lines = broken(&format!("return {sum};"), 2);
         assert!(lines.len() > 2);
         for line in &lines[1..] {

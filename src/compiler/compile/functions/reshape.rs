@@ -6,9 +6,10 @@ use super::code::{Code, Line, each_code};
 use super::{MOST_INLINED, MOST_SELECTED};
 
 /// The statements of a function with late declarations, and without variables and branches that it
-/// can do without.
-pub(super) fn reshaped(lines: Vec<Line>) -> Vec<Line> {
-    collapsed(selected(without_unread(with_declarations_late(lines))))
+/// can do without; `can_select` says whether WGSL selects between results of its type.
+pub(super) fn reshaped(lines: Vec<Line>, can_select: bool) -> Vec<Line> {
+    let lines = without_unread(with_declarations_late(lines));
+    collapsed(if can_select { selected(lines) } else { lines })
 }
 
 /// The statements with variables declared where they are first set, if that is in the function's
@@ -100,10 +101,7 @@ fn selected(lines: Vec<Line>) -> Vec<Line> {
         [.., Line::If(condition, accept, reject), Line::Return(otherwise)] if reject.is_empty() => {
             let [Line::Return(value)] = accept.as_slice() else { return lines };
             let is_short = |code: &Code| code.size() <= MOST_SELECTED && !code.has_calls();
-            // Structs cannot be selected.
-            let is_struct = |code: &Code| matches!(code, Code::Struct(..));
-            if !is_short(value) || !is_short(otherwise) || is_struct(value) || is_struct(otherwise)
-            {
+            if !is_short(value) || !is_short(otherwise) {
                 return lines;
             }
             let select = Code::BuiltIn(

@@ -221,7 +221,7 @@ fn length(a: &[Floats]) -> Floats {
     }
 }
 
-/// What is known of the length of a vector of three numbers.
+/// Knowledge of the length of a vector of three numbers.
 fn length_of(v: &[Floats]) -> Length {
     if v.len() != 3 || v.iter().any(|x| x.nan) {
         return Length::Any;

@@ -19,8 +19,8 @@ pub(in crate::compile) struct Floats {
     pub(in crate::compile) nan: bool,
     /// True if a zero in the range may be -0.
     pub(in crate::compile) minus_zero: bool,
-    /// What is known of the length of the vector that the number is a component of, together with
-    /// those beside it. Nothing is, once it is taken out of its vector.
+    /// Knowledge of the length of the vector that the number is a component of, together with
+    /// those beside it. There is none once it is taken out of its vector.
     pub(in crate::compile) length: Length,
 }
 
@@ -421,7 +421,7 @@ pub(super) fn with_length(ranges: Vec<Range>) -> Vec<Range> {
     [x, y, z].map(|x| Range::Float(Floats { length, ..*x })).to_vec()
 }
 
-/// What is known of the length of a vector, but for rounding.
+/// Knowledge of the length of a vector, but for rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::compile) enum Length {
     /// Nothing.

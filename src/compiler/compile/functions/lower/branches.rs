@@ -3,18 +3,18 @@
 use naga::{Block, Expression, Handle, LocalVariable, Statement, SwitchValue, UnaryOperator};
 
 use super::operators::negated;
-use super::{Lowering, NotWritten, Written};
+use super::{FunctionWriter, NotWritten, WriteResult};
 use crate::compile::functions::MOST_SELECTED;
 use crate::compile::functions::code::{Code, Line};
 use crate::compile::functions::print::level;
 
-impl Lowering<'_> {
+impl FunctionWriter<'_> {
     pub(super) fn branch(
         &mut self,
         condition: Handle<Expression>,
         accept: &Block,
         reject: &Block,
-    ) -> Written<bool> {
+    ) -> WriteResult<bool> {
         if let Some(variable) = self.variable_of_logic(accept) {
             let code = self.logic(condition, accept, reject)?;
             self.conditions.insert(variable, code);
@@ -70,7 +70,7 @@ impl Lowering<'_> {
         condition: Handle<Expression>,
         accept: &Block,
         reject: &Block,
-    ) -> Written<Code> {
+    ) -> WriteResult<Code> {
         let Some(Statement::Store { value: otherwise, .. }) = reject.last() else {
             return Err(NotWritten);
         };
@@ -108,7 +108,7 @@ impl Lowering<'_> {
         &mut self,
         selector: Handle<Expression>,
         cases: &[naga::SwitchCase],
-    ) -> Written<bool> {
+    ) -> WriteResult<bool> {
         let number = |value: SwitchValue| match value {
             SwitchValue::I32(x) => Some(i64::from(x)),
             SwitchValue::U32(x) => Some(i64::from(x)),

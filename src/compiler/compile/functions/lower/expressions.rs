@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use naga::{Expression, Handle, TypeInner};
 
-use super::{Lowering, NotWritten, Written};
+use super::{FunctionWriter, NotWritten, WriteResult};
 use crate::compile::emit::float_literal;
 use crate::compile::functions::code::{self, COMPONENTS, Code};
 use crate::compile::functions::print::level;
@@ -12,9 +12,9 @@ use crate::compile::functions::print::level;
 /// Longest text of a literal that is taken over as it was written, in bytes.
 const LONGEST_LITERAL: usize = 60;
 
-impl Lowering<'_> {
+impl FunctionWriter<'_> {
     /// The code of an expression: its name or its only value, else the code of its parts.
-    pub(super) fn code(&mut self, handle: Handle<Expression>) -> Written<Code> {
+    pub(super) fn code(&mut self, handle: Handle<Expression>) -> WriteResult<Code> {
         if let Some(bound) = self.bound.get(&handle) {
             return Ok(bound.clone());
         }
@@ -41,7 +41,7 @@ impl Lowering<'_> {
     }
 
     /// The code of an expression by that of its parts.
-    fn of_parts(&mut self, handle: Handle<Expression>) -> Written<Code> {
+    fn of_parts(&mut self, handle: Handle<Expression>) -> WriteResult<Code> {
         let expression = &self.function.expressions[handle];
         Ok(match expression {
             Expression::Literal(literal) => self.literal(handle, *literal)?,
@@ -107,9 +107,10 @@ impl Lowering<'_> {
         &mut self,
         ty: Handle<naga::Type>,
         components: &[Handle<Expression>],
-    ) -> Written<Code> {
+    ) -> WriteResult<Code> {
         let ty = &self.scope.valid.module.types[ty];
-        let parts = components.iter().map(|&part| self.code(part)).collect::<Written<Vec<_>>>()?;
+        let parts =
+            components.iter().map(|&part| self.code(part)).collect::<WriteResult<Vec<_>>>()?;
         let name: Rc<str> = self.type_text(ty)?.into();
         Ok(if matches!(ty.inner, TypeInner::Struct { .. }) {
             Code::Struct(name, parts)
@@ -123,7 +124,7 @@ impl Lowering<'_> {
         &mut self,
         ty: &naga::Type,
         components: &[Handle<Expression>],
-    ) -> Written<Option<Code>> {
+    ) -> WriteResult<Option<Code>> {
         if !matches!(ty.inner, TypeInner::Vector { .. }) {
             return Ok(None);
         }
@@ -140,7 +141,7 @@ impl Lowering<'_> {
     }
 
     /// A literal as the file has it, or what naga made of constants.
-    fn literal(&self, handle: Handle<Expression>, literal: naga::Literal) -> Written<Code> {
+    fn literal(&self, handle: Handle<Expression>, literal: naga::Literal) -> WriteResult<Code> {
         let span = self.function.expressions.get_span(handle).to_range();
         let text = span.and_then(|span| self.scope.source.get(span)).unwrap_or_default();
         Ok(match literal {
@@ -169,7 +170,7 @@ impl Lowering<'_> {
     }
 
     /// The code of a variable that is read.
-    fn load(&mut self, pointer: Handle<Expression>) -> Written<Code> {
+    fn load(&mut self, pointer: Handle<Expression>) -> WriteResult<Code> {
         if let Expression::LocalVariable(variable) = self.function.expressions[pointer]
             && let Some(condition) = self.conditions.get(&variable)
         {
@@ -182,19 +183,19 @@ impl Lowering<'_> {
         &mut self,
         vector: Handle<Expression>,
         pattern: &[naga::SwizzleComponent],
-    ) -> Written<Code> {
+    ) -> WriteResult<Code> {
         let name: String =
             pattern.iter().map(|component| COMPONENTS[*component as usize]).collect();
         self.member(vector, &name)
     }
 
-    fn member(&mut self, base: Handle<Expression>, name: &str) -> Written<Code> {
+    fn member(&mut self, base: Handle<Expression>, name: &str) -> WriteResult<Code> {
         let TypeInner::Vector { size, .. } = *self.inner(base) else { return Err(NotWritten) };
         let of = self.code(base)?;
         Ok(Code::Member(Box::new(of), name.into(), size as usize).simplified())
     }
 
-    fn access(&mut self, base: Handle<Expression>, index: u32) -> Written<Code> {
+    fn access(&mut self, base: Handle<Expression>, index: u32) -> WriteResult<Code> {
         let types = &self.scope.valid.module.types;
         let info = self.info;
         let inner = match info[base].ty.inner_with(types) {

@@ -2,11 +2,11 @@
 
 use naga::Expression;
 
-use super::{Lowering, NotWritten, Written};
+use super::{FunctionWriter, NotWritten, WriteResult};
 use crate::compile::functions::code::Code;
 
-impl Lowering<'_> {
-    pub(super) fn image(&mut self, expression: &Expression) -> Written<Code> {
+impl FunctionWriter<'_> {
+    pub(super) fn image(&mut self, expression: &Expression) -> WriteResult<Code> {
         let mut parts = Vec::new();
         let name = match *expression {
             Expression::ImageSample {

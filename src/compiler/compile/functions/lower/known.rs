@@ -2,13 +2,13 @@
 
 use naga::{Expression, Handle, TypeInner};
 
-use super::Lowering;
+use super::FunctionWriter;
 use crate::compile::emit::float_literal;
 use crate::compile::functions::code::Code;
 use crate::compile::intervals::{Floats, Range, Ranges};
 use crate::interp::Scalar;
 
-impl Lowering<'_> {
+impl FunctionWriter<'_> {
     /// The ranges of an expression, wherever it is evaluated.
     pub(super) fn ranges(&self, handle: Handle<Expression>) -> Option<Ranges> {
         match &self.function.expressions[handle] {

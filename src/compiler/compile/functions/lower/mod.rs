@@ -21,11 +21,11 @@ mod types;
 
 use std::collections::{HashMap, HashSet};
 
-use naga::{Block, Expression, Handle, LocalVariable, Statement};
+use naga::{Block, Expression, Handle, LocalVariable, Statement, TypeInner};
 
 use super::code::{Callee, Code, Line};
 use super::reshape::reshaped;
-use super::{Scope, Specialized, SpecializedFunctions};
+use super::{CallForm, Scope, SpecializedFunctions};
 use crate::compile::intervals::{self, Ranges, Trace};
 use crate::document::Tier;
 
@@ -53,7 +53,7 @@ impl Body {
 /// Refusal of a function that holds something that is not written anew: it stays as it is.
 pub(super) struct NotWritten;
 
-type Written<T> = Result<T, NotWritten>;
+type WriteResult<T> = Result<T, NotWritten>;
 
 /// A function, written anew for arguments within these ranges, and whether anything about it has
 /// changed.
@@ -64,14 +64,14 @@ pub(super) fn lower(
     tier: Tier,
     arguments: &[Ranges],
     trace: Trace,
-) -> Written<(Body, bool)> {
+) -> WriteResult<(Body, bool)> {
     let function = &scope.valid.module.functions[handle];
     let mut taken: HashSet<String> =
         function.arguments.iter().filter_map(|argument| argument.name.clone()).collect();
     let declared = scope.valid.module.functions.iter().filter_map(|(_, f)| f.name.clone());
     let constants = scope.valid.module.constants.iter().filter_map(|(_, c)| c.name.clone());
     taken.extend(declared.chain(constants));
-    let mut lowering = Lowering {
+    let mut lowering = FunctionWriter {
         functions,
         scope,
         function,
@@ -89,7 +89,9 @@ pub(super) fn lower(
     };
     let mut lines = lowering.declarations()?;
     lines.extend(lowering.block(&function.body)?);
-    let lines = reshaped(lines);
+    let result = function.result.as_ref().map(|result| &scope.valid.module.types[result.ty].inner);
+    let can_select = matches!(result, Some(TypeInner::Scalar(_) | TypeInner::Vector { .. }));
+    let lines = reshaped(lines, can_select);
     let types = lines
         .iter()
         .filter_map(|line| if let Line::Var(_, ty, _) = line { Some(ty.to_string()) } else { None })
@@ -98,7 +100,7 @@ pub(super) fn lower(
 }
 
 /// A function that is being written.
-struct Lowering<'a> {
+struct FunctionWriter<'a> {
     functions: &'a mut SpecializedFunctions,
     scope: Scope<'a>,
     function: &'a naga::Function,
@@ -119,7 +121,7 @@ struct Lowering<'a> {
     is_changed: bool,
 }
 
-impl Lowering<'_> {
+impl FunctionWriter<'_> {
     fn local(&mut self, wanted: &str) -> usize {
         let mut name = wanted.to_owned();
         let mut count = 2;
@@ -137,7 +139,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn declarations(&mut self) -> Written<Vec<Line>> {
+    fn declarations(&mut self) -> WriteResult<Vec<Line>> {
         let mut lines = Vec::new();
         for (handle, variable) in self.function.local_variables.iter() {
             let Some(name) = &variable.name else { continue };
@@ -150,7 +152,7 @@ impl Lowering<'_> {
         Ok(lines)
     }
 
-    fn block(&mut self, block: &Block) -> Written<Vec<Line>> {
+    fn block(&mut self, block: &Block) -> WriteResult<Vec<Line>> {
         self.open.push(Vec::new());
         let result = self.statements(block);
         let lines = self.open.pop().unwrap_or_default();
@@ -158,7 +160,7 @@ impl Lowering<'_> {
     }
 
     /// Writes statements to the innermost block; `false` where nothing comes after them.
-    fn statements(&mut self, block: &Block) -> Written<bool> {
+    fn statements(&mut self, block: &Block) -> WriteResult<bool> {
         for statement in block {
             if !self.statement(statement)? {
                 return Ok(false);
@@ -167,7 +169,7 @@ impl Lowering<'_> {
         Ok(true)
     }
 
-    fn statement(&mut self, statement: &Statement) -> Written<bool> {
+    fn statement(&mut self, statement: &Statement) -> WriteResult<bool> {
         match statement {
             Statement::Emit(range) => {
                 for handle in range.clone() {
@@ -220,7 +222,7 @@ impl Lowering<'_> {
     }
 
     /// Gives a named expression its name, unless it is as short as one.
-    fn bind(&mut self, handle: Handle<Expression>) -> Written<()> {
+    fn bind(&mut self, handle: Handle<Expression>) -> WriteResult<()> {
         let code = self.code(handle)?;
         self.bind_code(handle, code);
         Ok(())
@@ -254,7 +256,7 @@ impl Lowering<'_> {
         function: Handle<naga::Function>,
         arguments: &[Handle<Expression>],
         result: Handle<Expression>,
-    ) -> Written<()> {
+    ) -> WriteResult<()> {
         if let Some(literal) = self.known(result) {
             self.is_changed = true;
             self.bind_code(result, literal);
@@ -275,12 +277,12 @@ impl Lowering<'_> {
             codes.push(self.code(argument)?);
         }
         let code = match self.functions.within(self.scope, &name, self.tier, &given) {
-            Specialized::Original => Code::Call(Callee::Original(name.into()), codes),
-            Specialized::Made(index) => {
+            CallForm::Original => Code::Call(Callee::Original(name.into()), codes),
+            CallForm::Made(index) => {
                 self.is_changed = true;
                 Code::Call(Callee::Made(index), codes)
             }
-            Specialized::Expression(body, is_changed) => {
+            CallForm::Expression(body, is_changed) => {
                 self.is_changed |= is_changed;
                 let parameters: Vec<String> = callee
                     .arguments

@@ -4,13 +4,13 @@
 use naga::common::wgsl::TryToWgsl as _;
 use naga::{BinaryOperator as Op, Expression, Handle, TypeInner, UnaryOperator};
 
-use super::{Lowering, NotWritten, Written};
+use super::{FunctionWriter, NotWritten, WriteResult};
 use crate::compile::functions::code::Code;
 use crate::compile::functions::print::level;
 use crate::compile::intervals::Floats;
 
-impl Lowering<'_> {
-    pub(super) fn unary(&mut self, op: UnaryOperator, of: Handle<Expression>) -> Written<Code> {
+impl FunctionWriter<'_> {
+    pub(super) fn unary(&mut self, op: UnaryOperator, of: Handle<Expression>) -> WriteResult<Code> {
         let code = self.code(of)?;
         Ok(match op {
             UnaryOperator::Negate => Code::Unary("-", Box::new(code)),
@@ -24,7 +24,7 @@ impl Lowering<'_> {
         op: Op,
         left: Handle<Expression>,
         right: Handle<Expression>,
-    ) -> Written<Code> {
+    ) -> WriteResult<Code> {
         let operator = match op {
             Op::Add => "+",
             Op::Subtract => "-",
@@ -84,13 +84,17 @@ impl Lowering<'_> {
             Expression::Splat { value, .. } if is_arithmetic => Some(value),
             _ => None,
         };
+        let is_vector =
+            |handle: Handle<Expression>| matches!(self.inner(handle), TypeInner::Vector { .. });
+        let (of_left, of_right) = (is_vector(left), is_vector(right));
         let (a, b) = match (scalar(left), scalar(right)) {
-            (Some(a), None) => (a, right),
-            (None, Some(b)) => (left, b),
+            (Some(a), None) if of_right => (a, right),
+            (None, Some(b)) if of_left => (left, b),
             _ => (left, right),
         };
         let (a, b) = (self.code(a)?, self.code(b)?);
-        let (a, b) = if is_arithmetic { scalars_beside(a, b) } else { (a, b) };
+        let is_plain = is_arithmetic && of_left && of_right;
+        let (a, b) = if is_plain { scalars_beside(a, b) } else { (a, b) };
         Ok(Code::Binary(operator, Box::new(a), Box::new(b)).simplified())
     }
 
@@ -99,7 +103,7 @@ impl Lowering<'_> {
         condition: Handle<Expression>,
         accept: Handle<Expression>,
         reject: Handle<Expression>,
-    ) -> Written<Code> {
+    ) -> WriteResult<Code> {
         let ranges = self.ranges(condition);
         let truths: Option<Vec<bool>> =
             ranges.and_then(|ranges| ranges.iter().map(|range| range.truth()).collect());
@@ -123,7 +127,7 @@ impl Lowering<'_> {
         fun: naga::MathFunction,
         first: Handle<Expression>,
         rest: &[Handle<Expression>],
-    ) -> Written<Code> {
+    ) -> WriteResult<Code> {
         use naga::MathFunction as Math;
         let ordered =
             |lowest: Option<Handle<Expression>>, x, highest: Option<Handle<Expression>>| {

@@ -2,21 +2,21 @@
 
 use naga::{Expression, Handle, TypeInner};
 
-use super::{Lowering, NotWritten, Written};
+use super::{FunctionWriter, NotWritten, WriteResult};
 
-impl Lowering<'_> {
+impl FunctionWriter<'_> {
     pub(super) fn inner(&self, handle: Handle<Expression>) -> &TypeInner {
         self.info[handle].ty.inner_with(&self.scope.valid.module.types)
     }
 
-    pub(super) fn type_text(&self, ty: &naga::Type) -> Written<String> {
+    pub(super) fn type_text(&self, ty: &naga::Type) -> WriteResult<String> {
         match (&ty.name, &ty.inner) {
             (Some(name), TypeInner::Struct { .. }) => Ok(name.clone()),
             (_, inner) => self.inner_text(inner),
         }
     }
 
-    pub(super) fn inner_text(&self, inner: &TypeInner) -> Written<String> {
+    pub(super) fn inner_text(&self, inner: &TypeInner) -> WriteResult<String> {
         let scalar = |scalar: &naga::Scalar| match (scalar.kind, scalar.width) {
             (naga::ScalarKind::Float, 4) => Ok("f"),
             (naga::ScalarKind::Sint, 4) => Ok("i"),
