@@ -791,10 +791,10 @@ fn bounds_that_change_nothing_are_left_out() {
         batches.unwrap_or_else(|problems| panic!("{problems:?}"))[0].shader.wgsl.clone()
     };
     let wired = text(&look_of_shares(Mode::Alpha, true));
-    assert_eq!(wired.matches("= unit_share(parts").count(), 2, "{wired}");
-    assert_eq!(wired.matches("= with_unit_alpha(color").count(), 1, "{wired}");
+    assert_eq!(wired.matches("= clamp(parts.").count(), 2, "{wired}");
+    assert_eq!(wired.matches("= vec4f(color.xyz, clamp(color.w, 0.0, 1.0))").count(), 1, "{wired}");
     // Uniforms are bounded on the host.
-    assert!(!text(&look_of_shares(Mode::Alpha, false)).contains("unit_"), "exposed");
+    assert!(!text(&look_of_shares(Mode::Alpha, false)).contains("clamp(parts"), "exposed");
     // Colors that are set from outside are bounded on the host, and mixing them by curvature keeps
     // the bounds.
     let exposed = look(&json!({

@@ -10,6 +10,7 @@ use crate::support::badf::{self, angle, f32_of, held, mirrored};
 use crate::support::eval::{draw, eval, look, scene_of, shape};
 use crate::support::random::Random;
 use crate::support::report::Errors;
+use chiaro::compile::CompileOptions;
 use chiaro::compile::Live;
 use chiaro::document::{Scene, Tier, Value, Values};
 use chiaro::frame::{EvalSample, LightOverride, PlanOptions, Planner, SetupLook};
@@ -86,7 +87,9 @@ fn a_tier_goes_from_the_look_to_groups_to_nodes() {
             "nodes": [outer, {"id": "output", "kind": "output"}],
             "wires": [{"from": "group", "to": "output.color"}]
         }));
-        let shader = chiaro::compile::compile(&look.look, Library::built_in(), &Default::default())
+        // As written, functions keep their names.
+        let options = CompileOptions { unspecialized: true, ..CompileOptions::default() };
+        let shader = chiaro::compile::compile(&look.look, Library::built_in(), &options)
             .expect("flawless")
             .value;
         let functions = ["transition_fast(", "transition_balanced(", "transition("];

@@ -96,9 +96,12 @@ impl NodeModule {
         self.rules.keys().map(String::as_str)
     }
 
-    /// Text that naga read for the module of a function, which spans of its IR are of.
-    pub fn source(&self, function: &str) -> &str {
-        self.part(function).map_or("", |part| part.literals.source())
+    /// Module of naga with a function, and the literals of the text that naga read.
+    ///
+    /// # Errors
+    /// Those of [`valid`](Self::valid).
+    pub fn read(&self, function: &str) -> Result<(&ValidModule, &Literals), Diagnostic> {
+        self.part(function).map(|part| (&part.valid, &part.literals))
     }
 
     /// Top-level declaration by name.

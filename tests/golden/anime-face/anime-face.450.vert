@@ -35,13 +35,8 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
 const ProfileShape lit_shape = ProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);
 const ProfileShape shine_tone_shape = ProfileShape(0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u);

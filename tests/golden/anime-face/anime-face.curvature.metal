@@ -1,6 +1,6 @@
 // Anime face: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Finds curvature from normals and depth.
-// Arguments of both functions: normals texture(0), depths texture(1), curvature buffer(0).
+// Arguments of both functions: surface texture(0), curvature buffer(0).
 // anime-face.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -17,85 +17,52 @@ struct Curvature {
     float rows_up;
     float samples;
 };
-struct type_3 {
-    metal::int2 inner[8];
+struct SeenPixel {
+    metal::int2 at;
+    char _pad1[8];
+    metal::float4 texel;
 };
-struct Texel {
-    metal::packed_float3 normal;
+struct Plane {
     float object;
     float depth;
-    char _pad3[12];
+    metal::float2 rise;
+    float tolerance;
+    char _pad4[4];
 };
-struct SideDifferences {
-    float forward;
-    float forward_weight;
-    float backward;
-    float backward_weight;
+struct Center {
+    metal::int2 at;
+    metal::float2 slope;
+    Plane plane;
 };
-struct type_8 {
-    float inner[3];
+struct Ring {
+    metal::float4 x;
+    metal::float4 y;
+    metal::float4 weights;
 };
-constant type_3 RING = type_3 {{metal::int2(1, 0), metal::int2(-1, 0), metal::int2(0, 1), metal::int2(0, -1), metal::int2(1, 1), metal::int2(-1, 1), metal::int2(1, -1), metal::int2(-1, -1)}};
-constant type_8 WEIGHTS = type_8 {{1.0, 0.85, 0.5}};
 
-Texel texel(
-    metal::int2 at,
-    metal::texture2d<float, metal::access::sample> normals,
-    metal::texture2d<float, metal::access::sample> depths
-) {
-    bool local = {};
-    metal::int2 size = static_cast<metal::int2>(metal::uint2(normals.get_width(), normals.get_height()));
-    if (!(metal::any(at < metal::int2(0)))) {
-        local = metal::any(at >= size);
-    } else {
-        local = true;
-    }
-    bool _e14 = local;
-    if (_e14) {
-        return Texel {metal::float3(0.0), 0.0, 0.0};
-    }
-    metal::float4 normal_1 = normals.read(metal::uint2(at), 0);
-    metal::float4 _e27 = depths.read(metal::uint2(at), 0);
-    return Texel {normal_1.xyz, normal_1.w, _e27.x};
-}
-
-metal::float2 slope(
+metal::float2 slope_of(
     metal::float3 normal
 ) {
     return normal.xy / metal::float2(metal::max(normal.z, 0.2));
 }
 
-metal::float3 neighbor(
-    Texel center,
-    metal::int2 at_1,
-    metal::float2 offset,
-    metal::texture2d<float, metal::access::sample> normals,
-    metal::texture2d<float, metal::access::sample> depths,
-    constant Curvature& curvature
+metal::float4 surface_texel(
+    metal::float3 normal_1,
+    float depth,
+    float number
 ) {
-    Texel _e3 = texel(at_1, normals, depths);
-    if (_e3.object != center.object) {
-        return metal::float3(0.0);
-    }
-    float _e11 = curvature.pixel;
-    float _e15 = curvature.perspective;
-    float pixel_2 = _e11 * metal::mix(1.0, center.depth, _e15);
-    metal::float2 gradient = -(metal::float3(center.normal).xy) / metal::float2(metal::max(center.normal[2], 0.02));
-    float expected = metal::dot(gradient, offset) * pixel_2;
-    float error = metal::abs((center.depth - _e3.depth) - expected);
-    float tolerance = ((2.0 * pixel_2) * metal::length(offset)) * (1.0 + metal::length(gradient));
-    float weight = metal::clamp(2.0 - (error / metal::max(tolerance, 0.000000000000000000000000000001)), 0.0, 1.0);
-    metal::float2 _e52 = slope(_e3.normal);
-    return metal::float3(_e52, weight);
+    metal::float2 _e3 = slope_of(normal_1);
+    return metal::float4(_e3, depth, (normal_1.z < 0.0) ? -(number) : number);
 }
 
-float derivative(
-    SideDifferences sides
+metal::float3 normal_of(
+    metal::float4 texel
 ) {
-    float forward = sides.forward / metal::max(sides.forward_weight, 0.000001);
-    float backward = sides.backward / metal::max(sides.backward_weight, 0.000001);
-    metal::float2 trust = metal::float2(metal::smoothstep(0.0, 0.5, sides.forward_weight), metal::smoothstep(0.0, 0.5, sides.backward_weight));
-    return ((forward * trust.x) + (backward * trust.y)) / metal::max(trust.x + trust.y, 0.000001);
+    metal::float2 aside = 0.2 * texel.xy;
+    float rest = metal::sqrt(metal::max(1.0 - metal::dot(aside, aside), 0.0));
+    float nz = (texel.w < 0.0) ? -(rest) : rest;
+    metal::float3 facing = metal::float3(texel.xy, 1.0) / metal::float3(metal::sqrt(1.0 + metal::dot(texel.xy, texel.xy)));
+    return (nz >= 0.2) ? facing : metal::float3(aside, nz);
 }
 
 metal::float4 whole_picture(
@@ -104,148 +71,184 @@ metal::float4 whole_picture(
     return metal::float4((static_cast<float>(index_1 & 1u) * 4.0) - 1.0, (static_cast<float>(index_1 >> 1u) * 4.0) - 1.0, 0.0, 1.0);
 }
 
-metal::int2 covered_near(
-    metal::int2 pixel,
-    metal::texture2d<float, metal::access::sample> normals
+int naga_f2i32(float value) {
+    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
+}
+
+int step_pixels(
+    constant Curvature& curvature
 ) {
-    metal::int2 found = {};
-    int k = 7;
-    metal::int2 most = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(normals.get_width(), normals.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
-    found = pixel;
+    float _e2 = curvature.viewport_height;
+    return metal::max(naga_f2i32(metal::rint(_e2 / 800.0)), 1);
+}
+
+float row_direction(
+    constant Curvature& curvature
+) {
+    float _e2 = curvature.rows_up;
+    return (_e2 > 0.5) ? 1.0 : -1.0;
+}
+
+metal::int2 around(
+    int index_2
+) {
+    int side = as_type<int>(as_type<uint>(1) - as_type<uint>(as_type<int>(as_type<uint>(2) * as_type<uint>(index_2 & 1))));
+    metal::int2 straight = (index_2 < 2) ? metal::int2(side, 0) : metal::int2(0, side);
+    return (index_2 > 3) ? metal::int2(side, as_type<int>(as_type<uint>(1) - as_type<uint>(index_2 & 2))) : straight;
+}
+
+SeenPixel seen_pixel(
+    metal::int2 pixel,
+    metal::texture2d<float, metal::access::sample> surface,
+    constant Curvature& curvature
+) {
+    SeenPixel seen = {};
+    bool local = {};
+    int index_3 = {};
+    metal::float4 _e3 = surface.read(metal::uint2(pixel), 0);
+    seen = SeenPixel {pixel, {}, _e3};
+    metal::int2 last = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    float _e14 = curvature.samples;
+    if (_e14 >= 2.0) {
+        float _e21 = seen.texel.w;
+        local = _e21 == 0.0;
+    } else {
+        local = false;
+    }
+    bool may_be_missed = local;
+    index_3 = may_be_missed ? 7 : -1;
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
     while(true) {
         if (metal::all(loop_bound == uint2(0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e27 = k;
-            k = as_type<int>(as_type<uint>(_e27) - as_type<uint>(1));
+            int _e47 = index_3;
+            index_3 = as_type<int>(as_type<uint>(_e47) - as_type<uint>(1));
         }
         loop_init = false;
-        int _e10 = k;
-        if (_e10 >= 0) {
+        int _e30 = index_3;
+        if (_e30 >= 0) {
         } else {
             break;
         }
         {
-            int _e14 = k;
-            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(RING.inner[_e14])), metal::int2(0), most);
-            metal::float4 _e22 = normals.read(metal::uint2(near), 0);
-            if (_e22.w != 0.0) {
-                found = near;
+            int _e33 = index_3;
+            metal::int2 _e34 = around(_e33);
+            metal::int2 near = metal::clamp(as_type<metal::int2>(as_type<metal::uint2>(pixel) + as_type<metal::uint2>(_e34)), metal::int2(0), last);
+            metal::float4 texel_1 = surface.read(metal::uint2(near), 0);
+            if (texel_1.w != 0.0) {
+                seen = SeenPixel {near, {}, texel_1};
             }
         }
     }
-    metal::int2 _e29 = found;
-    return _e29;
+    SeenPixel _e49 = seen;
+    return _e49;
 }
 
-int naga_f2i32(float value) {
-    return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-int naga_neg(int val) {
-    return as_type<int>(-as_type<uint>(val));
-}
-
-float curvature_at(
-    metal::int2 pixel_1,
-    int first,
-    int last,
-    metal::texture2d<float, metal::access::sample> normals,
-    metal::texture2d<float, metal::access::sample> depths,
+Plane plane_of(
+    float object,
+    float depth_1,
+    metal::float3 normal_2,
     constant Curvature& curvature
 ) {
-    metal::int2 at_2 = {};
-    Texel center_1 = {};
-    SideDifferences along_x = SideDifferences {0.0, 0.0, 0.0, 0.0};
-    SideDifferences along_y = SideDifferences {0.0, 0.0, 0.0, 0.0};
-    int k_1 = {};
-    at_2 = pixel_1;
-    metal::int2 _e4 = at_2;
-    Texel _e5 = texel(_e4, normals, depths);
-    center_1 = _e5;
-    float _e8 = center_1.object;
-    if (_e8 == 0.0) {
-        float _e13 = curvature.samples;
-        if (_e13 < 2.0) {
-            return 0.0;
-        }
-        metal::int2 _e17 = covered_near(pixel_1, normals);
-        at_2 = _e17;
-        metal::int2 _e18 = at_2;
-        Texel _e19 = texel(_e18, normals, depths);
-        center_1 = _e19;
-        float _e21 = center_1.object;
-        if (_e21 == 0.0) {
-            return 0.0;
-        }
-    }
-    metal::float3 _e26 = center_1.normal;
-    metal::float2 _e27 = slope(_e26);
-    float _e42 = curvature.rows_up;
-    int up = (_e42 > 0.5) ? 1 : -1;
-    float _e50 = curvature.viewport_height;
-    int stride = metal::max(naga_f2i32(metal::rint(_e50 / 800.0)), 1);
-    k_1 = first;
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
-    while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e168 = k_1;
-            k_1 = as_type<int>(as_type<uint>(_e168) + as_type<uint>(1));
-        }
-        loop_init_1 = false;
-        int _e58 = k_1;
-        if (_e58 <= last) {
-        } else {
-            break;
-        }
-        {
-            int _e60 = k_1;
-            int reach = as_type<int>(as_type<uint>(_e60) * as_type<uint>(stride));
-            float distance = static_cast<float>(reach);
-            int _e64 = k_1;
-            float weight_1 = (WEIGHTS.inner[as_type<int>(as_type<uint>(_e64) - as_type<uint>(1))] * distance) * distance;
-            Texel _e70 = center_1;
-            metal::int2 _e71 = at_2;
-            metal::float3 _e79 = neighbor(_e70, as_type<metal::int2>(as_type<metal::uint2>(_e71) + as_type<metal::uint2>(metal::int2(naga_neg(reach), 0))), metal::float2(-(distance), 0.0), normals, depths, curvature);
-            Texel _e80 = center_1;
-            metal::int2 _e81 = at_2;
-            metal::float3 _e87 = neighbor(_e80, as_type<metal::int2>(as_type<metal::uint2>(_e81) + as_type<metal::uint2>(metal::int2(reach, 0))), metal::float2(distance, 0.0), normals, depths, curvature);
-            Texel _e88 = center_1;
-            metal::int2 _e89 = at_2;
-            metal::float3 _e96 = neighbor(_e88, as_type<metal::int2>(as_type<metal::uint2>(_e89) + as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, distance), normals, depths, curvature);
-            Texel _e97 = center_1;
-            metal::int2 _e98 = at_2;
-            metal::float3 _e106 = neighbor(_e97, as_type<metal::int2>(as_type<metal::uint2>(_e98) - as_type<metal::uint2>(metal::int2(0, as_type<int>(as_type<uint>(up) * as_type<uint>(reach))))), metal::float2(0.0, -(distance)), normals, depths, curvature);
-            float _e108 = along_x.forward;
-            along_x.forward = _e108 + (((weight_1 * _e87.z) * (_e87.x - _e27.x)) / distance);
-            float _e118 = along_x.forward_weight;
-            along_x.forward_weight = _e118 + (weight_1 * _e87.z);
-            float _e123 = along_x.backward;
-            along_x.backward = _e123 + (((weight_1 * _e79.z) * (_e27.x - _e79.x)) / distance);
-            float _e133 = along_x.backward_weight;
-            along_x.backward_weight = _e133 + (weight_1 * _e79.z);
-            float _e138 = along_y.forward;
-            along_y.forward = _e138 + (((weight_1 * _e96.z) * (_e96.y - _e27.y)) / distance);
-            float _e148 = along_y.forward_weight;
-            along_y.forward_weight = _e148 + (weight_1 * _e96.z);
-            float _e153 = along_y.backward;
-            along_y.backward = _e153 + (((weight_1 * _e106.z) * (_e27.y - _e106.y)) / distance);
-            float _e163 = along_y.backward_weight;
-            along_y.backward_weight = _e163 + (weight_1 * _e106.z);
-        }
-    }
-    SideDifferences _e170 = along_x;
-    float _e171 = derivative(_e170);
-    SideDifferences _e172 = along_y;
-    float _e173 = derivative(_e172);
-    float _e179 = curvature.viewport_height;
-    float kappa = (0.5 * (_e171 + _e173)) * _e179;
-    return metal::clamp(kappa, -10000.0, 10000.0);
+    float _e5 = curvature.pixel;
+    float _e8 = curvature.perspective;
+    float pixel_2 = _e5 * metal::mix(1.0, depth_1, _e8);
+    metal::float2 gradient = normal_2.xy / metal::float2(metal::max(normal_2.z, 0.02));
+    float _e19 = row_direction(curvature);
+    return Plane {object, depth_1, (pixel_2 * gradient) * metal::float2(1.0, _e19), (2.0 * pixel_2) * (1.0 + metal::length(gradient))};
+}
+
+metal::float4 neighbor_weights(
+    Plane plane,
+    metal::float4 objects,
+    metal::float4 depths,
+    metal::float4 rises,
+    float distance
+) {
+    metal::float4 error = metal::abs((depths - metal::float4(plane.depth)) - rises);
+    float scale = 1.0 / metal::max(plane.tolerance * distance, 0.000000000000000000000000000001);
+    metal::float4 weights_1 = metal::clamp(metal::float4(2.0) - (error * scale), metal::float4(0.0), metal::float4(1.0));
+    return metal::select(metal::float4(0.0), weights_1, objects == metal::float4(plane.object));
+}
+
+Center center_at(
+    metal::int2 pixel_1,
+    metal::texture2d<float, metal::access::sample> surface,
+    constant Curvature& curvature
+) {
+    SeenPixel _e1 = seen_pixel(pixel_1, surface, curvature);
+    metal::float4 texel_2 = _e1.texel;
+    metal::float3 _e8 = normal_of(texel_2);
+    Plane _e9 = plane_of(metal::abs(_e1.texel.w), _e1.texel.z, _e8, curvature);
+    return Center {_e1.at, texel_2.xy, _e9};
+}
+
+Ring ring_at(
+    Center center,
+    int steps,
+    float weight,
+    metal::texture2d<float, metal::access::sample> surface,
+    constant Curvature& curvature
+) {
+    int _e3 = step_pixels(curvature);
+    int reach = as_type<int>(as_type<uint>(steps) * as_type<uint>(_e3));
+    float distance_1 = static_cast<float>(reach);
+    metal::int2 at = center.at;
+    metal::int2 last_1 = as_type<metal::int2>(as_type<metal::uint2>(static_cast<metal::int2>(metal::uint2(surface.get_width(), surface.get_height()))) - as_type<metal::uint2>(metal::int2(1)));
+    metal::float4 a_1 = surface.read(metal::uint2(metal::int2(metal::min(as_type<int>(as_type<uint>(center.at.x) + as_type<uint>(reach)), last_1.x), center.at.y)), 0);
+    metal::float4 b_1 = surface.read(metal::uint2(metal::int2(metal::max(as_type<int>(as_type<uint>(center.at.x) - as_type<uint>(reach)), 0), center.at.y)), 0);
+    metal::float4 c = surface.read(metal::uint2(metal::int2(center.at.x, metal::min(as_type<int>(as_type<uint>(center.at.y) + as_type<uint>(reach)), last_1.y))), 0);
+    metal::float4 d = surface.read(metal::uint2(metal::int2(center.at.x, metal::max(as_type<int>(as_type<uint>(center.at.y) - as_type<uint>(reach)), 0))), 0);
+    metal::bool4 is_inside = metal::int4(as_type<int>(as_type<uint>(last_1.x) - as_type<uint>(center.at.x)), center.at.x, as_type<int>(as_type<uint>(last_1.y) - as_type<uint>(center.at.y)), center.at.y) >= metal::int4(reach);
+    metal::float4 objects_1 = metal::select(metal::float4(0.0), metal::abs(metal::float4(a_1.w, b_1.w, c.w, d.w)), is_inside);
+    metal::float2 rise = distance_1 * center.plane.rise;
+    metal::float4 rises_1 = metal::float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    metal::float4 _e86 = neighbor_weights(center.plane, objects_1, metal::float4(a_1.z, b_1.z, c.z, d.z), rises_1, distance_1);
+    metal::float4 shares = (weight * distance_1) * _e86;
+    return Ring {shares * (metal::float4(a_1.x, b_1.x, c.x, d.x) - metal::float4(center.slope.x)), shares * (metal::float4(a_1.y, b_1.y, c.y, d.y) - metal::float4(center.slope.y)), shares * distance_1};
+}
+
+Ring joined(
+    Ring a,
+    Ring b
+) {
+    return Ring {a.x + b.x, a.y + b.y, a.weights + b.weights};
+}
+
+Ring rings_at(
+    Center center_1,
+    metal::texture2d<float, metal::access::sample> surface,
+    constant Curvature& curvature
+) {
+    Ring _e3 = ring_at(center_1, 1, 1.0, surface, curvature);
+    Ring _e6 = ring_at(center_1, 2, 0.85, surface, curvature);
+    Ring _e7 = joined(_e3, _e6);
+    Ring _e10 = ring_at(center_1, 3, 0.5, surface, curvature);
+    Ring _e11 = joined(_e7, _e10);
+    return _e11;
+}
+
+metal::float2 derivatives(
+    metal::float4 changes,
+    metal::float4 weights,
+    constant Curvature& curvature
+) {
+    metal::float4 trust = metal::smoothstep(metal::float4(0.0), metal::float4(0.5), weights);
+    metal::float4 sides = (changes / metal::max(weights, metal::float4(0.000001))) * trust;
+    metal::float2 along = (sides.xz - sides.yw) / metal::max(trust.xz + trust.yw, metal::float2(0.000001));
+    float _e22 = row_direction(curvature);
+    return along * metal::float2(1.0, _e22);
+}
+
+float mean_curvature(
+    Ring ring,
+    constant Curvature& curvature
+) {
+    metal::float2 _e7 = derivatives(metal::float4(ring.x.xy, ring.y.zw), ring.weights, curvature);
+    float _e15 = curvature.viewport_height;
+    return metal::clamp((0.5 * (_e7.x + _e7.y)) * _e15, -10000.0, 10000.0);
 }
 
 struct vs_mainInput {
@@ -272,10 +275,14 @@ struct fs_mainOutput {
 };
 fragment fs_mainOutput fs_main(
   metal::float4 position [[position]]
-, metal::texture2d<float, metal::access::sample> normals [[texture(0)]]
-, metal::texture2d<float, metal::access::sample> depths [[texture(1)]]
+, metal::texture2d<float, metal::access::sample> surface [[texture(0)]]
 , constant Curvature& curvature [[buffer(0)]]
 ) {
-    float _e5 = curvature_at(naga_f2i32(position.xy), 1, 3, normals, depths, curvature);
-    return fs_mainOutput { _e5 };
+    Center _e3 = center_at(naga_f2i32(position.xy), surface, curvature);
+    if (_e3.plane.object == 0.0) {
+        return fs_mainOutput { 0.0 };
+    }
+    Ring _e9 = rings_at(_e3, surface, curvature);
+    float _e10 = mean_curvature(_e9, curvature);
+    return fs_mainOutput { _e10 };
 }

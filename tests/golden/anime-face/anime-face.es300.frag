@@ -60,13 +60,8 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape edge_of_the_shadow_shape = ProfileShape(0.7960838, 0.6051864, 15.395454, 2.8429606, 1.3, 0.060679536, 0.026670605, 0u);
 const ProfileShape lit_shape = ProfileShape(0.7775727, 0.628793, 0.0, 1.0, 1.36, 0.0, 0.0, 1u);
 const ProfileShape shine_tone_shape = ProfileShape(0.9950042, 0.099833414, 0.0, 1.0, 0.2, 0.0, 0.0, 1u);
@@ -84,73 +79,39 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
+vec3 normalize_or(vec3 v, vec3 otherwise) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (!(((largest > 1e-30) && true))) {
+        return vec3(0.0);
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
+    vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
+    return (((floatBitsToUint(square) & 2139095040u) == 2139095040u) ? vec3(0.0) : (scaled * (1.0 / sqrt(square))));
 }
 
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
+float exp2_stable(float x) {
+    float clamped_3 = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped_3);
+    float f = (clamped_3 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable(float x_2) {
-    float clamped_6 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_6);
-    float f = ((clamped_6 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
+float exp2_stable_2_(float x_1) {
+    float clamped_4 = max(x_1, -126.0);
+    float whole_1 = roundEven(clamped_4);
+    float f_1 = (clamped_4 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -159,20 +120,38 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_eighth(float x_3) {
+    float y_2 = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
+    return vec2(s, c);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec2 sin_cos_tiny(float x_4) {
+    float y_3 = (x_4 * x_4);
+    float s_1 = (x_4 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
+    return vec2(s_1, c_1);
+}
+
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+}
+
+vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
+    float square_2 = dot(v_2, v_2);
+    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(0.0));
+}
+
+vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
+    float square_3 = dot(v_3, v_3);
+    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0, 0.0, 1.0));
+}
+
+vec3 normalize_seen(vec3 v_4) {
+    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(float y_1, float x_5) {
@@ -181,209 +160,97 @@ float atan2_positive(float y_1, float x_5) {
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
+    float t_2 = (small / large);
+    bool is_wide = (t_2 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_5 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a_5) : a_5);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_5) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
     float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
-}
-
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-vec3 bounded_vec3_(vec3 v_3) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    return vec3(_e2, _e4, _e6);
-}
-
-float mixed(float a, float b, float t_1) {
-    float _e4 = bounded((b - a));
-    float _e14 = bounded(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
-    return _e14;
-}
-
-vec3 mixed_vec3_(vec3 a_1, vec3 b_1, float t_2) {
-    float _e5 = mixed(a_1.x, b_1.x, t_2);
-    float _e8 = mixed(a_1.y, b_1.y, t_2);
-    float _e11 = mixed(a_1.z, b_1.z, t_2);
-    return vec3(_e5, _e8, _e11);
-}
-
-float place_between(float x_7, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_7 >= high) ? 1.0 : 0.0);
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_7 - low) / _e12));
-    return _e14;
-}
-
-float eased(float x_8, float low_1, float high_1) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_4 = clamp(_e6, 0.0, 1.0);
-    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
-}
-
-float factor_of(float x_9, bool clamped) {
-    float _e2 = bounded(x_9);
-    float _e3 = bounded(x_9);
-    return (clamped ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_3 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_3 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_3));
+    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c_3)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return (concave + (convexity * (vec4(1.0) - concave)));
 }
 
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_6 = (_e2 * clamp(_e4, -1e30, 1e30));
-    float magnitude_1 = min(abs(a_6), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_ = (a_6 * a_6);
-        return (a_6 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
+float curvature_signed(float kappa, float slope) {
+    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
+    float magnitude = min(abs(a_1), 50.0);
+    if ((magnitude < 0.0625)) {
+        float a2_ = (a_1 * a_1);
+        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    float _e28 = exp2_stable((-2.88539 * magnitude_1));
-    float t_5 = ((1.0 - _e28) / (1.0 + _e28));
-    return ((a_6 >= 0.0) ? t_5 : -(t_5));
+    float _e32 = exp2_stable((-2.88539 * magnitude));
+    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_1 >= 0.0) ? t_3 : -(t_3));
 }
 
-float transition(float kappa_2, float slope_1) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-float warp(float convexity_1, float amount) {
-    return (((2.0 * convexity_1) - 1.0) * clamp(amount, -3.1415927, 3.1415927));
+vec4 blend_shade(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
+    return min(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz * mix(vec3(1.0), color_1.xyz, tone_1)) - below_1.xyz))), 1.0), vec4(1.0));
 }
 
-vec3 normal(vec3 normal_1) {
-    return normal_1;
+vec4 blend_shade_2_(vec4 below_2, vec4 color_2, float tone_2, float opacity_2, bool clamped_2) {
+    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz * mix(vec3(1.0), color_2.xyz, tone_2)) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec3 position_object(vec3 position_object_1) {
-    return position_object_1;
+LitLayer light_apply(Light light, vec4 color_3, float tone_3) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color_3.xyz * light.color) * split.y), 1.0), split.x);
 }
 
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped_1) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed_1 = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped_1 ? clamp(mixed_1, vec4(0.0), vec4(1.0)) : mixed_1);
+LitLayer light_apply_2_(Light light_1, vec4 color_4, float tone_4) {
+    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
+    return LitLayer(vec4((light_1.color * split_1.y), 1.0), (tone_4 * split_1.x));
 }
 
-vec4 blend_multiply(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_2) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz * (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_2);
-    return _e12;
+LitLayer light_apply_3_(Light light_2, vec4 color_5, float tone_5) {
+    vec2 split_2 = vec2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
+    return LitLayer(vec4(((color_5.xyz * light_2.color) * split_2.y), 1.0), (tone_5 * split_2.x));
 }
 
-vec4 blend_alpha(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_3) {
-    float a_7 = (opacity_2 * color_1.w);
-    float alpha_1 = (below_2.w + ((tone_1 * a_7) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_7, clamped_3);
-    return _e20;
+Angle parametrization_diffuse(Light light_3, vec3 normal) {
+    vec3 _e6 = normalize_moderate_3_(normal, vec3(0.0, 0.0, 1.0));
+    return Angle((0.5 * length((_e6 - light_3.direction))), (0.5 * length((_e6 + light_3.direction))));
 }
 
-vec4 blend_shade(vec4 below_3, vec4 color_2, float tone_2, float opacity_3, bool clamped_4) {
-    vec4 _e14 = blend_finish(below_3, (below_3.xyz * mix(vec3(1.0), color_2.xyz, tone_2)), below_3.w, (opacity_3 * color_2.w), clamped_4);
-    return _e14;
+Angle parametrization_specular(Light light_4, vec3 normal_1, vec3 view) {
+    vec3 mirrored = (((2.0 * dot(normal_1, view)) * normal_1) - view);
+    vec3 _e8 = normalize_moderate(mirrored, normal_1);
+    return Angle((0.5 * length((_e8 - light_4.direction))), (0.5 * length((_e8 + light_4.direction))));
 }
 
-vec4 output_(vec4 color_3) {
-    vec4 _e1 = straight(color_3);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-vec2 light_split(float intensity) {
-    return vec2(min(intensity, 1.0), max(intensity, 1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_4, float tone_3) {
-    vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_4.xyz * light.color) * _e4.y), color_4.w), (tone_3 * _e4.x));
-}
-
-Angle parametrization_diffuse(Light light_1, vec3 normal_2) {
-    vec3 _e6 = normalize_or(normal_2, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
-}
-
-Angle parametrization_specular(Light light_2, vec3 normal_3, vec3 view) {
-    vec3 _e7 = normalize_or(normal_3, vec3(0.0, 0.0, 1.0));
-    vec3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
-    vec3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
-}
-
-Angle parametrization_screen_aligned(Light light_3, vec3 normal_4, mat3x3 camera_from_world) {
-    vec3 _e7 = normalize_or(normal_4, vec3(0.0, 0.0, 1.0));
-    vec3 n_1 = (camera_from_world * _e7);
-    vec3 _e13 = normalize_or(n_1, vec3(0.0, 0.0, 1.0));
-    Angle _e15 = angle_between(_e13, light_3.own_direction);
-    return _e15;
+Angle parametrization_screen_aligned(Light light_5, vec3 normal_2, mat3x3 camera_from_world) {
+    vec3 n = (camera_from_world * normal_2);
+    vec3 _e8 = normalize_moderate_3_(n, vec3(0.0, 0.0, 1.0));
+    return Angle((0.5 * length((_e8 - light_5.own_direction))), (0.5 * length((_e8 + light_5.own_direction))));
 }
 
 float profile_power(float q, float exponent) {
@@ -392,187 +259,161 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable_2_((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_2 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_4 <= 0.0) || false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
-    float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_1 = (s_4 * shape.scale);
+    float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1) {
-    bool local_3 = false;
-    bool local_4 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    return (((s_5 <= 0.0) || false) ? 1.0 : ((s_5 <= 4e-7) ? 1.0 : 0.0));
+}
+
+float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
+    if (((is_wide_1 || (w <= 0.0)) || false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
+    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
+        float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
+    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
+    Angle _e45 = angle_turned(u_5, _e44);
+    float _e46 = profile_point(_e45, shape_2);
+    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
+    float _e52 = profile_point(_e51, shape_2);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
+    float _e3 = profile_point_2_(u_6, shape_3);
+    if (((false || (w_1 <= 0.0)) || false)) {
         return _e3;
     }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float width_1 = sqrt((w_1 * w_1));
+    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
+    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_1)), 0.0, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
 }
 
-float invert(float value) {
-    float _e3 = bounded((1.0 - value));
-    return _e3;
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
-vec3 mix_values_vec3_(vec3 a_2, vec3 b_2, float factor, bool clamped_5) {
-    vec3 _e4 = bounded_vec3_(a_2);
-    vec3 _e5 = bounded_vec3_(b_2);
-    float _e6 = factor_of(factor, clamped_5);
-    vec3 _e7 = mixed_vec3_(_e4, _e5, _e6);
-    return _e7;
+float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_6) {
+    vec2 _e5 = sin_cos_tiny((0.5 * shift_2));
+    Angle _e6 = angle_turned(angle_2, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    return _e8;
 }
 
-vec3 multiply_vec3_(vec3 a_3, vec3 b_3) {
-    vec3 _e3 = bounded_vec3_((a_3 * b_3));
-    return _e3;
-}
-
-float smooth_step_value(float value_1, float low_2, float high_2) {
-    float _e3 = eased(value_1, low_2, high_2);
-    return _e3;
-}
-
-vec3 subtract_vec3_(vec3 a_4, vec3 b_4) {
-    vec3 _e3 = bounded_vec3_((a_4 - b_4));
-    return _e3;
-}
-
-vec3 normalize_vector(vec3 vector) {
-    vec3 _e3 = normalize_or(vector, vec3(0.0));
-    return _e3;
-}
-
-VectorParts separate_vector(vec3 vector_1) {
-    return VectorParts(vector_1.x, vector_1.y, vector_1.z);
+float profile_4_(Angle angle_3, float shift_3, ProfileShape shape_7) {
+    vec2 _e5 = sin_cos_eighth((0.5 * shift_3));
+    Angle _e6 = angle_turned(angle_3, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    vec3 _e2 = normal(surface_1.normal);
-    vec3 _e4 = position_object(surface_1.position_object);
-    vec3 _e9 = subtract_vec3_(_e4, vec3(0.0, 0.52, -0.18));
-    vec3 _e14 = multiply_vec3_(_e9, vec3(1.0, 0.35, 1.0));
-    vec3 _e15 = normalize_vector(_e14);
-    VectorParts _e16 = separate_vector(_e4);
-    float _e20 = smooth_step_value(_e16.y, 0.02, 0.16);
-    vec3 _e22 = mix_values_vec3_(_e2, _e15, _e20, true);
-    vec3 _e23 = normalize_vector(_e22);
-    Light _e26 = u_look.key;
-    Angle _e27 = parametrization_diffuse(_e26, _e23);
-    float _e30 = profile(_e27, 0.0, edge_of_the_shadow_shape);
-    float _e31 = invert(_e30);
-    vec4 _e44 = blend_shade(vec4(0.9843, 0.8902, 0.8118, 1.0), vec4(0.9412, 0.5412, 0.4157, 1.0), _e31, 0.55, true);
-    float _e47 = profile(_e27, 0.0, lit_shape);
-    float _e48 = invert(_e47);
-    vec4 _e56 = blend_shade(_e44, vec4(0.698, 0.4784, 0.6588, 1.0), _e48, 0.85, true);
-    float _e59 = transition(surface_1.kappa, 0.55);
-    vec4 _e67 = curvature_color(_e59, vec4(1.0), vec4(0.2902, 0.1412, 0.251, 1.0));
-    Light _e70 = u_look.eye;
-    LitLayer _e72 = light_apply(_e70, _e67, 1.0);
-    vec4 _e77 = blend_multiply(_e56, _e72.color, _e72.tone, 0.9, true);
-    Light _e80 = u_look.key;
-    Angle _e83 = parametrization_specular(_e80, surface_1.normal, surface_1.view);
-    float _e86 = transition(surface_1.kappa, 0.2);
-    float _e88 = warp(_e86, 0.05);
-    float _e90 = profile(_e83, _e88, shine_tone_shape);
-    Light _e93 = u_look.key;
-    LitLayer _e96 = light_apply(_e93, vec4(1.0), _e90);
-    vec4 _e101 = blend_alpha(_e77, _e96.color, _e96.tone, 0.85, true);
-    Light _e104 = u_look.back;
-    Angle _e106 = parametrization_diffuse(_e104, surface_1.normal);
-    float _e108 = warp(_e86, 0.15);
-    float _e110 = profile(_e106, _e108, rim_light_tone_shape);
-    Light _e113 = u_look.back;
-    LitLayer _e119 = light_apply(_e113, vec4(1.0, 0.9647, 0.9176, 1.0), _e110);
-    vec4 _e124 = blend_alpha(_e101, _e119.color, _e119.tone, 0.9, true);
-    Light _e127 = u_look.eye;
-    mat3x3 _e131 = u_look.camera_from_world;
-    Angle _e132 = parametrization_screen_aligned(_e127, surface_1.normal, _e131);
-    float _e135 = transition(surface_1.kappa, 0.12);
-    float _e137 = warp(_e135, 0.28);
-    float _e139 = profile(_e132, _e137, contour_tone_shape);
-    Light _e142 = u_look.eye;
-    LitLayer _e145 = light_apply(_e142, vec4(1.0), _e139);
-    vec4 _e150 = blend_multiply(_e124, _e145.color, _e145.tone, 1.0, true);
-    vec4 _e151 = output_(_e150);
-    return _e151;
+    vec3 normal_3 = surface_1.normal;
+    vec3 place = surface_1.position_object;
+    vec3 from_the_face_s_middle = (place - vec3(0.0, 0.52, -0.18));
+    vec3 flattened = (from_the_face_s_middle * vec3(1.0, 0.35, 1.0));
+    vec3 _e15 = normalize_or(flattened, vec3(0.0));
+    VectorParts high = VectorParts(place.x, place.y, place.z);
+    float is_face = smoothstep(0.02, 0.16, high.y);
+    vec3 face_or_body = mix(normal_3, _e15, is_face);
+    vec3 _e27 = normalize_moderate_2_(face_or_body, vec3(0.0));
+    Light _e30 = u_look.key;
+    Angle _e31 = parametrization_diffuse(_e30, _e27);
+    float _e34 = profile(_e31, 0.0, edge_of_the_shadow_shape);
+    float soft_dark = (1.0 - _e34);
+    vec4 _e49 = blend_shade(vec4(0.9843, 0.8902, 0.8118, 1.0), vec4(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
+    float _e52 = profile_2_(_e31, 0.0, lit_shape);
+    float in_shadow = (1.0 - _e52);
+    vec4 _e62 = blend_shade_2_(_e49, vec4(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+    float _e65 = curvature_signed(surface_1.kappa, 0.55);
+    float inked_hollows_convexity = (0.5 + (0.5 * _e65));
+    vec4 _e77 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.2902, 0.1412, 0.251, 1.0));
+    Light _e80 = u_look.eye;
+    LitLayer _e82 = light_apply(_e80, _e77, 1.0);
+    vec4 inked_hollows_blend = clamp(vec4((_e62.xyz + (0.9 * ((_e62.xyz * (_e82.tone * _e82.color.xyz)) - _e62.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Light _e104 = u_look.key;
+    Angle _e107 = parametrization_specular(_e104, surface_1.normal, surface_1.view);
+    float _e110 = curvature_signed(surface_1.kappa, 0.2);
+    float rim_light_convexity = (0.5 + (0.5 * _e110));
+    float shine_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.05);
+    float _e122 = profile_3_(_e107, shine_warp, shine_tone_shape);
+    Light _e125 = u_look.key;
+    LitLayer _e128 = light_apply_2_(_e125, vec4(1.0), _e122);
+    vec4 _e133 = blend_alpha(inked_hollows_blend, _e128.color, _e128.tone, 0.85, true);
+    vec3 _e138 = u_look.back.direction;
+    vec3 _e147 = u_look.back.direction;
+    Angle rim_light_angle = Angle((0.5 * length((surface_1.normal - _e138))), (0.5 * length((surface_1.normal + _e147))));
+    float rim_light_warp = (((2.0 * rim_light_convexity) - 1.0) * 0.15);
+    float _e160 = profile_3_(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    Light _e163 = u_look.back;
+    LitLayer _e169 = light_apply_3_(_e163, vec4(1.0, 0.9647, 0.9176, 1.0), _e160);
+    vec4 _e174 = blend_alpha(_e133, _e169.color, _e169.tone, 0.9, true);
+    Light _e177 = u_look.eye;
+    mat3x3 _e181 = u_look.camera_from_world;
+    Angle _e182 = parametrization_screen_aligned(_e177, surface_1.normal, _e181);
+    float _e185 = curvature_signed(surface_1.kappa, 0.12);
+    float contour_convexity = (0.5 + (0.5 * _e185));
+    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.28);
+    float _e197 = profile_4_(_e182, contour_warp, contour_tone_shape);
+    Light _e200 = u_look.eye;
+    LitLayer _e203 = light_apply_2_(_e200, vec4(1.0), _e197);
+    vec4 output_ = clamp(vec4((_e174.xyz + ((_e174.xyz * (_e203.tone * _e203.color.xyz)) - _e174.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_5 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_5;
-    vec4 _e15 = u_view.eye;
-    float _e20 = u_view.eye.w;
-    vec4 _e26 = u_view.eye;
-    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
-    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_4 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_4;
+    vec4 _e11 = u_view.eye;
+    float _e16 = u_view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
     surface.position_object = in_.position_object;
-    vec4 _e42 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e42.x;
-    Surface _e44 = surface;
-    vec4 _e45 = shade(_e44);
-    vec4 _e46 = finite_vec4_(_e45);
-    out_color = _e46;
+    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    surface.kappa = _e29.x;
+    Surface _e31 = surface;
+    vec4 _e32 = shade(_e31);
+    out_color = _e32;
     return;
 }
 

@@ -67,80 +67,56 @@ struct Light {
     intensity: f32,
 }
 
-const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
+    if !((largest > 1e-30) & true) {
+        return vec3f(0.0);
     }
     let scaled = v * (1.0 / largest);
     let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
+    return select(scaled * (1.0 / sqrt(square)), vec3f(0.0), (bitcast<u32>(square)
+        & 0x7f800000u) == 0x7f800000u);
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -151,35 +127,49 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+fn sin_cos_eighth(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
+        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
+        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    return vec2f(s, c);
 }
 
-/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
-fn angle_between(d: vec3f, l: vec3f) -> Angle {
-    let p = length(d - l);
-    let s = length(d + l);
-    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
-    return Angle(p * k, s * k);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_3(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(0.0, 0.0, 1.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
@@ -203,11 +193,6 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -215,8 +200,7 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -226,164 +210,57 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }
 
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin - u.half_cos * 0.0;
+    let c = u.half_cos + u.half_sin * 0.0;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    return Angle(turned.x, turned.y);
 }
 
 /// Convex/concave color
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (convex - concave);
-}
-
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
+    return concave + convexity * (1.0 - concave);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = kappa_safe(kappa) * clamp(finite_or(slope, 0.0), -1e30, 1e30);
+    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
+        > 0x7f800000u) * slope;
     let magnitude = min(abs(a), 50.0);
     if magnitude < 0.0625 {
-        // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333
-            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
+            * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.0 * LOG2_E * magnitude);
+    let z = exp2_stable(-2.88539 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
 
-/// Curvature transition
-///
-/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF
-/// paper writes it lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
-fn transition(kappa: f32, slope: f32) -> f32 {
-    return 0.5 + 0.5 * curvature_signed(kappa, slope);
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
+        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
-/// Curvature warp
-///
-/// How far curvature moves the angle that a profile sees: convex parts by plus, concave parts by
-/// minus the amount.
-fn warp(convexity: f32, amount: f32) -> f32 {
-    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265358979324, 3.14159265358979324);
+fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return min(vec4f(below.xyz + opacity * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
+        - below.xyz), 1.0), vec4f(1.0));
 }
 
-/// Normal
-///
-/// The surface's normal in world space, toward the side that is seen.
-fn normal(normal: vec3f) -> vec3f {
-    return normal;
-}
-
-fn position_object(position_object: vec3f) -> vec3f {
-    return position_object;
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
-}
-
-fn blend_multiply(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz * (tone * color.xyz), below.w, opacity * color.w, clamped);
-}
-
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    let a = opacity * color.w;
-    let alpha = below.w + tone * a * (1.0 - below.w);
-    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
-}
-
-fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz * mix(vec3f(1.0), color.xyz, tone), below.w,
-        opacity * color.w, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
-/// least 1).
-fn light_split(intensity: f32) -> vec2f {
-    return vec2f(min(intensity, 1.0), max(intensity, 1.0));
+fn blend_shade_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + opacity * (below.xyz * mix(vec3f(1.0), color.xyz, tone)
+        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -391,8 +268,26 @@ fn light_split(intensity: f32) -> vec2f {
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = light_split(light.intensity);
-    return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
+}
+
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(light.color * split.y, 1.0), tone * split.x);
+}
+
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+fn light_apply_3(light: Light, color: Color, tone: f32) -> LitLayer {
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -409,19 +304,21 @@ struct LitLayer {
 /// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
 /// own axes.
 fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
+    let d = normalize_moderate_3(normal, vec3f(0.0, 0.0, 1.0));
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let mirrored = 2.0 * dot(n, view) * n - view;
-    return angle_between(normalize_or(mirrored, n), light.direction);
+    let mirrored = 2.0 * dot(normal, view) * normal - view;
+    let d = normalize_moderate(mirrored, normal);
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
-fn parametrization_screen_aligned(light: Light, normal: vec3f,
-    camera_from_world: mat3x3f) -> Angle {
-    let n = camera_from_world * normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    return angle_between(normalize_or(n, vec3f(0.0, 0.0, 1.0)), light.own_direction);
+fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
+    -> Angle {
+    let n = camera_from_world * normal;
+    let d = normalize_moderate_3(n, vec3f(0.0, 0.0, 1.0));
+    return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -443,20 +340,20 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    if (s <= 0.0) | false {
         return 1.0;
-    }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
     }
     let q = s * shape.scale;
     return profile_power(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    return select(select(0.0, 1.0, s <= 4e-7), 1.0, (s <= 0.0) | false);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -466,11 +363,11 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return min(exp2_stable_2(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -478,22 +375,32 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
+    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
         let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
+        return clamp(0.5 + (shape.offset + shape.edge_mean - 2.0 * atan2_positive(u.half_sin,
+            u.half_cos)) / width, 0.0, 1.0);
     }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
     let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    if false | (w <= 0.0) | false {
+        return point;
+    }
+    let width = sqrt(w * w);
+    return clamp(0.5 + (shape.offset - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0,
+        1.0);
 }
 
 /// Profile
@@ -504,51 +411,44 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-/// Invert
+/// Profile
 ///
-/// 1 minus the number: light becomes dark, a mask becomes what it left out. A color keeps its
-/// alpha.
-fn invert(value: f32) -> f32 {
-    return bounded(1.0 - value);
-}
-
-fn mix_values_vec3(a: vec3f, b: vec3f, factor: f32, clamped: bool) -> vec3f {
-    return mixed_vec3(bounded_vec3(a), bounded_vec3(b), factor_of(factor, clamped));
-}
-
-fn multiply_vec3(a: vec3f, b: vec3f) -> vec3f {
-    return bounded_vec3(a * b);
-}
-
-/// Smooth step
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
 ///
-/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1
-/// to 0; where both are the same it is a step.
-fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
-    return eased(value, low, high);
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
-fn subtract_vec3(a: vec3f, b: vec3f) -> vec3f {
-    return bounded_vec3(a - b);
-}
-
-/// Normalize
+/// Profile
 ///
-/// A vector's direction alone: its length becomes 1. A vector without length, or one too long to
-/// measure, becomes 0.
-fn normalize_vector(vector: vec3f) -> vec3f {
-    return normalize_or(vector, vec3f(0.0));
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
-/// Separate vector
+/// Profile
 ///
-/// The three numbers of a vector.
-fn separate_vector(vector: vec3f) -> VectorParts {
-    return VectorParts(vector.x, vector.y, vector.z);
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_4(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_eighth(0.5 * shift));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
 struct VectorParts {
@@ -568,45 +468,45 @@ const contour_tone_shape = ProfileShape(0.819648, 0.57286745, 0.0, 1.0, 1.22, 0.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let normal_2 = normal(surface.normal);
-    let place = position_object(surface.position_object);
-    let from_the_face_s_middle = subtract_vec3(place, vec3f(0.0, 0.52, -0.18));
-    let flattened = multiply_vec3(from_the_face_s_middle, vec3f(1.0, 0.35, 1.0));
-    let face_direction = normalize_vector(flattened);
-    let high = separate_vector(place);
-    let is_face = smooth_step_value(high.y, 0.02, 0.16);
-    let face_or_body = mix_values_vec3(normal_2, face_direction, is_face, true);
-    let shading_direction = normalize_vector(face_or_body);
+    let normal = surface.normal;
+    let place = surface.position_object;
+    let from_the_face_s_middle = place - vec3f(0.0, 0.52, -0.18);
+    let flattened = from_the_face_s_middle * vec3f(1.0, 0.35, 1.0);
+    let face_direction = normalize_or(flattened, vec3f(0.0));
+    let high = VectorParts(place.x, place.y, place.z);
+    let is_face = smoothstep(0.02, 0.16, high.y);
+    let face_or_body = mix(normal, face_direction, is_face);
+    let shading_direction = normalize_moderate_2(face_or_body, vec3f(0.0));
     let from_the_light = parametrization_diffuse(look.key, shading_direction);
     let edge_of_the_shadow = profile(from_the_light, 0.0, edge_of_the_shadow_shape);
-    let soft_dark = invert(edge_of_the_shadow);
+    let soft_dark = 1.0 - edge_of_the_shadow;
     let warm_edge = blend_shade(vec4f(0.9843, 0.8902, 0.8118, 1.0), vec4f(0.9412, 0.5412, 0.4157, 1.0), soft_dark, 0.55, true);
-    let lit = profile(from_the_light, 0.0, lit_shape);
-    let in_shadow = invert(lit);
-    let shadow = blend_shade(warm_edge, vec4f(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
-    let inked_hollows_convexity = transition(surface.kappa, 0.55);
+    let lit = profile_2(from_the_light, 0.0, lit_shape);
+    let in_shadow = 1.0 - lit;
+    let shadow = blend_shade_2(warm_edge, vec4f(0.698, 0.4784, 0.6588, 1.0), in_shadow, 0.85, true);
+    let inked_hollows_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.55);
     let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0), vec4f(0.2902, 0.1412, 0.251, 1.0));
     let inked_hollows_lit = light_apply(look.eye, inked_hollows_color, 1.0);
-    let inked_hollows_blend = blend_multiply(shadow, inked_hollows_lit.color, inked_hollows_lit.tone, 0.9, true);
+    let inked_hollows_blend = clamp(vec4f(shadow.xyz + 0.9 * (shadow.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz) - shadow.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let shine_angle = parametrization_specular(look.key, surface.normal, surface.view);
-    let rim_light_convexity = transition(surface.kappa, 0.2);
-    let shine_warp = warp(rim_light_convexity, 0.05);
-    let shine_tone = profile(shine_angle, shine_warp, shine_tone_shape);
-    let shine_lit = light_apply(look.key, vec4f(1.0), shine_tone);
+    let rim_light_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.2);
+    let shine_warp = (2.0 * rim_light_convexity - 1.0) * 0.05;
+    let shine_tone = profile_3(shine_angle, shine_warp, shine_tone_shape);
+    let shine_lit = light_apply_2(look.key, vec4f(1.0), shine_tone);
     let shine_blend = blend_alpha(inked_hollows_blend, shine_lit.color, shine_lit.tone, 0.85, true);
-    let rim_light_angle = parametrization_diffuse(look.back, surface.normal);
-    let rim_light_warp = warp(rim_light_convexity, 0.15);
-    let rim_light_tone = profile(rim_light_angle, rim_light_warp, rim_light_tone_shape);
-    let rim_light_lit = light_apply(look.back, vec4f(1.0, 0.9647, 0.9176, 1.0), rim_light_tone);
+    let rim_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
+    let rim_light_warp = (2.0 * rim_light_convexity - 1.0) * 0.15;
+    let rim_light_tone = profile_3(rim_light_angle, rim_light_warp, rim_light_tone_shape);
+    let rim_light_lit = light_apply_3(look.back, vec4f(1.0, 0.9647, 0.9176, 1.0), rim_light_tone);
     let rim_light_blend = blend_alpha(shine_blend, rim_light_lit.color, rim_light_lit.tone, 0.9, true);
     let contour_angle = parametrization_screen_aligned(look.eye, surface.normal, look.camera_from_world);
-    let contour_convexity = transition(surface.kappa, 0.12);
-    let contour_warp = warp(contour_convexity, 0.28);
-    let contour_tone = profile(contour_angle, contour_warp, contour_tone_shape);
-    let contour_lit = light_apply(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = blend_multiply(rim_light_blend, contour_lit.color, contour_lit.tone, 1.0, true);
-    let output_2 = output(contour_blend);
-    return output_2;
+    let contour_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.12);
+    let contour_warp = (2.0 * contour_convexity - 1.0) * 0.28;
+    let contour_tone = profile_4(contour_angle, contour_warp, contour_tone_shape);
+    let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
+    let contour_blend = clamp(vec4f(rim_light_blend.xyz + (rim_light_blend.xyz * (contour_lit.tone * contour_lit.color.xyz) - rim_light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let output = contour_blend;
+    return output;
 }
 
 struct Vertex {
@@ -634,13 +534,13 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.position_object = in.position_object;
     surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

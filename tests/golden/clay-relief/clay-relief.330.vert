@@ -32,11 +32,8 @@ struct Varyings {
 };
 const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp terracotta = Ramp(vec4[16](vec4(0.2353, 0.102, 0.1098, 1.0), vec4(0.5412, 0.251, 0.1882, 1.0), vec4(0.8118, 0.498, 0.3412, 1.0), vec4(0.949, 0.7412, 0.5725, 1.0), vec4(0.9843, 0.8627, 0.7333, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.62, 0.9), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
 const Ramp pits_to_bumps = Ramp(vec4[16](vec4(0.2941, 0.2275, 0.3216, 1.0), vec4(0.4784, 0.2902, 0.2902, 1.0), vec4(0.7529, 0.502, 0.3765, 1.0), vec4(0.9412, 0.7529, 0.5804, 1.0), vec4(1.0, 0.9412, 0.8471, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.3, 0.5, 0.75), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
 

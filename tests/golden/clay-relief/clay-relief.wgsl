@@ -42,9 +42,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -73,78 +70,60 @@ struct Ramp {
 
 const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
@@ -180,17 +159,11 @@ fn bounded(x: f32) -> f32 {
 
 /// [`bounded`], component by component.
 fn bounded_vec2(v: vec2f) -> vec2f {
-    return vec2f(bounded(v.x), bounded(v.y));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
+    let bits = bitcast<vec2u>(v);
+    let magnitude = bits & vec2u(0x7fffffffu);
+    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
+    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
+    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// a / b; 0 where b is 0.
@@ -205,25 +178,9 @@ fn divided(a: f32, b: f32) -> f32 {
 /// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
 /// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
-    let b = bounded(base);
-    let e = bounded(exponent);
-    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
-    if e == 1.0 {
-        return b;
-    }
-    if e == 0.0 {
-        return 1.0;
-    }
-    if e == 2.0 {
-        return bounded(b * b);
-    }
-    let magnitude = abs(b);
-    if magnitude < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    let raised = exp2_stable(bounded(e * (LOG2_E * log_stable(magnitude))));
-    let is_even = floor(e * 0.5) == e * 0.5;
-    return select(raised, -raised, b < 0.0 && !is_even);
+    let magnitude = abs(base);
+    let raised = exp2_stable_2(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
+    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
 }
 
 /// e^x; 0 far below, the largest number from 88.73 on.
@@ -231,42 +188,10 @@ fn exponential_of(x: f32) -> f32 {
     return exp2_stable(bounded(x * LOG2_E));
 }
 
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
 /// [`mixed`], component by component.
 fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
+    let d = b - a;
+    return select(b - (1.0 - t) * d, a + t * d, t < 0.5);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
@@ -282,32 +207,15 @@ fn angle_of_point(y: f32, x: f32) -> f32 {
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
-}
-
-/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
-fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
-    let d = bounded(x - edge);
-    if w < 1e-30 {
-        return select(0.0, 1.0, d >= 0.0);
-    }
-    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
-}
-
-/// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
-/// size.
-fn linear_of_srgb(coded: f32) -> f32 {
-    let size = abs(bounded(coded));
-    let value = select(powered((size + 0.055) / 1.055, 2.4), size / 12.92, size <= 0.04045);
-    return select(value, -value, coded < 0.0);
+    return sqrt(dot(d, d));
 }
 
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
 /// size.
 fn srgb_of_linear(light: f32) -> f32 {
-    let size = abs(bounded(light));
-    let value = select(1.055 * powered(size, 1.0 / 2.4) - 0.055, size * 12.92, size <= 0.0031308);
-    return bounded(select(value, -value, light < 0.0));
+    let size = abs(light);
+    let value = select(1.055 * powered(size, 0.41666666) - 0.055, size * 12.92, size <= 0.0031308);
+    return select(value, -value, light < 0.0);
 }
 
 /// Soft light: a darkened or lightened by b without ever reaching black or white (W3C Compositing
@@ -320,149 +228,42 @@ fn soft_light(a: f32, b: f32) -> f32 {
     return a + (2.0 * b - 1.0) * (curved - a);
 }
 
-/// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
-fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
-        bounded(a.w));
-}
-
-/// The cube root, with the sign of x.
-fn cube_root(x: f32) -> f32 {
-    let root = powered(abs(x), 1.0 / 3.0);
-    return select(root, -root, x < 0.0);
-}
-
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
 /// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
-    let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
-    let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
-    let m = cube_root(dot(c, vec3f(0.2119034982, 0.6806995451, 0.1073969566)));
-    let s = cube_root(dot(c, vec3f(0.0883024619, 0.2817188376, 0.6299787005)));
-    return vec3f(
-        0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-        1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-        0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
-    );
+    let l = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.4122214708, 0.5363325363,
+        0.0514459929))));
+    let m = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.2119034982, 0.6806995451,
+        0.1073969566))));
+    let s = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.0883024619, 0.2817188376,
+        0.6299787005))));
+    return vec3f(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l
+        - 2.4285922050 * m + 0.4505937099 * s, 0.0259040371 * l + 0.7827717662 * m - 0.8086757660
+        * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 fn linear_of_oklab(lab: vec3f) -> vec3f {
-    let c = clamp(bounded_vec3(lab), vec3f(-1e6), vec3f(1e6));
-    let l = c.x + 0.3963377774 * c.y + 0.2158037573 * c.z;
-    let m = c.x - 0.1055613458 * c.y - 0.0638541728 * c.z;
-    let s = c.x - 0.0894841775 * c.y - 1.2914855480 * c.z;
+    let l = lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z;
+    let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
+    let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(
-        dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
-        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
-        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)),
-    );
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077116, 0.2309699292)), dot(cubes,
+        vec3f(-1.268438, 2.6097574011, -0.34131938)), dot(cubes, vec3f(-0.0041960864, -0.7034186,
+        1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y),
-        linear_of_srgb(coded.z)));
+    return oklab_of_linear(vec3f(exp2_stable_2(2.4 * log2_stable((coded.x + 0.055) / 1.055)),
+        exp2_stable_2(2.4 * log2_stable((coded.y + 0.055) / 1.055)), exp2_stable_2(2.4
+        * log2_stable((coded.z + 0.055) / 1.055))));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
 fn srgb_of_oklab(lab: vec3f) -> vec3f {
     let light = linear_of_oklab(lab);
     return vec3f(srgb_of_linear(light.x), srgb_of_linear(light.y), srgb_of_linear(light.z));
-}
-
-/// Mix of two sRGB-coded colors in Oklab, even to the eye; t from 0 to 1.
-fn mixed_in_oklab(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    let lab = mixed_vec3(oklab_of_srgb(a.xyz), oklab_of_srgb(b.xyz), t);
-    return ends_kept(a, b, t, srgb_of_oklab(lab));
-}
-
-/// The mixed color with its alpha; exactly a and b at the ends, which going to another space and
-/// back would round.
-fn ends_kept(a: vec4f, b: vec4f, t: f32, rgb: vec3f) -> vec4f {
-    let mixed_color = vec4f(bounded_vec3(rgb), mixed(a.w, b.w, t));
-    return select(select(mixed_color, bounded_vec4(b), t >= 1.0), bounded_vec4(a), t <= 0.0);
-}
-
-const INTERPOLATION_SMOOTH: u32 = 1u;
-const INTERPOLATION_STEPPED: u32 = 2u;
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
-/// t.
-fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
-    let d = b - a;
-    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
-}
-
-/// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
-/// Transparent black for a ramp without stops.
-fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
-    let count = min(ramp.count, 16u);
-    if count == 0u {
-        return vec4f(0.0);
-    }
-    var colors = ramp.colors;
-    var places = ramp.places;
-    if ramp.interpolation == INTERPOLATION_STEPPED {
-        var color = colors[0];
-        for (var i = 1u; i < count; i++) {
-            color += (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
-        }
-        return bounded_vec4(color);
-    }
-    var at = 0u;
-    for (var i = 1u; i < count; i++) {
-        at = select(at, i, places[i / 4u][i % 4u] <= x);
-    }
-    let place = places[at / 4u][at % 4u];
-    if at + 1u >= count || x <= place {
-        return bounded_vec4(colors[at]);
-    }
-    let after = at + 1u;
-    let span = places[after / 4u][after % 4u] - place;
-    let t = clamp(divided(x - place, span), 0.0, 1.0);
-    if ramp.interpolation != INTERPOLATION_SMOOTH {
-        return mixed_vec4(colors[at], colors[after], t);
-    }
-    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
-    var from_a = vec4f(0.0);
-    var to_b = vec4f(0.0);
-    if at > 0u {
-        let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
-            - colors[at], span);
-    }
-    if after + 1u < count {
-        let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
-            next);
-    }
-    return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
-}
-
-/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
-/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
-fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
-    return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before,
-            divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before,
-            divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before,
-            divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before,
-            divided(rise_after.w, span_after), span_after),
-    );
-}
-
-/// [`ramp_slope`] of one component.
-fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
-    if before * after <= 0.0 {
-        return 0.0;
-    }
-    let weight_before = 2.0 * span_after + span_before;
-    let weight_after = span_after + 2.0 * span_before;
-    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
 /// Place on a ramp: the colors before and after it, and the way between them.
@@ -475,44 +276,27 @@ struct RampPlace {
 
 /// The place of x on a ramp that is not stepped. Transparent black for a ramp without stops.
 fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
-    let count = min(ramp.count, 16u);
-    if count == 0u {
-        return RampPlace(vec4f(0.0), vec4f(0.0), 0.0);
-    }
     var colors = ramp.colors;
     var places = ramp.places;
+    var i = 1u;
     var at = 0u;
-    for (var i = 1u; i < count; i++) {
+    loop {
+        if !(i < 5u) {
+            break;
+        }
         at = select(at, i, places[i / 4u][i % 4u] <= x);
+        continuing {
+            i = i + 1u;
+        }
     }
-    let after = min(at + 1u, count - 1u);
+    let after = min(at + 1u, 4u);
     let place = places[at / 4u][at % 4u];
     let t = clamp(divided(x - place, places[after / 4u][after % 4u] - place), 0.0, 1.0);
-    return RampPlace(colors[at], colors[after],
-        select(t, eased(t, 0.0, 1.0), ramp.interpolation == INTERPOLATION_SMOOTH));
-}
-
-/// Premultiplied RGBA of a straight color.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
+    return RampPlace(colors[at], colors[after], t);
 }
 
 fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, a.xyz + b.xyz - a.xyz * b.xyz, factor);
-}
-
-fn mix_colors_soft_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), soft_light(a.z, b.z)),
-        factor);
+    return vec4f(mixed_vec3(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
 /// kappa fit for use: 0 where it is NaN, within +-1e4.
@@ -524,15 +308,15 @@ fn kappa_safe(kappa: f32) -> f32 {
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = kappa_safe(kappa) * clamp(finite_or(slope, 0.0), -1e30, 1e30);
+    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
+        > 0x7f800000u) * slope;
     let magnitude = min(abs(a), 50.0);
     if magnitude < 0.0625 {
-        // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333
-            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
+            * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.0 * LOG2_E * magnitude);
+    let z = exp2_stable(-2.88539 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -553,26 +337,16 @@ fn principal_curvatures(tensor: vec3f) -> vec2f {
     return select(vec2f(near, far), vec2f(far, near), mean >= 0.0);
 }
 
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
 fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
-    let w = footprint_of(value);
-    if ramp.interpolation == INTERPOLATION_STEPPED {
-        return ramp_at(ramp, bounded(value), w);
-    }
-    let place = ramp_place(ramp, bounded(value));
-    return mixed_in_oklab(place.before, place.after, place.t);
+    let place = ramp_place(ramp, value);
+    return select(select(vec4f(srgb_of_oklab(mix(oklab_of_srgb(place.before.xyz),
+        oklab_of_srgb(place.after.xyz), place.t)), 1.0), place.after, place.t >= 1.0), place.before,
+        place.t <= 0.0);
 }
 
 fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
-    let half = 0.5 + 0.5 * dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-    return clamp(half * half, 0.0, 1.0);
+    let half = 0.5 + 0.5 * dot(normal, light.direction);
+    return min(half * half, 1.0);
 }
 
 /// Rim light
@@ -580,24 +354,15 @@ fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
 /// A line of light along the silhouette, on the side of a light: what lifts a figure off its
 /// background.
 fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, follow: f32) -> f32 {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let facing = clamp(dot(n, view), 0.0, 1.0);
-    let reach = factor_of(width, true);
-    // The edge is as wide as softness wants, but never narrower than a pixel.
-    let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
-    // difference has them.
-    let aside = n - view;
-    let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
-    let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
-    let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
-    // the near one (1).
+    let facing = clamp(dot(normal, view), 0.0, 1.0);
+    let edge = max(width * softness, min(footprint_of(facing), 1.0));
+    let aside = normal - view;
+    let further = select(width - facing, 0.5 * dot(aside, aside) - (1.0 - width), facing > 0.5);
+    let within = further / edge + 0.0;
+    let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    // Only the normal's part across the eye's direction counts, too: where the light is nearly
-    // behind, rounding leaves a little of that direction in `across`.
-    let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
-    return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate_2(across, vec3f(0.0)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
 /// A tone from 0 to 1 scaled by e^curved where it is dark and by e^-curved where it is light; the
@@ -614,10 +379,8 @@ fn radiance_scaled(tone: f32, curved: f32, turning: f32) -> f32 {
 /// Makes a tone lighter where the surface bulges and darker where it is hollow, and the other way
 /// around where it is very light: any shading shows its shape more plainly.
 fn radiance_scaling(tone: f32, kappa: f32, amount: f32, slope: f32, turning: f32) -> f32 {
-    let curved = clamp(bounded(amount), -16.0, 16.0) * curvature_signed(kappa, slope);
-    let at = clamp(bounded(turning), 0.001, 0.999);
-    let before = clamp(bounded(tone), 0.0, 1.0);
-    return clamp(select(radiance_scaled(before, curved, at), before, curved == 0.0), 0.0, 1.0);
+    let curved = amount * curvature_signed(kappa, slope);
+    return min(select(radiance_scaled(tone, curved, turning), tone, curved == 0.0), 1.0);
 }
 
 /// Relief
@@ -628,7 +391,7 @@ fn relief(tensor: vec3f, slope: f32) -> Relief {
     let k = principal_curvatures(tensor_safe(tensor));
     let around = angle_of_point(k.x + k.y, k.x - k.y);
     let curvedness = sqrt(0.5 * dot(k, k));
-    let strength = curvature_signed(curvedness, max(bounded(slope), 0.0));
+    let strength = curvature_signed(curvedness, slope);
     return Relief(0.5 + around / PI, strength, k.x, k.y);
 }
 
@@ -653,11 +416,11 @@ fn shade(surface: Surface) -> vec4f {
     let terracotta_2 = ramp_oklab(worked_by_curvature, terracotta);
     let what_the_surface_does = relief(surface.curvature_tensor, 0.025);
     let pits_to_bumps_2 = ramp_oklab(what_the_surface_does.shape, pits_to_bumps);
-    let slip_in_the_hollows = mix_colors_soft_light(terracotta_2, pits_to_bumps_2, what_the_surface_does.strength);
+    let slip_in_the_hollows = vec4f(mixed_vec3(terracotta_2.xyz, vec3f(soft_light(terracotta_2.x, pits_to_bumps_2.x), soft_light(terracotta_2.y, pits_to_bumps_2.y), soft_light(terracotta_2.z, pits_to_bumps_2.z)), clamp(bounded(what_the_surface_does.strength), 0.0, 1.0)), 1.0);
     let sky_along_the_edge = rim(look.sky, surface.normal, surface.view, 0.4, 0.9, 1.0);
     let cool_edge = mix_colors_screen(slip_in_the_hollows, vec4f(0.3725, 0.498, 0.6588, 1.0), sky_along_the_edge);
-    let output_2 = output(premultiplied(cool_edge));
-    return output_2;
+    let output = cool_edge;
+    return output;
 }
 
 struct Vertex {
@@ -683,13 +446,13 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
     surface.curvature_tensor = textureLoad(curvature_tensor_map, vec2i(in.clip.xy), 0).xyz;
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

@@ -35,18 +35,9 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const uint NOISE_PERLIN = 1u;
-const uint NOISE_SIMPLEX = 2u;
-const uint NOISE_WORLEY = 3u;
-const float SIMPLEX_SCALE = 38.4553;
-const float WORLEY_MEAN = 0.5205;
 const ProfileShape body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
 const ProfileShape bounce_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.7091175, 1.516349, 0.1, 0.70851815, 0.28734237, 0u);
 const ProfileShape soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.5171125, 0.05, 0.45394465, 0.19900247, 0u);

@@ -66,9 +66,6 @@ struct Light {
     intensity: f32,
 }
 
-const PI: f32 = 3.14159265358979323846;
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -76,27 +73,12 @@ fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
+    if !((largest > 1e-30) & (largest < 1e30)) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -108,38 +90,50 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_3(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -150,61 +144,35 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+fn sin_cos_eighth(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
+        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
+        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    return vec2f(s, c);
 }
 
-/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
-fn angle_between(d: vec3f, l: vec3f) -> Angle {
-    let p = length(d - l);
-    let s = length(d + l);
-    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
-    return Angle(p * k, s * k);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
-}
-
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -214,8 +182,7 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -225,7 +192,7 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }
 
@@ -239,41 +206,13 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
 /// The length of v, also where its square would over- or underflow.
 fn length_of(v: vec3f) -> f32 {
-    let w = bounded_vec3(v);
-    let largest = max(max(abs(w.x), abs(w.y)), abs(w.z));
+    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if largest < SMALLEST_NORMAL {
         return 0.0;
     }
-    return bounded(largest * length(w / largest));
+    return bounded(largest * length(v / largest));
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -281,16 +220,7 @@ fn length_of(v: vec3f) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
 /// Convex/concave color
@@ -300,42 +230,26 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
+/// Convex/concave color
+///
+/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
+fn curvature_color_2(convexity: f32, convex: Color, concave: Color) -> Color {
+    return concave + convexity * (1.0 - concave);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = kappa_safe(kappa) * clamp(finite_or(slope, 0.0), -1e30, 1e30);
+    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
+        > 0x7f800000u) * slope;
     let magnitude = min(abs(a), 50.0);
     if magnitude < 0.0625 {
-        // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333
-            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
+            * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.0 * LOG2_E * magnitude);
+    let z = exp2_stable(-2.88539 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Curvature transition
-///
-/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF
-/// paper writes it lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
-fn transition(kappa: f32, slope: f32) -> f32 {
-    return 0.5 + 0.5 * curvature_signed(kappa, slope);
-}
-
-/// Curvature warp
-///
-/// How far curvature moves the angle that a profile sees: convex parts by plus, concave parts by
-/// minus the amount.
-fn warp(convexity: f32, amount: f32) -> f32 {
-    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265358979324, 3.14159265358979324);
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -343,28 +257,23 @@ fn warp(convexity: f32, amount: f32) -> f32 {
 /// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
 /// degrees, so that silhouettes do not sparkle.
 fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let x = bounded_vec4(along_x);
-    let y = bounded_vec4(along_y);
-    let largest = max(length_of(x.xyz), length_of(y.xyz));
-    if largest < 1e-18 || largest > 1e18 {
-        return n;
+    let largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if (largest < 1e-18) | (largest > 1e18) {
+        return normal;
     }
-    // Derivatives are measured in the larger one, so that neither tiny nor huge scenes under- or
-    // overflow.
-    let s = x.xyz / largest;
-    let t = y.xyz / largest;
-    let rise = clamp(vec2f(x.w, y.w) / largest, vec2f(-1e6), vec2f(1e6));
-    let right = cross(t, n);
-    let up = cross(n, s);
+    let s = along_x.xyz / largest;
+    let t = along_y.xyz / largest;
+    let rise = clamp(vec2f(along_x.w, along_y.w) / largest, vec2f(-1000000.0), vec2f(1000000.0));
+    let right = cross(t, normal);
+    let up = cross(normal, s);
     let area = dot(s, right);
     if abs(area) < 1e-6 {
-        return n;
+        return normal;
     }
     let slope = (rise.x * right + rise.y * up) / area;
     let steepness = length(slope);
     let limited = slope * (min(steepness, 10.0) / max(steepness, 1e-20));
-    return normalize_or(n - limited, n);
+    return normalize_or(normal - limited, normal);
 }
 
 /// Bump map
@@ -372,58 +281,16 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
 /// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
 /// else. It needs no texture coordinates.
 fn bump_map(height: f32, scale: f32, normal: vec3f, position: vec3f) -> vec3f {
-    let raised = bounded(height * scale);
+    let raised = height * scale;
     let along_x = vec4f(dpdx(position), dpdx(raised));
     let along_y = vec4f(dpdy(position), dpdy(raised));
-    return select(bumped_normal(along_x, along_y, normal), bounded_vec3(normal), scale == 0.0);
+    return bumped_normal(along_x, along_y, normal);
 }
 
-fn position_object(position_object: vec3f) -> vec3f {
-    return position_object;
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
-}
-
-fn blend_multiply(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz * (tone * color.xyz), below.w, opacity * color.w, clamped);
-}
-
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    let a = opacity * color.w;
-    let alpha = below.w + tone * a * (1.0 - below.w);
-    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
-/// least 1).
-fn light_split(intensity: f32) -> vec2f {
-    return vec2f(min(intensity, 1.0), max(intensity, 1.0));
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -431,8 +298,17 @@ fn light_split(intensity: f32) -> vec2f {
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = light_split(light.intensity);
-    return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
+}
+
+/// Light on a layer
+///
+/// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
+/// brightens the color, so that a light that goes out leaves the layers below as they are.
+fn light_apply_2(light: Light, color: Color, tone: f32) -> LitLayer {
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), split.x);
 }
 
 struct LitLayer {
@@ -442,20 +318,10 @@ struct LitLayer {
     tone: f32,
 }
 
-/// Parametrization
-///
-/// The angle u between a light and a direction of the surface; it decides how shading moves.
-/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
-/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
-/// own axes.
-fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-}
-
 fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let mirrored = 2.0 * dot(n, view) * n - view;
-    return angle_between(normalize_or(mirrored, n), light.direction);
+    let mirrored = 2.0 * dot(normal, view) * normal - view;
+    let d = normalize_moderate(mirrored, normal);
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -477,20 +343,24 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    if (s <= 0.0) | false {
         return 1.0;
-    }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
     }
     let q = s * shape.scale;
     return profile_power(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power_2(q, shape.exponent);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -500,11 +370,25 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return min(exp2_stable_2(exponent * log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_2(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable_3(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -512,21 +396,28 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
     let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
+        return point;
+    }
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_2(angle_turned(u, reach), shape);
+    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -538,15 +429,35 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned(angle, sin_cos_eighth(0.5 * shift));
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
+    return profile_filtered(warped, angle_footprint(warped), shape);
+}
+
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
+}
+
 const NOISE_PERLIN: u32 = 1u;
-const NOISE_SIMPLEX: u32 = 2u;
-const NOISE_WORLEY: u32 = 3u;
-const SIMPLEX_SCALE: f32 = 38.4553;
-const WORLEY_MEAN: f32 = 0.5205;
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
@@ -559,11 +470,6 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
     v.y += v.z * v.x;
     v.z += v.x * v.y;
     return v;
-}
-
-/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
-fn unit_of_hash(hash: vec3u) -> vec3f {
-    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
 }
 
 /// The hash of a lattice point.
@@ -585,20 +491,6 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Value noise: random numbers at lattice points, smooth between them.
-fn value_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p);
-    let f = fade_quintic(p - corner);
-    let cell = vec3i(corner);
-    var sum = 0.0;
-    for (var i = 0; i < 8; i++) {
-        let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
-        let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * unit_of_hash(lattice_hash(cell + at, seed)).x;
-    }
-    return sum;
-}
-
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
@@ -616,95 +508,41 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
-/// cube's.
-fn simplex_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p + (p.x + p.y + p.z) / 3.0);
-    let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
-    // The tetrahedron's corners follow the order of the components.
-    let is_first = vec3<bool>(d.x >= d.y, d.y >= d.z, d.z > d.x);
-    let g = select(vec3f(0.0), vec3f(1.0), is_first);
-    let l = 1.0 - g;
-    let second = min(g, l.zxy);
-    let third = max(g, l.zxy);
-    let cell = vec3i(corner);
-    var sum = simplex_corner(d, lattice_hash(cell, seed));
-    sum += simplex_corner(d - second + 1.0 / 6.0, lattice_hash(cell + vec3i(second), seed));
-    sum += simplex_corner(d - third + 1.0 / 3.0, lattice_hash(cell + vec3i(third), seed));
-    sum += simplex_corner(d - 0.5, lattice_hash(cell + vec3i(1), seed));
-    return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
-}
-
-/// Contribution of one corner of a tetrahedron at the offset d from it.
-fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
-    let t = max(0.5 - dot(d, d), 0.0);
-    return t * t * t * t * gradient_dot(hash, d);
-}
-
-/// The distance to the nearest of one random point per cell (Worley 1996), at most 1.
-fn worley_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p);
-    let d = p - corner;
-    let cell = vec3i(corner);
-    // Beyond the neighbors every point is at least 1 away.
-    var nearest = 1.0;
-    for (var i = 0; i < 27; i++) {
-        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
-        let offset = vec3f(at) + unit_of_hash(lattice_hash(cell + at, seed)) - d;
-        nearest = min(nearest, dot(offset, offset));
-    }
-    return sqrt(nearest);
-}
-
-/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
-fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
-    switch kind {
-        case NOISE_PERLIN: {
-            return perlin_noise(p, seed);
-        }
-        case NOISE_SIMPLEX: {
-            return simplex_noise(p, seed);
-        }
-        case NOISE_WORLEY: {
-            return worley_noise(p, seed);
-        }
-        default: {
-            return value_noise(p, seed);
-        }
-    }
-}
-
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
 /// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
 /// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
-    let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
-    let gain = clamp(bounded(roughness), 0.0, 1.0);
-    var sum = 0.0;
-    var total = 0.0;
-    var strength = 1.0;
+    var octave: f32;
+    var i = 0;
     var frequency = 1.0;
-    for (var i = 0; i < clamp(octaves, 1, 8); i++) {
-        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
-        var octave = mean;
+    var strength = 1.0;
+    var total = 0.0;
+    var sum = 0.0;
+    loop {
+        if !(i < 2) {
+            break;
+        }
+        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        octave = 0.5;
         if visible > 0.0 {
-            // Octaves are taken from different places, so that their lattices do not meet at the
-            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
-            octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
+            octave = mix(0.5, perlin_noise(place, 0u + u32(i)), visible);
         }
-        sum += strength * octave;
-        total += strength;
-        strength *= gain;
-        frequency *= 2.0;
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
+        continuing {
+            i = i + 1;
+        }
     }
-    return clamp(sum / total, 0.0, 1.0);
+    return min(sum / total, 1.0);
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = bounded_vec3(position * scale);
-    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, 2, roughness, 0, footprint_of_vec3(p));
 }
 
 const body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
@@ -713,34 +551,34 @@ const soft_sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 2.1865644, 2.
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let shade_in_hollows_convexity = transition(surface.kappa, 0.09);
+    let shade_in_hollows_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.09);
     let body_color = curvature_color(shade_in_hollows_convexity, vec4f(0.851, 0.5412, 0.4, 1.0), vec4f(0.6902, 0.3765, 0.2902, 1.0));
-    let place = position_object(surface.position_object);
+    let place = surface.position_object;
     let finger_marks = noise_perlin(place, 2.6, 2i, 0.4, 0i);
     let skin = bump_map(finger_marks, 0.05, surface.normal, surface.position);
-    let body_angle = parametrization_diffuse(look.window, skin);
-    let body_warp = warp(shade_in_hollows_convexity, 0.2);
+    let body_angle = Angle(0.5 * length(skin - look.window.direction), 0.5 * length(skin + look.window.direction));
+    let body_warp = (2.0 * shade_in_hollows_convexity - 1.0) * 0.2;
     let body_tone = profile(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.window, body_color, body_tone);
     let body_blend = blend_alpha(vec4f(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    let shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, vec4f(1.0), vec4f(0.7216, 0.4706, 0.4235, 1.0));
-    let shade_in_hollows_lit = light_apply(look.window, shade_in_hollows_color, 1.0);
-    let shade_in_hollows_blend = blend_multiply(body_blend, shade_in_hollows_lit.color, shade_in_hollows_lit.tone, 0.8, true);
-    let soft_sheen_convexity = transition(surface.kappa, 0.15);
+    let shade_in_hollows_color = curvature_color_2(shade_in_hollows_convexity, vec4f(1.0), vec4f(0.7216, 0.4706, 0.4235, 1.0));
+    let shade_in_hollows_lit = light_apply_2(look.window, shade_in_hollows_color, 1.0);
+    let shade_in_hollows_blend = clamp(vec4f(body_blend.xyz + 0.8 * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz) - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let soft_sheen_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.15);
     let bounce_color = curvature_color(soft_sheen_convexity, vec4f(0.4157, 0.2353, 0.1804, 1.0), vec4f(0.2902, 0.1412, 0.1216, 1.0));
-    let bounce_angle = parametrization_diffuse(look.table, skin);
-    let bounce_warp = warp(soft_sheen_convexity, 0.15);
-    let bounce_tone = profile(bounce_angle, bounce_warp, bounce_tone_shape);
+    let bounce_angle = Angle(0.5 * length(skin - look.table.direction), 0.5 * length(skin + look.table.direction));
+    let bounce_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.15;
+    let bounce_tone = profile_2(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
-    let bounce_blend = blend_add(shade_in_hollows_blend, bounce_lit.color, bounce_lit.tone, 1.0, true);
+    let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + (shade_in_hollows_blend.xyz + bounce_lit.tone * bounce_lit.color.xyz - shade_in_hollows_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let soft_sheen_color = curvature_color(soft_sheen_convexity, vec4f(0.302, 0.2039, 0.1686, 1.0), vec4f(0.1647, 0.102, 0.0863, 1.0));
     let soft_sheen_angle = parametrization_specular(look.window, skin, surface.view);
-    let soft_sheen_warp = warp(soft_sheen_convexity, 0.1);
-    let soft_sheen_tone = profile(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
+    let soft_sheen_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.1;
+    let soft_sheen_tone = profile_3(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
     let soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
-    let soft_sheen_blend = blend_add(bounce_blend, soft_sheen_lit.color, soft_sheen_lit.tone, 1.0, true);
-    let output_2 = output(soft_sheen_blend);
-    return output_2;
+    let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + (bounce_blend.xyz + soft_sheen_lit.tone * soft_sheen_lit.color.xyz - bounce_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let output = soft_sheen_blend;
+    return output;
 }
 
 struct Vertex {
@@ -768,14 +606,14 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.position = in.position;
     surface.position_object = in.position_object;
     surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

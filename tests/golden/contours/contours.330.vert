@@ -31,8 +31,6 @@ struct Varyings {
     vec3 normal;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp three_washes = Ramp(vec4[16](vec4(0.7255, 0.7686, 0.8118, 1.0), vec4(0.8627, 0.8627, 0.8235, 1.0), vec4(0.9725, 0.949, 0.8863, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.16, 0.42, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 3u, 2u);
 
 layout(std140) uniform ViewBlock { View u_view; };

@@ -2,11 +2,8 @@
 // Contours: made by Chiaro 0.1.0, GLSL 4.50.
 // The vertex shader. Smooths normals further, from neighbors sixteen steps away.
 // Uniform blocks (std140): CurvatureBlock 0.
-// Textures: u_normals 0, u_depths 1.
+// Textures: u_surface 0, u_normals 1.
 // contours.json says what to put there and how to draw.
-const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
-const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
-
 
 vec4 whole_picture(uint index_1) {
     return vec4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);

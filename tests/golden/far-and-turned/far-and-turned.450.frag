@@ -51,13 +51,11 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
-const ProfileShape highlight_tone_shape = ProfileShape(0.9971888, 0.07492971, 5.743557, 3.1871848, 0.15, 0.1556229, 0.0696329, 0u);
+const ProfileShape highlight_tone_shape = ProfileShape(0.9971888, 0.07492971, 5.743557, 3.1871848, 0.15, 0.1556229, 0.06963291, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
 
@@ -67,73 +65,34 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+vec4 finite_vec4_(vec4 v) {
+    uvec4 exponent_2 = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_2), exponent_2));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+float exp2_stable(float x) {
+    float clamped_2 = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped_2);
+    float f = (clamped_2 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
+float exp2_stable_2_(float x_1) {
+    float clamped_3 = max(x_1, -126.0);
+    float whole_1 = roundEven(clamped_3);
+    float f_1 = (clamped_3 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float exp2_stable(float x_2) {
-    float clamped_3 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_3);
-    float f = ((clamped_3 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_3 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_3) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -142,77 +101,60 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_tiny(float x_3) {
+    float y_2 = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
+    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    return vec2(s, c);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_1, float x_4) {
+    float small = min(y_1, x_4);
+    float large = max(y_1, x_4);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
+    float t_2 = (small / large);
+    bool is_wide = (t_2 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_4) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
 vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
@@ -220,48 +162,29 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
         return below;
     }
     vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
+    return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
-}
-
-vec4 blend_alpha(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
-    float a_1 = (opacity_2 * color_1.w);
-    float alpha_1 = (below_2.w + ((tone_1 * a_1) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_1, clamped_2);
-    return _e20;
-}
-
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
+vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
+    float a_1 = (opacity_1 * color.w);
+    float alpha_1 = (below_1.w + ((tone * a_1) * (1.0 - below_1.w)));
+    vec4 _e21 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_1, true);
+    return _e21;
 }
 
 vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_3, float tone_2) {
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_2 * _e4.x));
+    return LitLayer(vec4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
 }
 
-Angle parametrization_diffuse(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
-}
-
-Angle parametrization_specular(Light light_2, vec3 normal_1, vec3 view) {
-    vec3 _e7 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
-    vec3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
-    vec3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
+    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
+    vec3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
 }
 
 float profile_power(float q, float exponent) {
@@ -270,125 +193,158 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
+    float _e21 = exp2_stable((exponent * _e19));
     return clamp(_e21, 0.0, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_2 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_3 <= 0.0) || (shape.kind == PROFILE_AMBIENT))) {
         return 1.0;
     }
     if ((shape.kind == PROFILE_STEP)) {
         return ((s_3 <= 4e-7) ? 1.0 : 0.0);
     }
-    float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_2 = (s_3 * shape.scale);
+    float _e27 = profile_power(q_2, shape.exponent);
+    return _e27;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1) {
-    bool local_3 = false;
-    bool local_4 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
+float profile_power_2_(float q_1, float exponent_1) {
+    float log_base_1 = 0.0;
+    if ((q_1 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_1 < 0.5)) {
+        float _e11 = log1p_negative_small((q_1 * q_1));
+        log_base_1 = (LOG2_E * _e11);
     } else {
-        local_3 = true;
+        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
+        log_base_1 = _e18;
     }
-    bool _e13 = local_3;
-    if (_e13) {
-        return _e3;
-    }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_((exponent_1 * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    if (((s_4 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_3 = (s_4 * shape_1.scale);
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
+}
+
+float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
+    if (((is_wide_1 || (w <= 0.0)) || (shape_2.kind == PROFILE_AMBIENT))) {
+        return _e3;
+    }
+    if (((shape_2.edge_deviation < 0.145) && (w >= (3.4641016 * shape_2.edge_deviation)))) {
+        float width = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+        float _e36 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
+    }
+    vec2 _e48 = sin_cos_tiny((0.19364917 * w));
+    Angle _e49 = angle_turned(u_5, _e48);
+    float _e50 = profile_point(_e49, shape_2);
+    Angle _e55 = angle_turned(u_5, vec2(-(_e48.x), _e48.y));
+    float _e56 = profile_point(_e55, shape_2);
+    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
+    float _e3 = profile_point_2_(u_6, shape_3);
+    bool is_wide_2 = (w_1 < (0.1 * shape_3.edge_deviation));
+    if (((is_wide_2 || (w_1 <= 0.0)) || false)) {
+        return _e3;
+    }
+    if ((true && (w_1 >= (3.4641016 * shape_3.edge_deviation)))) {
+        float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
+        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
+        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
+    }
+    vec2 _e44 = sin_cos_tiny((0.19364917 * w_1));
+    Angle _e45 = angle_turned(u_6, _e44);
+    float _e46 = profile_point_2_(_e45, shape_3);
+    Angle _e51 = angle_turned(u_6, vec2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_3);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
+}
+
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    ProfileShape _e9 = u_look.body_tone_shape;
-    float _e10 = profile(_e5, 0.0, _e9);
-    Light _e13 = u_look.key;
-    vec4 _e16 = u_look.body_color_convex;
-    LitLayer _e17 = light_apply(_e13, _e16, _e10);
-    vec4 _e20 = u_look.shadow;
-    vec4 _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
-    Light _e28 = u_look.key;
-    Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
-    float _e34 = profile(_e31, 0.0, highlight_tone_shape);
-    Light _e37 = u_look.key;
-    vec4 _e40 = u_look.highlight_color_convex;
-    LitLayer _e41 = light_apply(_e37, _e40, _e34);
-    vec4 _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.8, true);
-    Light _e49 = u_look.back;
-    Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
-    ProfileShape _e55 = u_look.back_light_tone_shape;
-    float _e56 = profile(_e51, 0.0, _e55);
-    Light _e59 = u_look.back;
-    vec4 _e62 = u_look.back_light_color_convex;
-    LitLayer _e63 = light_apply(_e59, _e62, _e56);
-    vec4 _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
-    vec4 _e69 = output_(_e68);
-    return _e69;
+    vec3 _e5 = u_look.key.direction;
+    vec3 _e14 = u_look.key.direction;
+    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    ProfileShape _e23 = u_look.body_tone_shape;
+    float _e24 = profile(body_angle, 0.0, _e23);
+    Light _e27 = u_look.key;
+    vec4 _e30 = u_look.body_color_convex;
+    LitLayer _e31 = light_apply(_e27, _e30, _e24);
+    vec4 _e34 = u_look.shadow;
+    vec4 _e37 = u_look.shadow;
+    vec4 _e44 = u_look.shadow;
+    float _e52 = u_look.shadow.w;
+    float _e60 = u_look.shadow.w;
+    vec4 _e68 = blend_finish(_e34, (_e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz))), (_e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60))), _e31.color.w, true);
+    Light _e71 = u_look.key;
+    Angle _e74 = parametrization_specular(_e71, surface_1.normal, surface_1.view);
+    float _e77 = profile_2_(_e74, 0.0, highlight_tone_shape);
+    Light _e80 = u_look.key;
+    vec4 _e83 = u_look.highlight_color_convex;
+    LitLayer _e84 = light_apply(_e80, _e83, _e77);
+    vec4 _e89 = blend_alpha(_e68, _e84.color, _e84.tone, 0.8, true);
+    vec3 _e94 = u_look.back.direction;
+    vec3 _e103 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
+    ProfileShape _e112 = u_look.back_light_tone_shape;
+    float _e113 = profile(back_light_angle, 0.0, _e112);
+    Light _e116 = u_look.back;
+    vec4 _e119 = u_look.back_light_color_convex;
+    LitLayer _e120 = light_apply(_e116, _e119, _e113);
+    vec4 _e131 = blend_finish(_e89, (_e89.xyz + (_e120.tone * _e120.color.xyz)), _e89.w, _e120.color.w, true);
+    vec4 _e142 = finite_vec4_(((_e131.w <= 0.0) ? _e131 : vec4((_e131.xyz / vec3(_e131.w)), _e131.w)));
+    return _e142;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_2 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_2;
-    vec4 _e15 = u_view.eye;
-    float _e20 = u_view.eye.w;
-    vec4 _e26 = u_view.eye;
-    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
-    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    vec4 _e35 = shade(_e34);
-    vec4 _e36 = finite_vec4_(_e35);
-    out_color = _e36;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_1 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_1;
+    vec4 _e11 = u_view.eye;
+    float _e16 = u_view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    Surface _e21 = surface;
+    vec4 _e22 = shade(_e21);
+    vec4 _e23 = finite_vec4_(_e22);
+    out_color = _e23;
     return;
 }
 

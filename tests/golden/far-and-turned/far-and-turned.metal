@@ -72,107 +72,52 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
-constant ProfileShape highlight_tone_shape = ProfileShape {0.9971888, 0.07492971, 5.743557, 3.1871848, 0.15, 0.1556229, 0.0696329, 0u};
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
+constant ProfileShape highlight_tone_shape = ProfileShape {0.9971888, 0.07492971, 5.743557, 3.1871848, 0.15, 0.1556229, 0.06963291, 0u};
 
 metal::float4 finite_vec4_(
-    metal::float4 v_1
+    metal::float4 v
 ) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
+    metal::uint4 exponent_2 = metal::uint4(2139095040u);
+    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent_2) != exponent_2);
 }
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+float exp2_stable(
+    float x
+) {
+    float clamped_2 = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped_2);
+    float f = clamped_2 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable(
+float exp2_stable_2_(
+    float x_1
+) {
+    float clamped_3 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_3);
+    float f_1 = clamped_3 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
+float log2_stable(
     float x_2
 ) {
-    float clamped_3 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = (clamped_3 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
-}
-
-float log_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x_2);
+    int exponent_3 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_3) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -183,97 +128,78 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
-    float x_4
+metal::float2 sin_cos_tiny(
+    float x_3
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_2 = x_3 * x_3;
+    float s = x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
+    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float square = metal::dot(v_1, v_1);
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y_1,
-    float x_5
+    float x_4
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_1, x_4);
+    float large = metal::max(y_1, x_4);
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
+    float t_2 = small / large;
+    bool is_wide = t_2 > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t_2;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_4) ? (HALF_PI - a) : a;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_2, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_shifted(
+Angle angle_turned_2_(
     Angle u_2,
-    float shift
+    metal::float2 t_1
 ) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_1, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
+    return Angle {turned_1.x, turned_1.y};
 }
 
 Composite blend_finish(
@@ -287,39 +213,20 @@ Composite blend_finish(
         return below;
     }
     metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
+    return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
-Composite blend_add(
+Composite blend_alpha(
     Composite below_1,
     Color color,
     float tone,
     float opacity_1,
     bool clamped_1
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
-}
-
-Composite blend_alpha(
-    Composite below_2,
-    Color color_1,
-    float tone_1,
-    float opacity_2,
-    bool clamped_2
-) {
-    float a_1 = opacity_2 * color_1.w;
-    float alpha_1 = below_2.w + ((tone_1 * a_1) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz)), alpha_1, a_1, clamped_2);
-    return _e20;
-}
-
-Color output(
-    Composite color_2
-) {
-    Color _e1 = straight(color_2);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    float a_1 = opacity_1 * color.w;
+    float alpha_1 = below_1.w + ((tone * a_1) * (1.0 - below_1.w));
+    Composite _e21 = blend_finish(below_1, below_1.xyz + (tone * (color.xyz - below_1.xyz)), alpha_1, a_1, true);
+    return _e21;
 }
 
 metal::float2 light_split(
@@ -330,32 +237,21 @@ metal::float2 light_split(
 
 LitLayer light_apply(
     Light light,
-    Color color_3,
-    float tone_2
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_2 * _e4.x};
-}
-
-Angle parametrization_diffuse(
-    Light light_1,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    return LitLayer {metal::float4((color_1.xyz * light.color) * _e4.y, color_1.w), tone_1 * _e4.x};
 }
 
 Angle parametrization_specular(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light_1,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
-    metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle {0.5 * metal::length(_e8 - light_1.direction), 0.5 * metal::length(_e8 + light_1.direction)};
 }
 
 float profile_power(
@@ -367,125 +263,175 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
+    float _e21 = exp2_stable(exponent * _e19);
     return metal::clamp(_e21, 0.0, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_3,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
+    if ((s_3 <= 0.0) | (shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
     if (shape.kind == PROFILE_STEP) {
         return (s_3 <= 0.0000004) ? 1.0 : 0.0;
     }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_2 = s_3 * shape.scale;
+    float _e27 = profile_power(q_2, shape.exponent);
+    return _e27;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
+    }
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_4,
+    ProfileShape shape_1
+) {
+    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
+    if ((s_4 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_3 = s_4 * shape_1.scale;
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
 }
 
 float profile_filtered(
     Angle u_5,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape_2
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
+    if ((is_wide_1 | (w <= 0.0)) | (shape_2.kind == PROFILE_AMBIENT)) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
+    if ((shape_2.edge_deviation < 0.145) & (w >= (3.4641016 * shape_2.edge_deviation))) {
+        float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
+        float _e36 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return metal::clamp(0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e36)) / width), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e48 = sin_cos_tiny(0.19364917 * w);
+    Angle _e49 = angle_turned(u_5, _e48);
+    float _e50 = profile_point(_e49, shape_2);
+    Angle _e55 = angle_turned(u_5, metal::float2(-(_e48.x), _e48.y));
+    float _e56 = profile_point(_e55, shape_2);
+    return (((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_6,
+    float w_1,
+    ProfileShape shape_3
+) {
+    float _e3 = profile_point_2_(u_6, shape_3);
+    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    if (true & (w_1 >= (3.4641016 * shape_3.edge_deviation))) {
+        float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
+        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
+        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width_1), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
+    Angle _e45 = angle_turned(u_6, _e44);
+    float _e46 = profile_point_2_(_e45, shape_3);
+    Angle _e51 = angle_turned(u_6, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_3);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
-    ProfileShape shape_2
+    float shift,
+    ProfileShape shape_4
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
+}
+
+float profile_2_(
+    Angle angle_1,
+    float shift_1,
+    ProfileShape shape_5
+) {
+    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    ProfileShape _e9 = look.body_tone_shape;
-    float _e10 = profile(_e5, 0.0, _e9);
-    Light _e13 = look.key;
-    metal::float4 _e16 = look.body_color_convex;
-    LitLayer _e17 = light_apply(_e13, _e16, _e10);
-    metal::float4 _e20 = look.shadow;
-    Composite _e25 = blend_alpha(_e20, _e17.color, _e17.tone, 1.0, true);
-    Light _e28 = look.key;
-    Angle _e31 = parametrization_specular(_e28, surface_1.normal, surface_1.view);
-    float _e34 = profile(_e31, 0.0, highlight_tone_shape);
-    Light _e37 = look.key;
-    metal::float4 _e40 = look.highlight_color_convex;
-    LitLayer _e41 = light_apply(_e37, _e40, _e34);
-    Composite _e46 = blend_alpha(_e25, _e41.color, _e41.tone, 0.8, true);
-    Light _e49 = look.back;
-    Angle _e51 = parametrization_diffuse(_e49, surface_1.normal);
-    ProfileShape _e55 = look.back_light_tone_shape;
-    float _e56 = profile(_e51, 0.0, _e55);
-    Light _e59 = look.back;
-    metal::float4 _e62 = look.back_light_color_convex;
-    LitLayer _e63 = light_apply(_e59, _e62, _e56);
-    Composite _e68 = blend_add(_e46, _e63.color, _e63.tone, 1.0, true);
-    Color _e69 = output(_e68);
-    return _e69;
+    metal::float3 _e5 = look.key.direction;
+    metal::float3 _e14 = look.key.direction;
+    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    ProfileShape _e23 = look.body_tone_shape;
+    float _e24 = profile(body_angle, 0.0, _e23);
+    Light _e27 = look.key;
+    metal::float4 _e30 = look.body_color_convex;
+    LitLayer _e31 = light_apply(_e27, _e30, _e24);
+    metal::float4 _e34 = look.shadow;
+    metal::float4 _e37 = look.shadow;
+    metal::float4 _e44 = look.shadow;
+    float _e52 = look.shadow.w;
+    float _e60 = look.shadow.w;
+    Composite _e68 = blend_finish(_e34, _e37.xyz + (_e31.tone * (_e31.color.xyz - _e44.xyz)), _e52 + ((_e31.tone * _e31.color.w) * (1.0 - _e60)), _e31.color.w, true);
+    Light _e71 = look.key;
+    Angle _e74 = parametrization_specular(_e71, surface_1.normal, surface_1.view);
+    float _e77 = profile_2_(_e74, 0.0, highlight_tone_shape);
+    Light _e80 = look.key;
+    metal::float4 _e83 = look.highlight_color_convex;
+    LitLayer _e84 = light_apply(_e80, _e83, _e77);
+    Composite _e89 = blend_alpha(_e68, _e84.color, _e84.tone, 0.8, true);
+    metal::float3 _e94 = look.back.direction;
+    metal::float3 _e103 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e94), 0.5 * metal::length(surface_1.normal + _e103)};
+    ProfileShape _e112 = look.back_light_tone_shape;
+    float _e113 = profile(back_light_angle, 0.0, _e112);
+    Light _e116 = look.back;
+    metal::float4 _e119 = look.back_light_color_convex;
+    LitLayer _e120 = light_apply(_e116, _e119, _e113);
+    Composite _e131 = blend_finish(_e89, _e89.xyz + (_e120.tone * _e120.color.xyz), _e89.w, _e120.color.w, true);
+    metal::float4 _e142 = finite_vec4_((_e131.w <= 0.0) ? _e131 : metal::float4(_e131.xyz / metal::float3(_e131.w), _e131.w));
+    return _e142;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -497,7 +443,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -514,7 +460,7 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_2 [[user(loc1), center_perspective]];
+    metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -526,19 +472,16 @@ fragment fs_mainOutput fs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    metal::float4 _e35 = shade(_e34, look);
-    metal::float4 _e36 = finite_vec4_(_e35);
-    return fs_mainOutput { _e36 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    Surface _e21 = surface;
+    metal::float4 _e22 = shade(_e21, look);
+    metal::float4 _e23 = finite_vec4_(_e22);
+    return fs_mainOutput { _e23 };
 }

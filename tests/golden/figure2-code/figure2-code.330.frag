@@ -22,48 +22,29 @@ struct Varyings {
     vec2 uv;
 };
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp color_code = Ramp(vec4[16](vec4(1.0, 0.9686, 0.8392, 1.0), vec4(1.0, 0.8196, 0.4, 1.0), vec4(0.9529, 0.4471, 0.1725, 1.0), vec4(0.7843, 0.1961, 0.3529, 1.0), vec4(0.4157, 0.1725, 0.549, 1.0), vec4(0.1529, 0.2039, 0.4353, 1.0), vec4(0.0431, 0.0627, 0.149, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.1, 0.22, 0.36), vec4(0.52, 0.72, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 1u);
 
 smooth in vec2 v_uv;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+vec4 finite_vec4_(vec4 v) {
+    uvec4 exponent = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-float bounded(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float bounded(float x) {
+    uint bits = floatBitsToUint(x);
     uint magnitude = (bits & 2147483647u);
     float largest = uintBitsToFloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_2 : ((magnitude == 2139095040u) ? largest : 0.0));
+    return ((magnitude < 2139095040u) ? x : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec4 bounded_vec4_(vec4 v_2) {
-    float _e2 = bounded(v_2.x);
-    float _e4 = bounded(v_2.y);
-    float _e6 = bounded(v_2.z);
-    float _e8 = bounded(v_2.w);
-    return vec4(_e2, _e4, _e6, _e8);
+vec4 bounded_vec4_(vec4 v_1) {
+    uvec4 bits_1 = floatBitsToUint(v_1);
+    uvec4 magnitude_1 = (bits_1 & uvec4(2147483647u));
+    vec4 largest_1 = uintBitsToFloat(((bits_1 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
+    return mix(numbers, v_1, lessThan(magnitude_1, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -74,45 +55,16 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float mixed(float a_1, float b_1, float t) {
-    float _e4 = bounded((b_1 - a_1));
-    float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
-    return _e14;
-}
-
-vec3 mixed_vec3_(vec3 a_2, vec3 b_2, float t_1) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return vec3(_e5, _e8, _e11);
-}
-
-vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
-    vec3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return vec4(_e5, _e8);
-}
-
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
+float footprint_of(float x_1) {
+    float _e1 = dFdx(x_1);
+    float _e2 = dFdy(x_1);
     vec2 d = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+    return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_4, float edge, float w) {
-    float _e4 = bounded((x_4 - edge));
-    if ((w < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
-    }
-    float _e13 = bounded((_e4 / w));
-    return clamp((0.5 + _e13), 0.0, 1.0);
-}
-
-vec4 hermite(vec4 a_4, vec4 b_4, vec4 from_a, vec4 to_b, float t_3) {
-    vec4 d_1 = (b_4 - a_4);
-    return (a_4 + (t_3 * (from_a + (t_3 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_1))))))));
+vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t) {
+    vec4 d_1 = (b_1 - a_1);
+    return (a_1 + (t * (from_a + (t * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_1))))))));
 }
 
 float harmonic_slope(float before, float span_before, float after, float span_after) {
@@ -141,151 +93,86 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
     return vec4(_e8, _e13, _e18, _e23);
 }
 
-vec4 ramp_at(Ramp ramp, float x_5, float w_1) {
+vec4 ramp_at(Ramp ramp, float x_2, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    vec4 color = vec4(0.0);
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local = false;
     vec4 from_a_1 = vec4(0.0);
     vec4 to_b_1 = vec4(0.0);
-    uint count = min(ramp.count, 16u);
-    if ((count == 0u)) {
-        return vec4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
-        vec4 _e18 = colors[0];
-        color = _e18;
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                uint _e47 = i;
-                i = (_e47 + 1u);
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if ((_e22 < count)) {
-            } else {
-                break;
-            }
-            {
-                vec4 _e24 = color;
-                uint _e25 = i;
-                vec4 _e27 = colors[_e25];
-                uint _e28 = i;
-                vec4 _e32 = colors[(_e28 - 1u)];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places[(_e34 / 4u)][(_e38 % 4u)];
-                float _e43 = step_filtered(x_5, _e42, w_1);
-                color = (_e24 + ((_e27 - _e32) * _e43));
-            }
-        }
-        vec4 _e49 = color;
-        vec4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = (_e71 + 1u);
+        if (!loop_init) {
+            uint _e28 = i_2_;
+            i_2_ = (_e28 + 1u);
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if ((_e55 < count)) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 7u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places[(_e59 / 4u)][(_e63 % 4u)];
-            at = ((_e67 <= x_5) ? _e58 : _e57);
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e17 = i_2_;
+        uint _e21 = i_2_;
+        float _e25 = places[(_e17 / 4u)][(_e21 % 4u)];
+        at = ((_e25 <= x_2) ? _e16 : _e15);
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place = places[(_e73 / 4u)][(_e77 % 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count))) {
-        local = (x_5 <= place);
-    } else {
-        local = true;
+    uint _e31 = at;
+    uint _e35 = at;
+    float place = places[(_e31 / 4u)][(_e35 % 4u)];
+    uint _e40 = at;
+    if ((((_e40 + 1u) >= 7u) || (x_2 <= place))) {
+        uint _e47 = at;
+        vec4 _e49 = colors[_e47];
+        return _e49;
     }
-    bool _e91 = local;
-    if (_e91) {
-        uint _e92 = at;
-        vec4 _e94 = colors[_e92];
-        vec4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e50 = at;
+    uint after_1 = (_e50 + 1u);
+    float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
+    float span = (_e59 - place);
+    float _e62 = divided((x_2 - place), span);
+    float t_1 = clamp(_e62, 0.0, 1.0);
+    uint _e69 = at;
+    if ((_e69 > 0u)) {
+        uint _e72 = at;
+        uint _e78 = at;
+        float before_1 = places[((_e72 - 1u) / 4u)][((_e78 - 1u) % 4u)];
+        uint _e85 = at;
+        vec4 _e87 = colors[_e85];
+        uint _e88 = at;
+        vec4 _e92 = colors[(_e88 - 1u)];
+        vec4 _e96 = colors[after_1];
+        uint _e97 = at;
+        vec4 _e99 = colors[_e97];
+        vec4 _e101 = ramp_slope((_e87 - _e92), (place - before_1), (_e96 - _e99), span);
+        from_a_1 = _e101;
     }
-    uint _e96 = at;
-    uint after_1 = (_e96 + 1u);
-    float _e105 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span = (_e105 - place);
-    float _e108 = divided((x_5 - place), span);
-    float t_4 = clamp(_e108, 0.0, 1.0);
-    if ((ramp.interpolation != INTERPOLATION_SMOOTH)) {
-        uint _e115 = at;
-        vec4 _e117 = colors[_e115];
-        vec4 _e119 = colors[after_1];
-        vec4 _e120 = mixed_vec4_(_e117, _e119, t_4);
-        return _e120;
+    if (((after_1 + 1u) < 7u)) {
+        float _e119 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
+        float next = (_e119 - (place + span));
+        vec4 _e123 = colors[after_1];
+        uint _e124 = at;
+        vec4 _e126 = colors[_e124];
+        vec4 _e131 = colors[(after_1 + 1u)];
+        vec4 _e133 = colors[after_1];
+        vec4 _e135 = ramp_slope((_e123 - _e126), span, (_e131 - _e133), next);
+        to_b_1 = _e135;
     }
-    uint _e127 = at;
-    if ((_e127 > 0u)) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places[((_e130 - 1u) / 4u)][((_e136 - 1u) % 4u)];
-        uint _e143 = at;
-        vec4 _e145 = colors[_e143];
-        uint _e146 = at;
-        vec4 _e150 = colors[(_e146 - 1u)];
-        vec4 _e154 = colors[after_1];
-        uint _e155 = at;
-        vec4 _e157 = colors[_e155];
-        vec4 _e159 = ramp_slope((_e145 - _e150), (place - before_1), (_e154 - _e157), span);
-        from_a_1 = _e159;
-    }
-    if (((after_1 + 1u) < count)) {
-        float _e173 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e173 - (place + span));
-        vec4 _e177 = colors[after_1];
-        uint _e178 = at;
-        vec4 _e180 = colors[_e178];
-        vec4 _e185 = colors[(after_1 + 1u)];
-        vec4 _e187 = colors[after_1];
-        vec4 _e189 = ramp_slope((_e177 - _e180), span, (_e185 - _e187), next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    vec4 _e192 = colors[_e190];
-    vec4 _e194 = colors[after_1];
-    vec4 _e195 = from_a_1;
-    vec4 _e197 = to_b_1;
-    vec4 _e199 = hermite(_e192, _e194, (span * _e195), (span * _e197), t_4);
-    vec4 _e200 = bounded_vec4_(_e199);
-    return _e200;
+    uint _e136 = at;
+    vec4 _e138 = colors[_e136];
+    vec4 _e140 = colors[after_1];
+    vec4 _e141 = from_a_1;
+    vec4 _e143 = to_b_1;
+    vec4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_1);
+    vec4 _e146 = bounded_vec4_(_e145);
+    return _e146;
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 with_unit_alpha(vec4 color_1) {
-    float _e3 = unit_share(color_1.w);
-    return vec4(color_1.xyz, _e3);
-}
-
-vec4 premultiplied(vec4 color_2) {
-    return vec4((color_2.xyz * color_2.w), color_2.w);
+vec4 premultiplied(vec4 color) {
+    return vec4((color.xyz * color.w), color.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -295,35 +182,25 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec2 uv(vec2 uv_1) {
-    return uv_1;
-}
-
-vec4 output_(vec4 color_3) {
-    vec4 _e1 = straight(color_3);
+vec4 output_(vec4 color_1) {
+    vec4 _e1 = straight(color_1);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
 
-vec4 ramp_plain(float value, Ramp ramp_1) {
-    float _e2 = footprint_of(value);
-    float _e3 = bounded(value);
-    vec4 _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
-}
-
 VectorParts separate_vector(vec3 vector) {
-    return VectorParts(vector.x, vector.y, vector.z);
+    return VectorParts(vector.x, vector.y, 0.0);
 }
 
 vec4 shade(Surface surface_1) {
-    vec2 _e2 = uv(surface_1.uv);
-    VectorParts _e5 = separate_vector(vec3(_e2, 0.0));
-    vec4 _e8 = ramp_plain(_e5.y, color_code);
-    vec4 _e9 = with_unit_alpha(_e8);
-    vec4 _e10 = premultiplied(_e9);
-    vec4 _e11 = output_(_e10);
-    return _e11;
+    vec2 uv = surface_1.uv;
+    VectorParts _e4 = separate_vector(vec3(uv, 0.0));
+    float _e8 = footprint_of(_e4.y);
+    vec4 _e9 = ramp_at(color_code, _e4.y, _e8);
+    vec4 output_alpha = vec4(_e9.xyz, clamp(_e9.w, 0.0, 1.0));
+    vec4 _e16 = premultiplied(output_alpha);
+    vec4 _e17 = output_(_e16);
+    return _e17;
 }
 
 void main() {

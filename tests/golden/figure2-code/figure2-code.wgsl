@@ -47,42 +47,23 @@ struct Ramp {
     interpolation: u32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+    let exponent = vec4u(0x7f800000u);
+    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
@@ -97,7 +78,11 @@ fn bounded(x: f32) -> f32 {
 
 /// [`bounded`], component by component.
 fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
+    let bits = bitcast<vec4u>(v);
+    let magnitude = bits & vec4u(0x7fffffffu);
+    let largest = bitcast<vec4f>((bits & vec4u(0x80000000u)) | vec4u(0x7f7fffffu));
+    let numbers = select(vec4f(0.0), largest, magnitude == vec4u(0x7f800000u));
+    return select(numbers, v, magnitude < vec4u(0x7f800000u));
 }
 
 /// a / b; 0 where b is 0.
@@ -108,39 +93,12 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
-}
-
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
+    return sqrt(dot(d, d));
 }
 
-/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
-fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
-    let d = bounded(x - edge);
-    if w < 1e-30 {
-        return select(0.0, 1.0, d >= 0.0);
-    }
-    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
-}
-
-const INTERPOLATION_SMOOTH: u32 = 1u;
-const INTERPOLATION_STEPPED: u32 = 2u;
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
@@ -151,42 +109,34 @@ fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
-    let count = min(ramp.count, 16u);
-    if count == 0u {
-        return vec4f(0.0);
-    }
     var colors = ramp.colors;
     var places = ramp.places;
-    if ramp.interpolation == INTERPOLATION_STEPPED {
-        var color = colors[0];
-        for (var i = 1u; i < count; i++) {
-            color += (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
-        }
-        return bounded_vec4(color);
-    }
+    var i_2 = 1u;
     var at = 0u;
-    for (var i = 1u; i < count; i++) {
-        at = select(at, i, places[i / 4u][i % 4u] <= x);
+    loop {
+        if !(i_2 < 7u) {
+            break;
+        }
+        at = select(at, i_2, places[i_2 / 4u][i_2 % 4u] <= x);
+        continuing {
+            i_2 = i_2 + 1u;
+        }
     }
     let place = places[at / 4u][at % 4u];
-    if at + 1u >= count || x <= place {
-        return bounded_vec4(colors[at]);
+    if (at + 1u >= 7u) | (x <= place) {
+        return colors[at];
     }
     let after = at + 1u;
     let span = places[after / 4u][after % 4u] - place;
     let t = clamp(divided(x - place, span), 0.0, 1.0);
-    if ramp.interpolation != INTERPOLATION_SMOOTH {
-        return mixed_vec4(colors[at], colors[after], t);
-    }
-    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
-    var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
         from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
             - colors[at], span);
     }
-    if after + 1u < count {
+    var to_b = vec4f(0.0);
+    if after + 1u < 7u {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
         to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
             next);
@@ -219,16 +169,6 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
-fn unit_share(share: f32) -> f32 {
-    return clamp(share, 0.0, 1.0);
-}
-
-/// `color` with its alpha clamped to [0, 1].
-fn with_unit_alpha(color: Color) -> Color {
-    return vec4f(color.xyz, unit_share(color.w));
-}
-
 /// Premultiplied RGBA of a straight color.
 fn premultiplied(color: Color) -> Composite {
     return vec4f(color.xyz * color.w, color.w);
@@ -243,13 +183,6 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// UV
-///
-/// The mesh's texture coordinates: u to the right, v up.
-fn uv(uv: vec2f) -> vec2f {
-    return uv;
-}
-
 /// Output
 ///
 /// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
@@ -258,20 +191,11 @@ fn output(color: Composite) -> Color {
     return finite_vec4(straight(color));
 }
 
-/// Color ramp
-///
-/// Turns a number into a color along a ramp: a tone into paint. Before the first stop and after
-/// the last one the color stays; the edges of a stepped ramp are antialiased.
-fn ramp_plain(value: f32, ramp: Ramp) -> Color {
-    let w = footprint_of(value);
-    return ramp_at(ramp, bounded(value), w);
-}
-
 /// Separate vector
 ///
 /// The three numbers of a vector.
 fn separate_vector(vector: vec3f) -> VectorParts {
-    return VectorParts(vector.x, vector.y, vector.z);
+    return VectorParts(vector.x, vector.y, 0.0);
 }
 
 struct VectorParts {
@@ -287,10 +211,10 @@ const color_code = Ramp(array(vec4f(1.0, 0.9686, 0.8392, 1.0), vec4f(1.0, 0.8196
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let uv_2 = uv(surface.uv);
-    let parts = separate_vector(vec3f(uv_2, 0.0));
-    let color_code_2 = ramp_plain(parts.y, color_code);
-    let output_alpha = with_unit_alpha(color_code_2);
+    let uv = surface.uv;
+    let parts = separate_vector(vec3f(uv, 0.0));
+    let color_code_2 = ramp_at(color_code, parts.y, footprint_of(parts.y));
+    let output_alpha = vec4f(color_code_2.xyz, clamp(color_code_2.w, 0.0, 1.0));
     let output_2 = output(premultiplied(output_alpha));
     return output_2;
 }

@@ -65,91 +65,46 @@ struct Varyings {
 };
 constant float HALF_PI = 1.5707964;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint INTERPOLATION_SMOOTH = 1u;
-constant uint INTERPOLATION_STEPPED = 2u;
 constant Ramp color_code = Ramp {type_5 {{metal::float4(1.0, 0.9686, 0.8392, 1.0), metal::float4(1.0, 0.8196, 0.4, 1.0), metal::float4(0.9529, 0.4471, 0.1725, 1.0), metal::float4(0.7843, 0.1961, 0.3529, 1.0), metal::float4(0.4157, 0.1725, 0.549, 1.0), metal::float4(0.1529, 0.2039, 0.4353, 1.0), metal::float4(0.0431, 0.0627, 0.149, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.1, 0.22, 0.36), metal::float4(0.52, 0.72, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 1u};
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
 metal::float4 finite_vec4_(
-    metal::float4 v_1
+    metal::float4 v
 ) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
+    metal::uint4 exponent = metal::uint4(2139095040u);
+    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
 }
 
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise
 ) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
+    float square = metal::dot(v_1, v_1);
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_seen(
+    metal::float3 v_2
 ) {
-    float p = metal::length(d - l);
-    float s = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p * p) + (s * s), 0.000000000000000000000000000001));
-    return Angle {p * k, s * k};
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y,
-    float x_2
+    float x
 ) {
-    float small = metal::min(y, x_2);
-    float large = metal::max(y, x_2);
+    float small = metal::min(y, x);
+    float large = metal::max(y, x);
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_4 = small / large;
-    bool is_wide = t_4 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_4;
+    float t_1 = small / large;
+    bool is_wide = t_1 > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t_1;
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_6 = is_wide ? (series + 0.7853982) : series;
-    return (y > x_2) ? (HALF_PI - a_6) : a_6;
+    float a_2 = is_wide ? (series + 0.7853982) : series;
+    return (y > x) ? (HALF_PI - a_2) : a_2;
 }
 
 float angle_radians(
@@ -160,22 +115,22 @@ float angle_radians(
 }
 
 float bounded(
-    float x_3
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
+    uint bits = as_type<uint>(x_1);
     uint magnitude = bits & 2147483647u;
-    float largest_1 = as_type<float>((bits & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float4 bounded_vec4_(
     metal::float4 v_3
 ) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    float _e8 = bounded(v_3.w);
-    return metal::float4(_e2, _e4, _e6, _e8);
+    metal::uint4 bits_1 = as_type<metal::uint4>(v_3);
+    metal::uint4 magnitude_1 = bits_1 & metal::uint4(2147483647u);
+    metal::float4 largest_1 = as_type<metal::float4>((bits_1 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers = metal::select(metal::float4(0.0), largest_1, magnitude_1 == metal::uint4(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -189,69 +144,24 @@ float divided(
     return _e7;
 }
 
-float mixed(
-    float a_1,
-    float b_1,
-    float t
-) {
-    float _e4 = bounded(b_1 - a_1);
-    float _e14 = bounded((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
-    return _e14;
-}
-
-metal::float3 mixed_vec3_(
-    metal::float3 a_2,
-    metal::float3 b_2,
-    float t_1
-) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return metal::float3(_e5, _e8, _e11);
-}
-
-metal::float4 mixed_vec4_(
-    metal::float4 a_3,
-    metal::float4 b_3,
-    float t_2
-) {
-    metal::float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return metal::float4(_e5, _e8);
-}
-
 float footprint_of(
-    float x_4
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d_1, d_1)));
-    return _e6;
-}
-
-float step_filtered(
-    float x_5,
-    float edge,
-    float w
-) {
-    float _e4 = bounded(x_5 - edge);
-    if (w < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
+    metal::float2 d = metal::float2(_e1, _e2);
+    return metal::sqrt(metal::dot(d, d));
 }
 
 metal::float4 hermite(
-    metal::float4 a_4,
-    metal::float4 b_4,
+    metal::float4 a_1,
+    metal::float4 b_1,
     metal::float4 from_a,
     metal::float4 to_b,
-    float t_3
+    float t
 ) {
-    metal::float4 d_2 = b_4 - a_4;
-    return a_4 + (t_3 * (from_a + (t_3 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_2)))))));
+    metal::float4 d_1 = b_1 - a_1;
+    return a_1 + (t * (from_a + (t * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_1)))))));
 }
 
 float harmonic_slope(
@@ -300,165 +210,93 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_6,
-    float w_1
+    float x_3,
+    float w
 ) {
     type_5 colors = {};
     type_6 places = {};
-    metal::float4 color = {};
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_1 = {};
     metal::float4 from_a_1 = metal::float4(0.0);
     metal::float4 to_b_1 = metal::float4(0.0);
-    uint count = metal::min(ramp.count, 16u);
-    if (count == 0u) {
-        return metal::float4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if (ramp.interpolation == INTERPOLATION_STEPPED) {
-        metal::float4 _e18 = colors.inner[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = _e47 + 1u;
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if (_e22 < count) {
-            } else {
-                break;
-            }
-            {
-                metal::float4 _e24 = color;
-                uint _e25 = i;
-                metal::float4 _e27 = colors.inner[_e25];
-                uint _e28 = i;
-                metal::float4 _e32 = colors.inner[_e28 - 1u];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
-                float _e43 = step_filtered(x_6, _e42, w_1);
-                color = _e24 + ((_e27 - _e32) * _e43);
-            }
-        }
-        metal::float4 _e49 = color;
-        metal::float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = _e71 + 1u;
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e28 = i_2_;
+            i_2_ = _e28 + 1u;
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if (_e55 < count) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 7u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places.inner[naga_div(_e59, 4u)][naga_mod(_e63, 4u)];
-            at = (_e67 <= x_6) ? _e58 : _e57;
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e17 = i_2_;
+        uint _e21 = i_2_;
+        float _e25 = places.inner[naga_div(_e17, 4u)][naga_mod(_e21, 4u)];
+        at = (_e25 <= x_3) ? _e16 : _e15;
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place = places.inner[naga_div(_e73, 4u)][naga_mod(_e77, 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count))) {
-        local_1 = x_6 <= place;
-    } else {
-        local_1 = true;
+    uint _e31 = at;
+    uint _e35 = at;
+    float place = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
+    uint _e40 = at;
+    if (((_e40 + 1u) >= 7u) | (x_3 <= place)) {
+        uint _e47 = at;
+        metal::float4 _e49 = colors.inner[_e47];
+        return _e49;
     }
-    bool _e91 = local_1;
-    if (_e91) {
-        uint _e92 = at;
-        metal::float4 _e94 = colors.inner[_e92];
-        metal::float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e50 = at;
+    uint after_1 = _e50 + 1u;
+    float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
+    float span = _e59 - place;
+    float _e62 = divided(x_3 - place, span);
+    float t_2 = metal::clamp(_e62, 0.0, 1.0);
+    uint _e69 = at;
+    if (_e69 > 0u) {
+        uint _e72 = at;
+        uint _e78 = at;
+        float before_1 = places.inner[naga_div(_e72 - 1u, 4u)][naga_mod(_e78 - 1u, 4u)];
+        uint _e85 = at;
+        metal::float4 _e87 = colors.inner[_e85];
+        uint _e88 = at;
+        metal::float4 _e92 = colors.inner[_e88 - 1u];
+        metal::float4 _e96 = colors.inner[after_1];
+        uint _e97 = at;
+        metal::float4 _e99 = colors.inner[_e97];
+        metal::float4 _e101 = ramp_slope(_e87 - _e92, place - before_1, _e96 - _e99, span);
+        from_a_1 = _e101;
     }
-    uint _e96 = at;
-    uint after_1 = _e96 + 1u;
-    float _e105 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span = _e105 - place;
-    float _e108 = divided(x_6 - place, span);
-    float t_5 = metal::clamp(_e108, 0.0, 1.0);
-    if (ramp.interpolation != INTERPOLATION_SMOOTH) {
-        uint _e115 = at;
-        metal::float4 _e117 = colors.inner[_e115];
-        metal::float4 _e119 = colors.inner[after_1];
-        metal::float4 _e120 = mixed_vec4_(_e117, _e119, t_5);
-        return _e120;
+    if ((after_1 + 1u) < 7u) {
+        float _e119 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
+        float next = _e119 - (place + span);
+        metal::float4 _e123 = colors.inner[after_1];
+        uint _e124 = at;
+        metal::float4 _e126 = colors.inner[_e124];
+        metal::float4 _e131 = colors.inner[after_1 + 1u];
+        metal::float4 _e133 = colors.inner[after_1];
+        metal::float4 _e135 = ramp_slope(_e123 - _e126, span, _e131 - _e133, next);
+        to_b_1 = _e135;
     }
-    uint _e127 = at;
-    if (_e127 > 0u) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places.inner[naga_div(_e130 - 1u, 4u)][naga_mod(_e136 - 1u, 4u)];
-        uint _e143 = at;
-        metal::float4 _e145 = colors.inner[_e143];
-        uint _e146 = at;
-        metal::float4 _e150 = colors.inner[_e146 - 1u];
-        metal::float4 _e154 = colors.inner[after_1];
-        uint _e155 = at;
-        metal::float4 _e157 = colors.inner[_e155];
-        metal::float4 _e159 = ramp_slope(_e145 - _e150, place - before_1, _e154 - _e157, span);
-        from_a_1 = _e159;
-    }
-    if ((after_1 + 1u) < count) {
-        float _e173 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e173 - (place + span);
-        metal::float4 _e177 = colors.inner[after_1];
-        uint _e178 = at;
-        metal::float4 _e180 = colors.inner[_e178];
-        metal::float4 _e185 = colors.inner[after_1 + 1u];
-        metal::float4 _e187 = colors.inner[after_1];
-        metal::float4 _e189 = ramp_slope(_e177 - _e180, span, _e185 - _e187, next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    metal::float4 _e192 = colors.inner[_e190];
-    metal::float4 _e194 = colors.inner[after_1];
-    metal::float4 _e195 = from_a_1;
-    metal::float4 _e197 = to_b_1;
-    metal::float4 _e199 = hermite(_e192, _e194, span * _e195, span * _e197, t_5);
-    metal::float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
-}
-
-float unit_share(
-    float share
-) {
-    return metal::clamp(share, 0.0, 1.0);
-}
-
-Color with_unit_alpha(
-    Color color_1
-) {
-    float _e3 = unit_share(color_1.w);
-    return metal::float4(color_1.xyz, _e3);
+    uint _e136 = at;
+    metal::float4 _e138 = colors.inner[_e136];
+    metal::float4 _e140 = colors.inner[after_1];
+    metal::float4 _e141 = from_a_1;
+    metal::float4 _e143 = to_b_1;
+    metal::float4 _e145 = hermite(_e138, _e140, span * _e141, span * _e143, t_2);
+    metal::float4 _e146 = bounded_vec4_(_e145);
+    return _e146;
 }
 
 Composite premultiplied(
-    Color color_2
+    Color color
 ) {
-    return metal::float4(color_2.xyz * color_2.w, color_2.w);
+    return metal::float4(color.xyz * color.w, color.w);
 }
 
 Color straight(
@@ -471,9 +309,9 @@ Color straight(
 }
 
 Color output(
-    Composite color_3
+    Composite color_1
 ) {
-    Color _e1 = straight(color_3);
+    Color _e1 = straight(color_1);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
@@ -483,29 +321,9 @@ Angle parametrization_specular(
     metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
-    metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light.direction);
-    return _e15;
-}
-
-Color ramp_plain(
-    float value,
-    Ramp ramp_1
-) {
-    float _e2 = footprint_of(value);
-    float _e3 = bounded(value);
-    Color _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
-}
-
-float divide(
-    float a_5,
-    float b_5
-) {
-    float _e2 = divided(a_5, b_5);
-    return _e2;
+    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle {0.5 * metal::length(_e8 - light.direction), 0.5 * metal::length(_e8 + light.direction)};
 }
 
 metal::float4 shade(
@@ -515,12 +333,13 @@ metal::float4 shade(
     Light _e3 = look.key;
     Angle _e6 = parametrization_specular(_e3, surface_1.normal, surface_1.view);
     float _e7 = angle_radians(_e6);
-    float _e9 = divide(_e7, 3.1415927);
-    Color _e11 = ramp_plain(_e9, color_code);
-    Color _e12 = with_unit_alpha(_e11);
-    Composite _e13 = premultiplied(_e12);
-    Color _e14 = output(_e13);
-    return _e14;
+    float angle_over_pi = _e7 / 3.1415927;
+    float _e11 = footprint_of(angle_over_pi);
+    Color _e12 = ramp_at(color_code, angle_over_pi, _e11);
+    metal::float4 output_alpha = metal::float4(_e12.xyz, metal::clamp(_e12.w, 0.0, 1.0));
+    Composite _e19 = premultiplied(output_alpha);
+    Color _e20 = output(_e19);
+    return _e20;
 }
 
 struct vs_mainInput {
@@ -568,17 +387,14 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_1 = is_front ? _e7 : -(_e7);
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    metal::float4 _e35 = shade(_e34, look);
-    metal::float4 _e36 = finite_vec4_(_e35);
-    return fs_mainOutput { _e36 };
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    Surface _e21 = surface;
+    metal::float4 _e22 = shade(_e21, look);
+    metal::float4 _e23 = finite_vec4_(_e22);
+    return fs_mainOutput { _e23 };
 }

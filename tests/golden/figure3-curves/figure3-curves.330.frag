@@ -30,12 +30,7 @@ struct Varyings {
     vec2 uv;
 };
 const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape lambert_shape = ProfileShape(1.0, 0.0, 1.4142109, 1.0, 0.0, 0.9999519, 0.37607926, 0u);
 const ProfileShape half_lambert_shape = ProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u);
 const ProfileShape custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0.5, 0.49992928, 0.2351043, 0u);
@@ -52,43 +47,28 @@ float finite_or(float x_1, float otherwise) {
     return (_e2 ? x_1 : otherwise);
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
 float exp2_stable(float x_2) {
-    float clamped_4 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_4);
-    float f = ((clamped_4 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
+    float whole = roundEven(x_2);
+    float f = (x_2 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+float exp2_stable_2_(float x_3) {
+    float clamped_2 = max(x_3, -126.0);
+    float whole_1 = roundEven(clamped_2);
+    float f_1 = (clamped_2 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
+}
+
+float log2_stable(float x_4) {
+    uint bits = floatBitsToUint(x_4);
+    int exponent_3 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_3) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_3) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -97,8 +77,8 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
+vec2 sin_cos_quarter(float x_5) {
+    float h = (0.5 * x_5);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -106,24 +86,11 @@ vec2 sin_cos_quarter(float x_4) {
     return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_2 = (small / large);
-    bool is_wide = (t_2 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
-    float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_2 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a_2) : a_2);
-}
-
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+vec2 sin_cos_tiny(float x_6) {
+    float y_1 = (x_6 * x_6);
+    float s_1 = (x_6 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
+    float c_1 = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
+    return vec2(s_1, c_1);
 }
 
 Angle angle_of(float radians_) {
@@ -133,126 +100,48 @@ Angle angle_of(float radians_) {
     return Angle(max(_e8.x, 0.0), max(_e8.y, 0.0));
 }
 
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_4, 0.5);
+}
+
 Angle angle_turned(Angle u_1, vec2 t) {
-    bool local = false;
-    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
-    if ((s_1 <= 0.0)) {
-        local = (s_1 < c_1);
-    } else {
-        local = false;
-    }
-    bool _e32 = local;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_3 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_3 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_3));
+    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c_3)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_3, 0.5);
-    return min(_e13, 0.5);
-}
-
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest : 0.0));
-}
-
-float mixed(float a, float b, float t_1) {
-    float _e4 = bounded((b - a));
-    float _e14 = bounded(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
-    return _e14;
-}
-
-float place_between(float x_7, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_7 >= high) ? 1.0 : 0.0);
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_7 - low) / _e12));
-    return _e14;
-}
-
-float remapped(float x_8, float from_low, float from_high, float to_low, float to_high, bool clamped) {
-    float _e6 = bounded(x_8);
-    float _e7 = bounded(from_low);
-    float _e8 = bounded(from_high);
-    float _e9 = place_between(_e6, _e7, _e8);
-    float _e10 = bounded(to_low);
-    float _e11 = bounded(to_high);
-    float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
-}
-
-float footprint_of(float x_9) {
-    float _e1 = dFdx(x_9);
-    float _e2 = dFdy(x_9);
+float footprint_of(float x_7) {
+    float _e1 = dFdx(x_7);
+    float _e2 = dFdy(x_7);
     vec2 d = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
+    return sqrt(dot(d, d));
 }
 
-float edge_width(float w, float softness) {
-    float _e4 = bounded(softness);
-    return length(vec2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
+float step_filtered(float x_8, float edge, float w) {
+    float d_1 = (x_8 - edge);
+    return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
 }
 
-float step_filtered(float x_10, float edge, float w_1) {
-    float _e4 = bounded((x_10 - edge));
-    if ((w_1 < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
-    }
-    float _e13 = bounded((_e4 / w_1));
-    return clamp((0.5 + _e13), 0.0, 1.0);
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0);
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
-vec2 uv(vec2 uv_1) {
-    return uv_1;
-}
-
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped_1) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed_1 = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped_1 ? clamp(mixed_1, vec4(0.0), vec4(1.0)) : mixed_1);
-}
-
-vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_2) {
-    float a_3 = (opacity_1 * color.w);
-    float alpha_1 = (below_1.w + ((tone * a_3) * (1.0 - below_1.w)));
-    vec4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_3, clamped_2);
-    return _e20;
-}
-
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
+vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
+    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 float profile_power(float q, float exponent) {
@@ -261,158 +150,219 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float _e20 = exp2_stable(_e19);
+    return min(_e20, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_1 = false;
-    float s_2 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_2 <= 0.0))) {
-        local_1 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_1 = true;
-    }
-    bool _e18 = local_1;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_4 = (u_3.half_sin - (u_3.half_cos * 0.0));
+    if (((s_4 <= 0.0) || false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_2 <= 4e-7) ? 1.0 : 0.0);
-    }
-    float q_1 = (s_2 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_3 = (s_4 * shape.scale);
+    float _e15 = profile_power(q_3, 1.0);
+    return _e15;
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1) {
-    bool local_2 = false;
-    bool local_3 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_2 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
+float profile_power_2_(float q_1, float exponent_1) {
+    float log_base_1 = 0.0;
+    if ((q_1 >= 1.0)) {
+        return 0.0;
     }
-    bool _e13 = local_2;
-    if (_e13) {
+    if ((q_1 < 0.5)) {
+        float _e11 = log1p_negative_small((q_1 * q_1));
+        log_base_1 = (LOG2_E * _e11);
+    } else {
+        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable((exponent_1 * _e19));
+    return min(_e21, 1.0);
+}
+
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_5 = (u_4.half_sin - (u_4.half_cos * 0.0));
+    if (((s_5 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_4 = (s_5 * shape_1.scale);
+    float _e15 = profile_power_2_(q_4, shape_1.exponent);
+    return _e15;
+}
+
+float profile_power_3_(float q_2, float exponent_2) {
+    float log_base_2 = 0.0;
+    if ((q_2 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_2 < 0.5)) {
+        float _e11 = log1p_negative_small((q_2 * q_2));
+        log_base_2 = (LOG2_E * _e11);
+    } else {
+        float _e18 = log2_stable(((1.0 - q_2) * (1.0 + q_2)));
+        log_base_2 = _e18;
+    }
+    float _e19 = log_base_2;
+    float _e21 = exp2_stable_2_((exponent_2 * _e19));
+    return min(_e21, 1.0);
+}
+
+float profile_point_3_(Angle u_5, ProfileShape shape_2) {
+    float s_6 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
+    if (((s_6 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_5 = (s_6 * shape_2.scale);
+    float _e17 = profile_power_3_(q_5, shape_2.exponent);
+    return _e17;
+}
+
+float profile_filtered(Angle u_6, float w_1, ProfileShape shape_3) {
+    float _e3 = profile_point(u_6, shape_3);
+    bool is_wide = (w_1 < (0.1 * shape_3.edge_deviation));
+    if (((is_wide || (w_1 <= 0.0)) || false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_3 = (w_2 >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_3 = false;
-    }
-    bool _e24 = local_3;
-    if (_e24) {
-        float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w_2 < (0.1 * shape_1.edge_deviation))) {
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_1));
+    Angle _e16 = angle_turned(u_6, _e15);
+    float _e17 = profile_point(_e16, shape_3);
+    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_3);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_7, float w_2, ProfileShape shape_4) {
+    float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_1 = (w_2 < (0.1 * shape_4.edge_deviation));
+    if (((is_wide_1 || (w_2 <= 0.0)) || false)) {
         return _e3;
     }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w_2));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
+    Angle _e16 = angle_turned(u_7, _e15);
+    float _e17 = profile_point_2_(_e16, shape_4);
+    Angle _e22 = angle_turned(u_7, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point_2_(_e22, shape_4);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile_filtered_3_(Angle u_8, float w_3, ProfileShape shape_5) {
+    float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_2 = (w_3 < (0.1 * shape_5.edge_deviation));
+    if (((is_wide_2 || (w_3 <= 0.0)) || false)) {
+        return _e3;
+    }
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_3));
+    Angle _e16 = angle_turned(u_8, _e15);
+    float _e17 = profile_point_3_(_e16, shape_5);
+    Angle _e22 = angle_turned(u_8, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point_3_(_e22, shape_5);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
 }
 
-float threshold(float value, float edge_1, float softness_1) {
-    float _e3 = footprint_of(value);
-    float _e4 = bounded(value);
-    float _e5 = bounded(edge_1);
-    float _e6 = edge_width(_e3, softness_1);
-    float _e7 = step_filtered(_e4, _e5, _e6);
-    return _e7;
+float profile(Angle angle, float shift, ProfileShape shape_6) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    return _e8;
 }
 
-float map_range(float value_1, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_3) {
-    float _e6 = remapped(value_1, from_low_1, from_high_1, to_low_1, to_high_1, clamped_3);
-    return _e6;
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    return _e8;
 }
 
-float subtract(float a_1, float b_1) {
-    float _e3 = bounded((a_1 - b_1));
-    return _e3;
+float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
+    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    return _e8;
 }
 
 VectorParts separate_vector(vec3 vector) {
-    return VectorParts(vector.x, vector.y, vector.z);
+    return VectorParts(vector.x, vector.y, 0.0);
 }
 
 vec4 shade(Surface surface_1) {
-    vec2 _e2 = uv(surface_1.uv);
-    VectorParts _e5 = separate_vector(vec3(_e2, 0.0));
-    float _e12 = map_range(_e5.y, 0.14, 0.86, 0.0, 1.0, false);
-    float _e15 = threshold(_e12, -0.006, 0.0);
-    float _e18 = threshold(_e12, 0.006, 0.0);
-    float _e19 = subtract(_e15, _e18);
-    float _e20 = unit_share(_e19);
-    vec4 _e33 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), _e20, 1.0, true);
-    float _e40 = map_range(_e5.x, 0.08, 0.92, 0.0, 3.1415927, false);
-    float _e43 = threshold(_e40, -0.012, 0.0);
-    float _e46 = threshold(_e40, 0.012, 0.0);
-    float _e47 = subtract(_e43, _e46);
-    float _e48 = unit_share(_e47);
-    vec4 _e56 = blend_alpha(_e33, vec4(0.24, 0.26, 0.3, 1.0), _e48, 1.0, true);
-    float _e59 = threshold(_e40, 0.492, 0.0);
-    float _e62 = threshold(_e40, 0.508, 0.0);
-    float _e63 = subtract(_e59, _e62);
-    float _e64 = unit_share(_e63);
-    vec4 _e72 = blend_alpha(_e56, vec4(0.2, 0.38, 0.78, 1.0), _e64, 0.55, true);
-    float _e75 = threshold(_e40, 0.942, 0.0);
-    float _e78 = threshold(_e40, 0.958, 0.0);
-    float _e79 = subtract(_e75, _e78);
-    float _e80 = unit_share(_e79);
-    vec4 _e88 = blend_alpha(_e72, vec4(0.2, 0.38, 0.78, 1.0), _e80, 0.55, true);
-    float _e91 = threshold(_e40, 1.792, 0.0);
-    float _e94 = threshold(_e40, 1.808, 0.0);
-    float _e95 = subtract(_e91, _e94);
-    float _e96 = unit_share(_e95);
-    vec4 _e104 = blend_alpha(_e88, vec4(0.2, 0.38, 0.78, 1.0), _e96, 0.55, true);
-    Angle _e105 = angle_of(_e40);
-    float _e108 = profile(_e105, 0.0, lambert_shape);
-    float _e109 = subtract(_e12, _e108);
-    float _e112 = threshold(_e109, -0.012, 0.0);
-    float _e115 = threshold(_e109, 0.012, 0.0);
-    float _e116 = subtract(_e112, _e115);
-    float _e117 = unit_share(_e116);
-    vec4 _e125 = blend_alpha(_e104, vec4(0.8, 0.2, 0.17, 1.0), _e117, 1.0, true);
-    Angle _e126 = angle_of(_e40);
-    float _e129 = profile(_e126, 0.0, half_lambert_shape);
-    float _e130 = subtract(_e12, _e129);
-    float _e133 = threshold(_e130, -0.012, 0.0);
-    float _e136 = threshold(_e130, 0.012, 0.0);
-    float _e137 = subtract(_e133, _e136);
-    float _e138 = unit_share(_e137);
-    vec4 _e146 = blend_alpha(_e125, vec4(0.18, 0.55, 0.27, 1.0), _e138, 1.0, true);
-    Angle _e147 = angle_of(_e40);
-    float _e150 = profile(_e147, 0.0, custom_shape);
-    float _e151 = subtract(_e12, _e150);
-    float _e154 = threshold(_e151, -0.012, 0.0);
-    float _e157 = threshold(_e151, 0.012, 0.0);
-    float _e158 = subtract(_e154, _e157);
-    float _e159 = unit_share(_e158);
-    vec4 _e167 = blend_alpha(_e146, vec4(0.5, 0.31, 0.14, 1.0), _e159, 1.0, true);
-    vec4 _e168 = output_(_e167);
-    return _e168;
+    vec2 uv = surface_1.uv;
+    VectorParts _e4 = separate_vector(vec3(uv, 0.0));
+    float tone_2 = ((_e4.y - 0.14) / 0.72);
+    float _e11 = footprint_of(tone_2);
+    float _e15 = step_filtered(tone_2, -0.006, length(vec2(_e11, 0.0)));
+    float _e17 = footprint_of(tone_2);
+    float _e21 = step_filtered(tone_2, 0.006, length(vec2(_e17, 0.0)));
+    float angles_line = (_e15 - _e21);
+    float angles_tone = max(angles_line, 0.0);
+    vec4 _e37 = blend_alpha(vec4(0.98, 0.965, 0.925, 1.0), vec4(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
+    float angle_3 = mix(0.0, 3.1415927, ((_e4.x - 0.08) / 0.84));
+    float _e47 = footprint_of(angle_3);
+    float _e51 = step_filtered(angle_3, -0.012, length(vec2(_e47, 0.0)));
+    float _e53 = footprint_of(angle_3);
+    float _e57 = step_filtered(angle_3, 0.012, length(vec2(_e53, 0.0)));
+    float tones_line = (_e51 - _e57);
+    float tones_tone = max(tones_line, 0.0);
+    vec4 tones = max(vec4((_e37.xyz + (tones_tone * (vec3(0.24, 0.26, 0.3) - _e37.xyz))), 1.0), vec4(0.0));
+    float _e76 = footprint_of(angle_3);
+    float _e80 = step_filtered(angle_3, 0.492, length(vec2(_e76, 0.0)));
+    float _e82 = footprint_of(angle_3);
+    float _e86 = step_filtered(angle_3, 0.508, length(vec2(_e82, 0.0)));
+    float offset_line = (_e80 - _e86);
+    float offset_tone = max(offset_line, 0.0);
+    vec4 _e97 = blend_alpha_2_(tones, vec4(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
+    float _e99 = footprint_of(angle_3);
+    float _e103 = step_filtered(angle_3, 0.942, length(vec2(_e99, 0.0)));
+    float _e105 = footprint_of(angle_3);
+    float _e109 = step_filtered(angle_3, 0.958, length(vec2(_e105, 0.0)));
+    float falloff_line = (_e103 - _e109);
+    float falloff_tone = max(falloff_line, 0.0);
+    vec4 _e120 = blend_alpha_2_(_e97, vec4(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
+    float _e122 = footprint_of(angle_3);
+    float _e126 = step_filtered(angle_3, 1.792, length(vec2(_e122, 0.0)));
+    float _e128 = footprint_of(angle_3);
+    float _e132 = step_filtered(angle_3, 1.808, length(vec2(_e128, 0.0)));
+    float cutoff_line = (_e126 - _e132);
+    float cutoff_tone = max(cutoff_line, 0.0);
+    vec4 _e143 = blend_alpha_2_(_e120, vec4(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
+    Angle _e144 = angle_of(angle_3);
+    float _e147 = profile(_e144, 0.0, lambert_shape);
+    float lambert_off = (tone_2 - _e147);
+    float _e150 = footprint_of(lambert_off);
+    float _e154 = step_filtered(lambert_off, -0.012, length(vec2(_e150, 0.0)));
+    float _e156 = footprint_of(lambert_off);
+    float _e160 = step_filtered(lambert_off, 0.012, length(vec2(_e156, 0.0)));
+    float lambert_line = (_e154 - _e160);
+    float lambert_tone = max(lambert_line, 0.0);
+    vec4 lambert_2_ = clamp(vec4((_e143.xyz + (lambert_tone * (vec3(0.8, 0.2, 0.17) - _e143.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Angle _e180 = angle_of(angle_3);
+    float _e183 = profile_2_(_e180, 0.0, half_lambert_shape);
+    float half_lambert_off = (tone_2 - _e183);
+    float _e186 = footprint_of(half_lambert_off);
+    float _e190 = step_filtered(half_lambert_off, -0.012, length(vec2(_e186, 0.0)));
+    float _e192 = footprint_of(half_lambert_off);
+    float _e196 = step_filtered(half_lambert_off, 0.012, length(vec2(_e192, 0.0)));
+    float half_lambert_line = (_e190 - _e196);
+    float half_lambert_tone = max(half_lambert_line, 0.0);
+    vec4 half_lambert_2_ = clamp(vec4((lambert_2_.xyz + (half_lambert_tone * (vec3(0.18, 0.55, 0.27) - lambert_2_.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    Angle _e216 = angle_of(angle_3);
+    float _e219 = profile_3_(_e216, 0.0, custom_shape);
+    float custom_off = (tone_2 - _e219);
+    float _e222 = footprint_of(custom_off);
+    float _e226 = step_filtered(custom_off, -0.012, length(vec2(_e222, 0.0)));
+    float _e228 = footprint_of(custom_off);
+    float _e232 = step_filtered(custom_off, 0.012, length(vec2(_e228, 0.0)));
+    float custom_line = (_e226 - _e232);
+    float custom_tone = max(custom_line, 0.0);
+    vec4 output_ = clamp(vec4((half_lambert_2_.xyz + (custom_tone * (vec3(0.5, 0.31, 0.14) - half_lambert_2_.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
@@ -421,8 +371,7 @@ void main() {
     surface.uv = in_.uv;
     Surface _e4 = surface;
     vec4 _e5 = shade(_e4);
-    vec4 _e6 = finite_vec4_(_e5);
-    out_color = _e6;
+    out_color = _e5;
     return;
 }
 

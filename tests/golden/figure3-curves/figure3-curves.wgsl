@@ -43,8 +43,6 @@ struct Angle {
 }
 
 const PI: f32 = 3.14159265358979323846;
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -57,65 +55,38 @@ fn finite_or(x: f32, otherwise: f32) -> f32 {
     return select(otherwise, x, is_finite(x));
 }
 
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -144,9 +115,25 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
@@ -156,32 +143,6 @@ fn angle_of(radians: f32) -> Angle {
     return Angle(max(sc.x, 0.0), max(sc.y, 0.0));
 }
 
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
-}
-
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -189,8 +150,7 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -200,109 +160,40 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }
 
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
-/// makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
-    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin - u.half_cos * 0.0;
+    let c = u.half_cos + u.half_sin * 0.0;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    return Angle(turned.x, turned.y);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
-}
-
-/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
-fn edge_width(w: f32, softness: f32) -> f32 {
-    return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
+    return sqrt(dot(d, d));
 }
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
-    let d = bounded(x - edge);
-    if w < 1e-30 {
-        return select(0.0, 1.0, d >= 0.0);
-    }
-    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
+    let d = x - edge;
+    return select(clamp(0.5 + d / w, 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
 }
 
-/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
-fn unit_share(share: f32) -> f32 {
-    return clamp(share, 0.0, 1.0);
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0);
 }
 
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// UV
-///
-/// The mesh's texture coordinates: u to the right, v up.
-fn uv(uv: vec2f) -> vec2f {
-    return uv;
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
-}
-
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    let a = opacity * color.w;
-    let alpha = below.w + tone * a * (1.0 - below.w);
-    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
+fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
+        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -324,20 +215,34 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) | false {
         return 1.0;
     }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
+    let q = s * shape.scale;
+    return profile_power(q, 1.0);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) | false {
+        return 1.0;
     }
     let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
+    return profile_power_2(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_3(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power_3(q, shape.exponent);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -347,11 +252,39 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return min(exp2_stable(log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_2(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable(exponent * log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_3(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable_2(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -359,21 +292,43 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
     let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
+        return point;
+    }
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_2(angle_turned(u, reach), shape);
+    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_3(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
+        return point;
+    }
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_3(angle_turned(u, reach), shape);
+    let after = profile_point_3(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -385,42 +340,39 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-/// Threshold
+/// Profile
 ///
-/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
-/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
-/// and the edge itself is 1.
-fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
-    let w = footprint_of(value);
-    return step_filtered(bounded(value), bounded(edge), edge_width(w, softness));
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
-/// Map range
+/// Profile
 ///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
-/// range is empty, all that is below it becomes the new low and the rest the new high. A color
-/// keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    return remapped(value, from_low, from_high, to_low, to_high, clamped);
-}
-
-/// Subtract
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
 ///
-/// What is left of A when B is taken away. A color keeps the alpha of A.
-fn subtract(a: f32, b: f32) -> f32 {
-    return bounded(a - b);
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_3(warped, angle_footprint(warped), shape);
 }
 
 /// Separate vector
 ///
 /// The three numbers of a vector.
 fn separate_vector(vector: vec3f) -> VectorParts {
-    return VectorParts(vector.x, vector.y, vector.z);
+    return VectorParts(vector.x, vector.y, 0.0);
 }
 
 struct VectorParts {
@@ -438,58 +390,58 @@ const custom_shape = ProfileShape(0.9689124, 0.24740396, 1.6523834, 4.0124283, 0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let uv_2 = uv(surface.uv);
-    let place = separate_vector(vec3f(uv_2, 0.0));
-    let tone = map_range(place.y, 0.14, 0.86, 0.0, 1.0, false);
-    let angles_from = threshold(tone, -0.006, 0.0);
-    let angles_to = threshold(tone, 0.006, 0.0);
-    let angles_line = subtract(angles_from, angles_to);
-    let angles_tone = unit_share(angles_line);
+    let uv = surface.uv;
+    let place = separate_vector(vec3f(uv, 0.0));
+    let tone = (place.y - 0.14) / (0.86 - 0.14);
+    let angles_from = step_filtered(tone, -0.006, length(vec2f(footprint_of(tone), 0.0)));
+    let angles_to = step_filtered(tone, 0.006, length(vec2f(footprint_of(tone), 0.0)));
+    let angles_line = angles_from - angles_to;
+    let angles_tone = max(angles_line, 0.0);
     let angles = blend_alpha(vec4f(0.98, 0.965, 0.925, 1.0), vec4f(0.24, 0.26, 0.3, 1.0), angles_tone, 1.0, true);
-    let angle = map_range(place.x, 0.08, 0.92, 0.0, 3.1415927, false);
-    let tones_from = threshold(angle, -0.012, 0.0);
-    let tones_to = threshold(angle, 0.012, 0.0);
-    let tones_line = subtract(tones_from, tones_to);
-    let tones_tone = unit_share(tones_line);
-    let tones = blend_alpha(angles, vec4f(0.24, 0.26, 0.3, 1.0), tones_tone, 1.0, true);
-    let offset_from = threshold(angle, 0.492, 0.0);
-    let offset_to = threshold(angle, 0.508, 0.0);
-    let offset_line = subtract(offset_from, offset_to);
-    let offset_tone = unit_share(offset_line);
-    let offset = blend_alpha(tones, vec4f(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
-    let falloff_from = threshold(angle, 0.942, 0.0);
-    let falloff_to = threshold(angle, 0.958, 0.0);
-    let falloff_line = subtract(falloff_from, falloff_to);
-    let falloff_tone = unit_share(falloff_line);
-    let falloff = blend_alpha(offset, vec4f(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
-    let cutoff_from = threshold(angle, 1.792, 0.0);
-    let cutoff_to = threshold(angle, 1.808, 0.0);
-    let cutoff_line = subtract(cutoff_from, cutoff_to);
-    let cutoff_tone = unit_share(cutoff_line);
-    let cutoff = blend_alpha(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
+    let angle = mix(0.0, 3.1415927, (place.x - 0.08) / (0.92 - 0.08));
+    let tones_from = step_filtered(angle, -0.012, length(vec2f(footprint_of(angle), 0.0)));
+    let tones_to = step_filtered(angle, 0.012, length(vec2f(footprint_of(angle), 0.0)));
+    let tones_line = tones_from - tones_to;
+    let tones_tone = max(tones_line, 0.0);
+    let tones = max(vec4f(angles.xyz + tones_tone * (vec4f(0.24, 0.26, 0.3, 1.0).xyz - angles.xyz), 1.0), vec4f(0.0));
+    let offset_from = step_filtered(angle, 0.492, length(vec2f(footprint_of(angle), 0.0)));
+    let offset_to = step_filtered(angle, 0.508, length(vec2f(footprint_of(angle), 0.0)));
+    let offset_line = offset_from - offset_to;
+    let offset_tone = max(offset_line, 0.0);
+    let offset = blend_alpha_2(tones, vec4f(0.2, 0.38, 0.78, 1.0), offset_tone, 0.55, true);
+    let falloff_from = step_filtered(angle, 0.942, length(vec2f(footprint_of(angle), 0.0)));
+    let falloff_to = step_filtered(angle, 0.958, length(vec2f(footprint_of(angle), 0.0)));
+    let falloff_line = falloff_from - falloff_to;
+    let falloff_tone = max(falloff_line, 0.0);
+    let falloff = blend_alpha_2(offset, vec4f(0.2, 0.38, 0.78, 1.0), falloff_tone, 0.55, true);
+    let cutoff_from = step_filtered(angle, 1.792, length(vec2f(footprint_of(angle), 0.0)));
+    let cutoff_to = step_filtered(angle, 1.808, length(vec2f(footprint_of(angle), 0.0)));
+    let cutoff_line = cutoff_from - cutoff_to;
+    let cutoff_tone = max(cutoff_line, 0.0);
+    let cutoff = blend_alpha_2(falloff, vec4f(0.2, 0.38, 0.78, 1.0), cutoff_tone, 0.55, true);
     let lambert = profile(angle_of(angle), 0.0, lambert_shape);
-    let lambert_off = subtract(tone, lambert);
-    let lambert_from = threshold(lambert_off, -0.012, 0.0);
-    let lambert_to = threshold(lambert_off, 0.012, 0.0);
-    let lambert_line = subtract(lambert_from, lambert_to);
-    let lambert_tone = unit_share(lambert_line);
-    let lambert_2 = blend_alpha(cutoff, vec4f(0.8, 0.2, 0.17, 1.0), lambert_tone, 1.0, true);
-    let half_lambert = profile(angle_of(angle), 0.0, half_lambert_shape);
-    let half_lambert_off = subtract(tone, half_lambert);
-    let half_lambert_from = threshold(half_lambert_off, -0.012, 0.0);
-    let half_lambert_to = threshold(half_lambert_off, 0.012, 0.0);
-    let half_lambert_line = subtract(half_lambert_from, half_lambert_to);
-    let half_lambert_tone = unit_share(half_lambert_line);
-    let half_lambert_2 = blend_alpha(lambert_2, vec4f(0.18, 0.55, 0.27, 1.0), half_lambert_tone, 1.0, true);
-    let custom = profile(angle_of(angle), 0.0, custom_shape);
-    let custom_off = subtract(tone, custom);
-    let custom_from = threshold(custom_off, -0.012, 0.0);
-    let custom_to = threshold(custom_off, 0.012, 0.0);
-    let custom_line = subtract(custom_from, custom_to);
-    let custom_tone = unit_share(custom_line);
-    let custom_2 = blend_alpha(half_lambert_2, vec4f(0.5, 0.31, 0.14, 1.0), custom_tone, 1.0, true);
-    let output_2 = output(custom_2);
-    return output_2;
+    let lambert_off = tone - lambert;
+    let lambert_from = step_filtered(lambert_off, -0.012, length(vec2f(footprint_of(lambert_off), 0.0)));
+    let lambert_to = step_filtered(lambert_off, 0.012, length(vec2f(footprint_of(lambert_off), 0.0)));
+    let lambert_line = lambert_from - lambert_to;
+    let lambert_tone = max(lambert_line, 0.0);
+    let lambert_2 = clamp(vec4f(cutoff.xyz + lambert_tone * (vec4f(0.8, 0.2, 0.17, 1.0).xyz - cutoff.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let half_lambert = profile_2(angle_of(angle), 0.0, half_lambert_shape);
+    let half_lambert_off = tone - half_lambert;
+    let half_lambert_from = step_filtered(half_lambert_off, -0.012, length(vec2f(footprint_of(half_lambert_off), 0.0)));
+    let half_lambert_to = step_filtered(half_lambert_off, 0.012, length(vec2f(footprint_of(half_lambert_off), 0.0)));
+    let half_lambert_line = half_lambert_from - half_lambert_to;
+    let half_lambert_tone = max(half_lambert_line, 0.0);
+    let half_lambert_2 = clamp(vec4f(lambert_2.xyz + half_lambert_tone * (vec4f(0.18, 0.55, 0.27, 1.0).xyz - lambert_2.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let custom = profile_3(angle_of(angle), 0.0, custom_shape);
+    let custom_off = tone - custom;
+    let custom_from = step_filtered(custom_off, -0.012, length(vec2f(footprint_of(custom_off), 0.0)));
+    let custom_to = step_filtered(custom_off, 0.012, length(vec2f(footprint_of(custom_off), 0.0)));
+    let custom_line = custom_from - custom_to;
+    let custom_tone = max(custom_line, 0.0);
+    let custom_2 = clamp(vec4f(half_lambert_2.xyz + custom_tone * (vec4f(0.5, 0.31, 0.14, 1.0).xyz - half_lambert_2.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let output = custom_2;
+    return output;
 }
 
 struct Vertex {
@@ -516,5 +468,5 @@ fn fs_main(in: Varyings) -> @location(0) vec4f {
     var surface: Surface;
     surface.uv = in.uv;
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

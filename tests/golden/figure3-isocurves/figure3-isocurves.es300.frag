@@ -45,9 +45,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const uint PROFILE_STEP = 1u;
 const uint PROFILE_AMBIENT = 2u;
@@ -57,73 +55,21 @@ layout(std140) uniform LookBlock { Look u_look; };
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+float exp2_stable(float x) {
+    float clamped_1 = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float exp2_stable(float x_2) {
-    float clamped_3 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_3);
-    float f = ((clamped_3 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -132,35 +78,36 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_tiny(float x_2) {
+    float y_2 = (x_2 * x_2);
+    float s = (x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
+    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    return vec2(s, c);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_1, float x_3) {
+    float small = min(y_1, x_3);
+    float large = max(y_1, x_3);
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
+    float t_2 = (small / large);
+    bool is_wide = (t_2 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_2);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_1 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a_1) : a_1);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_3) ? (HALF_PI - a) : a);
 }
 
 float angle_radians(Angle u) {
@@ -168,115 +115,61 @@ float angle_radians(Angle u) {
     return (2.0 * _e3);
 }
 
-Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+float angle_footprint(Angle u_1) {
+    vec2 half_ = vec2(u_1.half_sin, u_1.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
+}
+
+Angle angle_turned(Angle u_2, vec2 t) {
+    float s_1 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
+    float c_1 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
+Angle angle_turned_2_(Angle u_3, vec2 t_1) {
+    float s_2 = (u_3.half_sin - (u_3.half_cos * 0.0));
+    float c_2 = (u_3.half_cos + (u_3.half_sin * 0.0));
+    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_3, 0.5);
-    return min(_e13, 0.5);
-}
-
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
+float bounded(float x_4) {
+    uint bits_1 = floatBitsToUint(x_4);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
-    vec2 d_1 = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d_1, d_1)));
+float footprint_of(float x_5) {
+    float _e1 = dFdx(x_5);
+    float _e2 = dFdy(x_5);
+    vec2 d = vec2(_e1, _e2);
+    float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
 }
 
-float edge_width(float w, float softness) {
-    float _e4 = bounded(softness);
-    return length(vec2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
-}
-
-float step_filtered(float x_8, float edge, float w_1) {
-    float _e4 = bounded((x_8 - edge));
-    if ((w_1 < 1e-30)) {
+float step_filtered(float x_6, float edge, float w) {
+    float _e4 = bounded((x_6 - edge));
+    if ((w < 1e-30)) {
         return ((_e4 >= 0.0) ? 1.0 : 0.0);
     }
-    float _e13 = bounded((_e4 / w_1));
+    float _e13 = bounded((_e4 / w));
     return clamp((0.5 + _e13), 0.0, 1.0);
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
-}
-
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
-}
-
-vec4 blend_alpha(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
-    float a_2 = (opacity_2 * color_1.w);
-    float alpha_1 = (below_2.w + ((tone_1 * a_2) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_2, clamped_2);
-    return _e20;
-}
-
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-vec2 light_split(float intensity) {
-    return vec2(min(intensity, 1.0), max(intensity, 1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_3, float tone_2) {
-    vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_2 * _e4.x));
-}
-
-Angle parametrization_diffuse(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 float profile_power(float q, float exponent) {
@@ -285,140 +178,114 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
+    float _e21 = exp2_stable((exponent * _e19));
     return clamp(_e21, 0.0, 1.0);
 }
 
 float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_2 = false;
     float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    if (((s_3 <= 0.0) || (shape.kind == PROFILE_AMBIENT))) {
         return 1.0;
     }
     if ((shape.kind == PROFILE_STEP)) {
         return ((s_3 <= 4e-7) ? 1.0 : 0.0);
     }
     float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float _e27 = profile_power(q_1, shape.exponent);
+    return _e27;
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1) {
-    bool local_3 = false;
-    bool local_4 = false;
+float profile_filtered(Angle u_5, float w_1, ProfileShape shape_1) {
     float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    bool is_wide_1 = (w_1 < (0.1 * shape_1.edge_deviation));
+    if (((is_wide_1 || (w_1 <= 0.0)) || (shape_1.kind == PROFILE_AMBIENT))) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w_2 >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
+    if (((shape_1.edge_deviation < 0.145) && (w_1 >= (3.4641016 * shape_1.edge_deviation)))) {
+        float width = sqrt(((w_1 * w_1) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
+        float _e36 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w_2 < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w_2));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    vec2 _e48 = sin_cos_tiny((0.19364917 * w_1));
+    Angle _e49 = angle_turned(u_5, _e48);
+    float _e50 = profile_point(_e49, shape_1);
+    Angle _e55 = angle_turned(u_5, vec2(-(_e48.x), _e48.y));
+    float _e56 = profile_point(_e55, shape_1);
+    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
-}
-
-float threshold(float value, float edge_1, float softness_1) {
-    float _e3 = footprint_of(value);
-    float _e4 = bounded(value);
-    float _e5 = bounded(edge_1);
-    float _e6 = edge_width(_e3, softness_1);
-    float _e7 = step_filtered(_e4, _e5, _e6);
-    return _e7;
-}
-
-float subtract(float a, float b) {
-    float _e3 = bounded((a - b));
-    return _e3;
+float profile(Angle angle, float shift, ProfileShape shape_2) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    ProfileShape _e9 = u_look.profile_tone_shape;
-    float _e10 = profile(_e5, 0.0, _e9);
-    Light _e13 = u_look.key;
-    LitLayer _e19 = light_apply(_e13, vec4(0.86, 0.8, 0.7, 1.0), _e10);
-    vec4 _e29 = blend_add(vec4(0.11, 0.13, 0.19, 1.0), _e19.color, _e19.tone, 1.0, true);
-    float _e30 = angle_radians(_e5);
-    float _e33 = u_look.offset;
-    float _e34 = subtract(_e30, _e33);
-    float _e37 = threshold(_e34, -0.012, 0.0);
-    float _e40 = threshold(_e34, 0.012, 0.0);
-    float _e41 = subtract(_e37, _e40);
-    float _e42 = unit_share(_e41);
-    vec4 _e50 = blend_alpha(_e29, vec4(0.16, 0.36, 0.85, 1.0), _e42, 1.0, true);
-    float _e51 = angle_radians(_e5);
-    float _e54 = u_look.fall_off;
-    float _e55 = subtract(_e51, _e54);
-    float _e58 = threshold(_e55, -0.012, 0.0);
-    float _e61 = threshold(_e55, 0.012, 0.0);
-    float _e62 = subtract(_e58, _e61);
-    float _e63 = unit_share(_e62);
-    vec4 _e71 = blend_alpha(_e50, vec4(0.16, 0.36, 0.85, 1.0), _e63, 1.0, true);
-    float _e72 = angle_radians(_e5);
-    float _e75 = u_look.cut_off;
-    float _e76 = subtract(_e72, _e75);
-    float _e79 = threshold(_e76, -0.012, 0.0);
-    float _e82 = threshold(_e76, 0.012, 0.0);
-    float _e83 = subtract(_e79, _e82);
-    float _e84 = unit_share(_e83);
-    vec4 _e92 = blend_alpha(_e71, vec4(0.16, 0.36, 0.85, 1.0), _e84, 1.0, true);
-    vec4 _e93 = output_(_e92);
-    return _e93;
+    vec3 _e5 = u_look.key.direction;
+    vec3 _e14 = u_look.key.direction;
+    Angle profile_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    ProfileShape _e23 = u_look.profile_tone_shape;
+    float _e24 = profile(profile_angle, 0.0, _e23);
+    Light _e27 = u_look.key;
+    LitLayer _e33 = light_apply(_e27, vec4(0.86, 0.8, 0.7, 1.0), _e24);
+    vec4 _e43 = blend_add(vec4(0.11, 0.13, 0.19, 1.0), _e33.color, _e33.tone, 1.0, true);
+    float _e44 = angle_radians(profile_angle);
+    float _e47 = u_look.offset;
+    float _e49 = bounded((_e44 - _e47));
+    float _e50 = bounded(_e49);
+    float _e52 = footprint_of(_e49);
+    float _e58 = step_filtered(_e50, -0.012, length(vec2(min(_e52, 1000000000000000.0), 0.0)));
+    float _e59 = bounded(_e49);
+    float _e61 = footprint_of(_e49);
+    float _e67 = step_filtered(_e59, 0.012, length(vec2(min(_e61, 1000000000000000.0), 0.0)));
+    float offset_isocurve_line = (_e58 - _e67);
+    float offset_isocurve_tone = max(offset_isocurve_line, 0.0);
+    vec4 offset_isocurve = clamp(vec4((_e43.xyz + (offset_isocurve_tone * (vec3(0.16, 0.36, 0.85) - _e43.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e87 = angle_radians(profile_angle);
+    float _e90 = u_look.fall_off;
+    float _e92 = bounded((_e87 - _e90));
+    float _e93 = bounded(_e92);
+    float _e95 = footprint_of(_e92);
+    float _e101 = step_filtered(_e93, -0.012, length(vec2(min(_e95, 1000000000000000.0), 0.0)));
+    float _e102 = bounded(_e92);
+    float _e104 = footprint_of(_e92);
+    float _e110 = step_filtered(_e102, 0.012, length(vec2(min(_e104, 1000000000000000.0), 0.0)));
+    float falloff_isocurve_line = (_e101 - _e110);
+    float falloff_isocurve_tone = max(falloff_isocurve_line, 0.0);
+    vec4 falloff_isocurve = clamp(vec4((offset_isocurve.xyz + (falloff_isocurve_tone * (vec3(0.16, 0.36, 0.85) - offset_isocurve.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e130 = angle_radians(profile_angle);
+    float _e133 = u_look.cut_off;
+    float _e135 = bounded((_e130 - _e133));
+    float _e136 = bounded(_e135);
+    float _e138 = footprint_of(_e135);
+    float _e144 = step_filtered(_e136, -0.012, length(vec2(min(_e138, 1000000000000000.0), 0.0)));
+    float _e145 = bounded(_e135);
+    float _e147 = footprint_of(_e135);
+    float _e153 = step_filtered(_e145, 0.012, length(vec2(min(_e147, 1000000000000000.0), 0.0)));
+    float cutoff_isocurve_line = (_e144 - _e153);
+    float cutoff_isocurve_tone = max(cutoff_isocurve_line, 0.0);
+    vec4 output_ = clamp(vec4((falloff_isocurve.xyz + (cutoff_isocurve_tone * (vec3(0.16, 0.36, 0.85) - falloff_isocurve.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_1 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_1;
-    Surface _e12 = surface;
-    vec4 _e13 = shade(_e12);
-    vec4 _e14 = finite_vec4_(_e13);
-    out_color = _e14;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? _e3 : -(_e3));
+    surface.normal = normal;
+    Surface _e8 = surface;
+    vec4 _e9 = shade(_e8);
+    out_color = _e9;
     return;
 }
 

@@ -2,7 +2,7 @@
 // Curvature in the color: made by Chiaro 0.1.0, GLSL 4.50.
 // The fragment shader. Finds curvature from normals and depth.
 // Uniform blocks (std140): CurvatureBlock 0.
-// Textures: u_normals 0, u_depths 1.
+// Textures: u_surface 0.
 // figure4-color.json says what to put there and how to draw.
 struct Curvature {
     float pixel;
@@ -11,197 +11,178 @@ struct Curvature {
     float rows_up;
     float samples;
 };
-struct Texel {
-    vec3 normal;
+struct SeenPixel {
+    ivec2 at;
+    vec4 texel;
+};
+struct Plane {
     float object;
     float depth;
+    vec2 rise;
+    float tolerance;
 };
-struct SideDifferences {
-    float forward;
-    float forward_weight;
-    float backward;
-    float backward_weight;
+struct Center {
+    ivec2 at;
+    vec2 slope;
+    Plane plane;
 };
-const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
-const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
-
-layout(binding = 0) uniform sampler2D u_normals;
-
-layout(binding = 1) uniform sampler2D u_depths;
+struct Ring {
+    vec4 x;
+    vec4 y;
+    vec4 weights;
+};
+layout(binding = 0) uniform sampler2D u_surface;
 
 layout(std140, binding = 0) uniform CurvatureBlock { Curvature u_curvature; };
 
 layout(location = 0) out float out_color;
 
-Texel texel(ivec2 at) {
+vec3 normal_of(vec4 texel) {
+    vec2 aside = (0.2 * texel.xy);
+    float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
+    float nz = ((texel.w < 0.0) ? -(rest) : rest);
+    vec3 facing = (vec3(texel.xy, 1.0) / vec3(sqrt((1.0 + dot(texel.xy, texel.xy)))));
+    return ((nz >= 0.2) ? facing : vec3(aside, nz));
+}
+
+int step_pixels() {
+    float _e2 = u_curvature.viewport_height;
+    return max(int(roundEven((_e2 / 800.0))), 1);
+}
+
+float row_direction() {
+    float _e2 = u_curvature.rows_up;
+    return ((_e2 > 0.5) ? 1.0 : -1.0);
+}
+
+ivec2 around(int index) {
+    int side = (1 - (2 * (index & 1)));
+    ivec2 straight = ((index < 2) ? ivec2(side, 0) : ivec2(0, side));
+    return ((index > 3) ? ivec2(side, (1 - (index & 2))) : straight);
+}
+
+SeenPixel seen_pixel(ivec2 pixel) {
+    SeenPixel seen = SeenPixel(ivec2(0), vec4(0.0));
     bool local = false;
-    ivec2 size = ivec2(uvec2(textureSize(u_normals, 0).xy));
-    if (!(any(lessThan(at, ivec2(0))))) {
-        local = any(greaterThanEqual(at, size));
+    int index_1 = 0;
+    vec4 _e3 = texelFetch(u_surface, pixel, 0);
+    seen = SeenPixel(pixel, _e3);
+    ivec2 last = (ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1));
+    float _e14 = u_curvature.samples;
+    if ((_e14 >= 2.0)) {
+        float _e21 = seen.texel.w;
+        local = (_e21 == 0.0);
     } else {
-        local = true;
+        local = false;
     }
-    bool _e14 = local;
-    if (_e14) {
-        return Texel(vec3(0.0), 0.0, 0.0);
-    }
-    vec4 normal_1 = texelFetch(u_normals, at, 0);
-    vec4 _e27 = texelFetch(u_depths, at, 0);
-    return Texel(normal_1.xyz, normal_1.w, _e27.x);
-}
-
-vec2 slope(vec3 normal) {
-    return (normal.xy / vec2(max(normal.z, 0.2)));
-}
-
-vec3 neighbor(Texel center, ivec2 at_1, vec2 offset) {
-    Texel _e3 = texel(at_1);
-    if ((_e3.object != center.object)) {
-        return vec3(0.0);
-    }
-    float _e11 = u_curvature.pixel;
-    float _e15 = u_curvature.perspective;
-    float pixel_2 = (_e11 * mix(1.0, center.depth, _e15));
-    vec2 gradient = (-(center.normal.xy) / vec2(max(center.normal.z, 0.02)));
-    float expected = (dot(gradient, offset) * pixel_2);
-    float error = abs(((center.depth - _e3.depth) - expected));
-    float tolerance = (((2.0 * pixel_2) * length(offset)) * (1.0 + length(gradient)));
-    float weight = clamp((2.0 - (error / max(tolerance, 1e-30))), 0.0, 1.0);
-    vec2 _e52 = slope(_e3.normal);
-    return vec3(_e52, weight);
-}
-
-float derivative(SideDifferences sides) {
-    float forward = (sides.forward / max(sides.forward_weight, 1e-6));
-    float backward = (sides.backward / max(sides.backward_weight, 1e-6));
-    vec2 trust = vec2(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
-    return (((forward * trust.x) + (backward * trust.y)) / max((trust.x + trust.y), 1e-6));
-}
-
-ivec2 covered_near(ivec2 pixel) {
-    ivec2 found = ivec2(0);
-    int k = 7;
-    ivec2 most = (ivec2(uvec2(textureSize(u_normals, 0).xy)) - ivec2(1));
-    found = pixel;
+    bool may_be_missed = local;
+    index_1 = (may_be_missed ? 7 : -1);
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e27 = k;
-            k = (_e27 - 1);
+            int _e47 = index_1;
+            index_1 = (_e47 - 1);
         }
         loop_init = false;
-        int _e10 = k;
-        if ((_e10 >= 0)) {
+        int _e30 = index_1;
+        if ((_e30 >= 0)) {
         } else {
             break;
         }
         {
-            int _e14 = k;
-            ivec2 near = min(max((pixel + RING[_e14]), ivec2(0)), most);
-            vec4 _e22 = texelFetch(u_normals, near, 0);
-            if ((_e22.w != 0.0)) {
-                found = near;
+            int _e33 = index_1;
+            ivec2 _e34 = around(_e33);
+            ivec2 near = min(max((pixel + _e34), ivec2(0)), last);
+            vec4 texel_1 = texelFetch(u_surface, near, 0);
+            if ((texel_1.w != 0.0)) {
+                seen = SeenPixel(near, texel_1);
             }
         }
     }
-    ivec2 _e29 = found;
-    return _e29;
+    SeenPixel _e49 = seen;
+    return _e49;
 }
 
-float curvature_at(ivec2 pixel_1, int first, int last) {
-    ivec2 at_2 = ivec2(0);
-    Texel center_1 = Texel(vec3(0.0), 0.0, 0.0);
-    SideDifferences along_x = SideDifferences(0.0, 0.0, 0.0, 0.0);
-    SideDifferences along_y = SideDifferences(0.0, 0.0, 0.0, 0.0);
-    int k_1 = 0;
-    at_2 = pixel_1;
-    ivec2 _e4 = at_2;
-    Texel _e5 = texel(_e4);
-    center_1 = _e5;
-    float _e8 = center_1.object;
-    if ((_e8 == 0.0)) {
-        float _e13 = u_curvature.samples;
-        if ((_e13 < 2.0)) {
-            return 0.0;
-        }
-        ivec2 _e17 = covered_near(pixel_1);
-        at_2 = _e17;
-        ivec2 _e18 = at_2;
-        Texel _e19 = texel(_e18);
-        center_1 = _e19;
-        float _e21 = center_1.object;
-        if ((_e21 == 0.0)) {
-            return 0.0;
-        }
-    }
-    vec3 _e26 = center_1.normal;
-    vec2 _e27 = slope(_e26);
-    float _e42 = u_curvature.rows_up;
-    int up = ((_e42 > 0.5) ? 1 : -1);
-    float _e50 = u_curvature.viewport_height;
-    int stride = max(int(roundEven((_e50 / 800.0))), 1);
-    k_1 = first;
-    bool loop_init_1 = true;
-    while(true) {
-        if (!loop_init_1) {
-            int _e168 = k_1;
-            k_1 = (_e168 + 1);
-        }
-        loop_init_1 = false;
-        int _e58 = k_1;
-        if ((_e58 <= last)) {
-        } else {
-            break;
-        }
-        {
-            int _e60 = k_1;
-            int reach = (_e60 * stride);
-            float distance_ = float(reach);
-            int _e64 = k_1;
-            float weight_1 = ((WEIGHTS[(_e64 - 1)] * distance_) * distance_);
-            Texel _e70 = center_1;
-            ivec2 _e71 = at_2;
-            vec3 _e79 = neighbor(_e70, (_e71 + ivec2(-(reach), 0)), vec2(-(distance_), 0.0));
-            Texel _e80 = center_1;
-            ivec2 _e81 = at_2;
-            vec3 _e87 = neighbor(_e80, (_e81 + ivec2(reach, 0)), vec2(distance_, 0.0));
-            Texel _e88 = center_1;
-            ivec2 _e89 = at_2;
-            vec3 _e96 = neighbor(_e88, (_e89 + ivec2(0, (up * reach))), vec2(0.0, distance_));
-            Texel _e97 = center_1;
-            ivec2 _e98 = at_2;
-            vec3 _e106 = neighbor(_e97, (_e98 - ivec2(0, (up * reach))), vec2(0.0, -(distance_)));
-            float _e108 = along_x.forward;
-            along_x.forward = (_e108 + (((weight_1 * _e87.z) * (_e87.x - _e27.x)) / distance_));
-            float _e118 = along_x.forward_weight;
-            along_x.forward_weight = (_e118 + (weight_1 * _e87.z));
-            float _e123 = along_x.backward;
-            along_x.backward = (_e123 + (((weight_1 * _e79.z) * (_e27.x - _e79.x)) / distance_));
-            float _e133 = along_x.backward_weight;
-            along_x.backward_weight = (_e133 + (weight_1 * _e79.z));
-            float _e138 = along_y.forward;
-            along_y.forward = (_e138 + (((weight_1 * _e96.z) * (_e96.y - _e27.y)) / distance_));
-            float _e148 = along_y.forward_weight;
-            along_y.forward_weight = (_e148 + (weight_1 * _e96.z));
-            float _e153 = along_y.backward;
-            along_y.backward = (_e153 + (((weight_1 * _e106.z) * (_e27.y - _e106.y)) / distance_));
-            float _e163 = along_y.backward_weight;
-            along_y.backward_weight = (_e163 + (weight_1 * _e106.z));
-        }
-    }
-    SideDifferences _e170 = along_x;
-    float _e171 = derivative(_e170);
-    SideDifferences _e172 = along_y;
-    float _e173 = derivative(_e172);
-    float _e179 = u_curvature.viewport_height;
-    float kappa = ((0.5 * (_e171 + _e173)) * _e179);
-    return clamp(kappa, -10000.0, 10000.0);
+Plane plane_of(float object, float depth, vec3 normal) {
+    float _e5 = u_curvature.pixel;
+    float _e8 = u_curvature.perspective;
+    float pixel_2 = (_e5 * mix(1.0, depth, _e8));
+    vec2 gradient = (normal.xy / vec2(max(normal.z, 0.02)));
+    float _e19 = row_direction();
+    return Plane(object, depth, ((pixel_2 * gradient) * vec2(1.0, _e19)), ((2.0 * pixel_2) * (1.0 + length(gradient))));
+}
+
+vec4 neighbor_weights(Plane plane, vec4 objects, vec4 depths, vec4 rises, float distance_) {
+    vec4 error = abs(((depths - vec4(plane.depth)) - rises));
+    float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
+    vec4 weights_1 = clamp((vec4(2.0) - (error * scale)), vec4(0.0), vec4(1.0));
+    return mix(vec4(0.0), weights_1, equal(objects, vec4(plane.object)));
+}
+
+Center center_at(ivec2 pixel_1) {
+    SeenPixel _e1 = seen_pixel(pixel_1);
+    vec4 texel_2 = _e1.texel;
+    vec3 _e8 = normal_of(texel_2);
+    Plane _e9 = plane_of(abs(texel_2.w), texel_2.z, _e8);
+    return Center(_e1.at, texel_2.xy, _e9);
+}
+
+Ring ring_at(Center center, int steps, float weight) {
+    int _e3 = step_pixels();
+    int reach = (steps * _e3);
+    float distance_1 = float(reach);
+    ivec2 at = center.at;
+    ivec2 last_1 = (ivec2(uvec2(textureSize(u_surface, 0).xy)) - ivec2(1));
+    vec4 a_1 = texelFetch(u_surface, ivec2(min((at.x + reach), last_1.x), at.y), 0);
+    vec4 b_1 = texelFetch(u_surface, ivec2(max((at.x - reach), 0), at.y), 0);
+    vec4 c = texelFetch(u_surface, ivec2(at.x, min((at.y + reach), last_1.y)), 0);
+    vec4 d = texelFetch(u_surface, ivec2(at.x, max((at.y - reach), 0)), 0);
+    bvec4 is_inside = greaterThanEqual(ivec4((last_1.x - at.x), at.x, (last_1.y - at.y), at.y), ivec4(reach));
+    vec4 objects_1 = mix(vec4(0.0), abs(vec4(a_1.w, b_1.w, c.w, d.w)), is_inside);
+    vec2 rise = (distance_1 * center.plane.rise);
+    vec4 rises_1 = vec4(rise.x, -(rise.x), rise.y, -(rise.y));
+    vec4 _e86 = neighbor_weights(center.plane, objects_1, vec4(a_1.z, b_1.z, c.z, d.z), rises_1, distance_1);
+    vec4 shares = ((weight * distance_1) * _e86);
+    return Ring((shares * (vec4(a_1.x, b_1.x, c.x, d.x) - vec4(center.slope.x))), (shares * (vec4(a_1.y, b_1.y, c.y, d.y) - vec4(center.slope.y))), (shares * distance_1));
+}
+
+Ring joined(Ring a, Ring b) {
+    return Ring((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
+}
+
+Ring rings_at(Center center_1) {
+    Ring _e3 = ring_at(center_1, 1, 1.0);
+    Ring _e6 = ring_at(center_1, 2, 0.85);
+    Ring _e7 = joined(_e3, _e6);
+    Ring _e10 = ring_at(center_1, 3, 0.5);
+    Ring _e11 = joined(_e7, _e10);
+    return _e11;
+}
+
+vec2 derivatives(vec4 changes, vec4 weights) {
+    vec4 trust = smoothstep(vec4(0.0), vec4(0.5), weights);
+    vec4 sides = ((changes / max(weights, vec4(1e-6))) * trust);
+    vec2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), vec2(1e-6)));
+    float _e22 = row_direction();
+    return (along * vec2(1.0, _e22));
+}
+
+float mean_curvature(Ring ring) {
+    vec2 _e7 = derivatives(vec4(ring.x.xy, ring.y.zw), ring.weights);
+    float _e15 = u_curvature.viewport_height;
+    return clamp(((0.5 * (_e7.x + _e7.y)) * _e15), -10000.0, 10000.0);
 }
 
 void main() {
     vec4 position = gl_FragCoord;
-    float _e5 = curvature_at(ivec2(position.xy), 1, 3);
-    out_color = _e5;
+    Center _e3 = center_at(ivec2(position.xy));
+    if ((_e3.plane.object == 0.0)) {
+        out_color = 0.0;
+        return;
+    }
+    Ring _e9 = rings_at(_e3);
+    float _e10 = mean_curvature(_e9);
+    out_color = _e10;
     return;
 }
 

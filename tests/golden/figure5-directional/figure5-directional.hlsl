@@ -101,7 +101,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
 
 static const float PI = 3.1415927;
 static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
@@ -114,101 +113,47 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_1 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_3 : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
-
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
-}
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
+    float clamped_2 = clamp(x, -126.0, 127.99999);
     float whole = round(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p * _e33) * _e37);
+    float f = (clamped_2 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float exp2_stable_2_(float x_1)
 {
-    uint bits = asuint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
-    float mantissa = asfloat((bits - (uint(exponent_1) << 23u)));
+    float clamped_3 = max(x_1, -126.0);
+    float whole_1 = round(clamped_3);
+    float f_1 = (clamped_3 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
+float log2_stable(float x_2)
+{
+    uint bits = asuint(x_2);
+    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -218,14 +163,76 @@ float log1p_negative_small(float y)
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-float2 sin_cos_quarter(float x_4)
+float2 sin_cos_quarter(float x_3)
 {
-    float h = (0.5 * x_4);
+    float h = (0.5 * x_3);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
     float c = (1.0 - one_minus_c);
     return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+}
+
+float2 sin_cos_eighth(float x_4)
+{
+    float y_2 = (x_4 * x_4);
+    float s_1 = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+    float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
+    return float2(s_1, c_1);
+}
+
+float2 sin_cos_tiny(float x_5)
+{
+    float y_3 = (x_5 * x_5);
+    float s_2 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+    float c_2 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
+    return float2(s_2, c_2);
+}
+
+float3 normalize_moderate(float3 v, float3 otherwise)
+{
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_1)
+{
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_1, float x_6)
+{
+    float small = min(y_1, x_6);
+    float large = max(y_1, x_6);
+    if ((large <= 0.0)) {
+        return 0.0;
+    }
+    float t_1 = (small / large);
+    bool is_wide = (t_1 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
+    float r2_ = (r * r);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+}
+
+float angle_footprint(Angle u)
+{
+    float2 half_ = float2(u.half_sin, u.half_cos);
+    float2 dx = ddx(half_);
+    float2 dy = ddy(half_);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
+}
+
+float angle_footprint_2_(Angle u_1)
+{
+    float2 half_1 = float2(u_1.half_sin, u_1.half_cos);
+    float2 dx_1 = ddx(half_1);
+    float2 dy_1 = ddy(half_1);
+    float w_4 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
+    return min((((asuint(w_4) & 2139095040u) != 2139095040u) ? w_4 : 0.5), 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -235,79 +242,14 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_between(float3 d, float3 l)
+Angle angle_turned(Angle u_2, float2 t)
 {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    const Angle angle_1 = ConstructAngle((p_1 * k), (s_1 * k));
-    return angle_1;
-}
-
-float atan2_positive(float y_1, float x_5)
-{
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
-}
-
-float angle_radians(Angle u)
-{
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
-}
-
-Angle angle_turned(Angle u_1, float2 t)
-{
-    bool local_1 = (bool)0;
-
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    float2 turned = (_e32 ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
-}
-
-Angle angle_shifted(Angle u_2, float shift)
-{
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    const Angle _e8 = angle_turned(u_2, _e7);
-    const Angle angle_3 = _e8;
+    float s_3 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
+    float c_3 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
+    float2 upper = ((c_3 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_3));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < c_3)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
     return angle_3;
-}
-
-float angle_footprint(Angle u_3)
-{
-    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
-    float2 dx = ddx(half_);
-    float2 dy = ddy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
@@ -315,36 +257,30 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float kappa_safe(float kappa)
+float curvature_signed(float kappa, float slope)
 {
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope)
-{
-    const float _e2 = kappa_safe(kappa_1);
-    const float _e4 = finite_or(slope, 0.0);
-    float a_1 = (_e2 * clamp(_e4, -1e30, 1e30));
+    float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
     float magnitude = min(abs(a_1), 50.0);
     if ((magnitude < 0.0625)) {
         float a2_ = (a_1 * a_1);
         return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e28 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e28) / (1.0 + _e28));
+    const float _e33 = exp2_stable((-2.88539 * magnitude));
+    float t_2 = ((1.0 - _e33) / (1.0 + _e33));
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-float transition(float kappa_2, float slope_1)
+float curvature_signed_2_(float kappa_1, float slope_1)
 {
-    const float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
-}
-
-float warp(float convexity_1, float amount)
-{
-    return (((2.0 * convexity_1) - 1.0) * clamp(amount, -3.1415927, 3.1415927));
+    float a_2 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1);
+    float magnitude_1 = min(abs(a_2), 50.0);
+    if ((magnitude_1 < 0.0625)) {
+        float a2_1 = (a_2 * a_2);
+        return (a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254)))))));
+    }
+    const float _e32 = exp2_stable((-2.88539 * magnitude_1));
+    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
@@ -352,21 +288,13 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     if ((opacity <= 0.0)) {
         return below;
     }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
+    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), 1.0);
+    return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
 {
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return clamp(float4((below_1.xyz + ((below_1.xyz + (tone * color.xyz)) - below_1.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float2 light_split(float intensity)
@@ -381,29 +309,33 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_2, float tone_1)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
     const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
     return litlayer;
 }
 
-Angle parametrization_diffuse(Light light_1, float3 normal)
+LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
 {
-    const float3 _e6 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    const Angle _e8 = angle_between(_e6, light_1.direction);
-    const Angle angle_4 = _e8;
-    return angle_4;
+    float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split.y), 1.0), split.x);
+    return litlayer_1;
 }
 
-Angle parametrization_specular(Light light_2, float3 normal_1, float3 view)
+LitLayer light_apply_3_(Light light_2, float4 color_3, float tone_3)
 {
-    const float3 _e7 = normalize_or(normal_1, float3(0.0, 0.0, 1.0));
-    float3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
-    const float3 _e13 = normalize_or(mirrored, _e7);
-    const Angle _e15 = angle_between(_e13, light_2.direction);
-    const Angle angle_5 = _e15;
-    return angle_5;
+    float2 split_1 = float2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
+    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color_3.xyz * light_2.color) * split_1.y), 1.0), (tone_3 * split_1.x));
+    return litlayer_2;
+}
+
+Angle parametrization_specular(Light light_3, float3 normal, float3 view)
+{
+    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
+    const float3 _e8 = normalize_moderate(mirrored, normal);
+    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_3.direction))), (0.5 * length((_e8 + light_3.direction))));
+    return angle_4;
 }
 
 float profile_power(float q, float exponent)
@@ -414,125 +346,208 @@ float profile_power(float q, float exponent)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        const float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        const float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
+    const float _e21 = exp2_stable((exponent * _e19));
     return clamp(_e21, 0.0, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape)
+float profile_point(Angle u_3, ProfileShape shape)
 {
-    bool local_2 = (bool)0;
-
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_4 <= 0.0) | (shape.kind == PROFILE_AMBIENT))) {
         return 1.0;
     }
     if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
+        return ((s_4 <= 4e-7) ? 1.0 : 0.0);
     }
-    float q_1 = (s_3 * shape.scale);
-    const float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_2 = (s_4 * shape.scale);
+    const float _e27 = profile_power(q_2, shape.exponent);
+    return _e27;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1)
+float profile_point_2_(Angle u_4, ProfileShape shape_1)
 {
-    bool local_3 = (bool)0;
-    bool local_4 = (bool)0;
-
-    const float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
+    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    if (((s_5 <= 0.0) | false)) {
+        return 1.0;
     }
-    bool _e13 = local_3;
-    if (_e13) {
-        return _e3;
+    if ((shape_1.kind == PROFILE_STEP)) {
+        return ((s_5 <= 4e-7) ? 1.0 : 0.0);
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        const float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    const float2 _e50 = sin_cos_quarter((0.19364917 * w));
-    const Angle _e51 = angle_turned(u_5, _e50);
-    const float _e52 = profile_point(_e51, shape_1);
-    const Angle _e57 = angle_turned(u_5, float2(-(_e50.x), _e50.y));
-    const float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float q_3 = (s_5 * shape_1.scale);
+    const float _e25 = profile_power(q_3, shape_1.exponent);
+    return _e25;
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2)
+float profile_power_2_(float q_1, float exponent_1)
 {
-    const Angle _e3 = angle_shifted(angle, shift_1);
-    const float _e4 = angle_footprint(_e3);
-    const float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    float log_base_1 = 0.0;
+
+    if ((q_1 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_1 < 0.5)) {
+        const float _e11 = log1p_negative_small((q_1 * q_1));
+        log_base_1 = (LOG2_E * _e11);
+    } else {
+        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    const float _e21 = exp2_stable_2_((exponent_1 * _e19));
+    return min(_e21, 1.0);
+}
+
+float profile_point_3_(Angle u_5, ProfileShape shape_2)
+{
+    float s_6 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
+    if (((s_6 <= 0.0) | false)) {
+        return 1.0;
+    }
+    float q_4 = (s_6 * shape_2.scale);
+    const float _e17 = profile_power_2_(q_4, shape_2.exponent);
+    return _e17;
+}
+
+float profile_filtered(Angle u_6, float w, ProfileShape shape_3)
+{
+    const float _e3 = profile_point(u_6, shape_3);
+    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
+    if (((is_wide_1 | (w <= 0.0)) | (shape_3.kind == PROFILE_AMBIENT))) {
+        return _e3;
+    }
+    if (((shape_3.edge_deviation < 0.145) & (w >= (3.4641016 * shape_3.edge_deviation)))) {
+        float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
+        const float _e36 = atan2_positive(u_6.half_sin, u_6.half_cos);
+        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
+    }
+    const float2 _e48 = sin_cos_tiny((0.19364917 * w));
+    const Angle _e49 = angle_turned(u_6, _e48);
+    const float _e50 = profile_point(_e49, shape_3);
+    const Angle _e55 = angle_turned(u_6, float2(-(_e48.x), _e48.y));
+    const float _e56 = profile_point(_e55, shape_3);
+    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4)
+{
+    const float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
+    if (((is_wide_2 | (w_1 <= 0.0)) | false)) {
+        return _e3;
+    }
+    if (((shape_4.edge_deviation < 0.145) & (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
+        float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
+        const float _e34 = atan2_positive(u_7.half_sin, u_7.half_cos);
+        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e34)) / width_1)), 0.0, 1.0);
+    }
+    const float2 _e46 = sin_cos_tiny((0.19364917 * w_1));
+    const Angle _e47 = angle_turned(u_7, _e46);
+    const float _e48 = profile_point_2_(_e47, shape_4);
+    const Angle _e53 = angle_turned(u_7, float2(-(_e46.x), _e46.y));
+    const float _e54 = profile_point_2_(_e53, shape_4);
+    return ((((5.0 * _e48) + (8.0 * _e3)) + (5.0 * _e54)) / 18.0);
+}
+
+float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5)
+{
+    const float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_3 = (w_2 < (0.1 * shape_5.edge_deviation));
+    if (((is_wide_3 | (w_2 <= 0.0)) | false)) {
+        return _e3;
+    }
+    if ((true & (w_2 >= (3.4641016 * shape_5.edge_deviation)))) {
+        float width_2 = sqrt(((w_2 * w_2) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
+        const float _e32 = atan2_positive(u_8.half_sin, u_8.half_cos);
+        return clamp((0.5 + (((shape_5.offset + shape_5.edge_mean) - (2.0 * _e32)) / width_2)), 0.0, 1.0);
+    }
+    const float2 _e44 = sin_cos_tiny((0.19364917 * w_2));
+    const Angle _e45 = angle_turned(u_8, _e44);
+    const float _e46 = profile_point_3_(_e45, shape_5);
+    const Angle _e51 = angle_turned(u_8, float2(-(_e44.x), _e44.y));
+    const float _e52 = profile_point_3_(_e51, shape_5);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_6)
+{
+    const float2 _e5 = sin_cos_eighth((0.5 * shift));
+    const Angle _e6 = angle_turned(angle, _e5);
+    const float _e7 = angle_footprint(_e6);
+    const float _e8 = profile_filtered(_e6, _e7, shape_6);
+    return _e8;
+}
+
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+{
+    const float2 _e8 = sin_cos_quarter((0.5 * clamp(shift_1, -3.1415927, PI)));
+    const Angle _e9 = angle_turned(angle_1, _e8);
+    const float _e10 = angle_footprint_2_(_e9);
+    const float _e11 = profile_filtered_2_(_e9, _e10, shape_7);
+    return _e11;
+}
+
+float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+{
+    const float2 _e5 = sin_cos_tiny((0.5 * shift_2));
+    const Angle _e6 = angle_turned(angle_2, _e5);
+    const float _e7 = angle_footprint(_e6);
+    const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)
 {
-    const float _e3 = transition(surface_1.kappa, 0.25);
-    const float4 _e14 = curvature_color(_e3, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
-    Light _e17 = look.key;
-    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    const float4 _e29 = blend_add(float4(0.0784, 0.0863, 0.1137, 1.0), _e19.color, _e19.tone, 1.0, true);
-    const float4 _e40 = curvature_color(_e3, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
-    Light _e43 = look.key;
-    const Angle _e45 = parametrization_diffuse(_e43, surface_1.normal);
-    const float _e47 = warp(_e3, 0.3);
-    ProfileShape _e50 = look.diffuse_tone_shape;
-    const float _e51 = profile(_e45, _e47, _e50);
-    Light _e54 = look.key;
-    const LitLayer _e55 = light_apply(_e54, _e40, _e51);
-    const float4 _e60 = blend_add(_e29, _e55.color, _e55.tone, 1.0, true);
-    float4 _e63 = look.back_light_color_convex;
-    float4 _e66 = look.back_light_color_concave;
-    const float4 _e67 = curvature_color(_e3, _e63, _e66);
-    Light _e70 = look.back;
-    const Angle _e72 = parametrization_diffuse(_e70, surface_1.normal);
-    float _e75 = look.back_light_warp_amount;
-    const float _e76 = warp(_e3, _e75);
-    ProfileShape _e79 = look.back_light_tone_shape;
-    const float _e80 = profile(_e72, _e76, _e79);
-    Light _e83 = look.back;
-    const LitLayer _e84 = light_apply(_e83, _e67, _e80);
-    const float4 _e89 = blend_add(_e60, _e84.color, _e84.tone, 1.0, true);
-    const float _e92 = transition(surface_1.kappa, 0.2);
-    float4 _e95 = look.highlight_color_convex;
-    float4 _e98 = look.highlight_color_concave;
-    const float4 _e99 = curvature_color(_e92, _e95, _e98);
-    Light _e102 = look.key;
-    const Angle _e105 = parametrization_specular(_e102, surface_1.normal, surface_1.view);
-    const float _e107 = warp(_e92, 0.05);
-    const float _e109 = profile(_e105, _e107, highlight_tone_shape);
-    Light _e112 = look.key;
-    const LitLayer _e113 = light_apply(_e112, _e99, _e109);
-    const float4 _e118 = blend_add(_e89, _e113.color, _e113.tone, 1.0, true);
-    const float4 _e119 = output(_e118);
-    return _e119;
+    const float _e3 = curvature_signed(surface_1.kappa, 0.25);
+    float back_light_convexity = (0.5 + (0.5 * _e3));
+    const float4 _e18 = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
+    Light _e21 = look.key;
+    const LitLayer _e23 = light_apply_2_(_e21, _e18, 1.0);
+    const float4 _e33 = blend_add(float4(0.0784, 0.0863, 0.1137, 1.0), _e23.color, _e23.tone, 1.0, true);
+    const float4 _e44 = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
+    float3 _e49 = look.key.direction;
+    float3 _e58 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
+    ProfileShape _e72 = look.diffuse_tone_shape;
+    const float _e73 = profile(diffuse_angle, diffuse_warp, _e72);
+    Light _e76 = look.key;
+    const LitLayer _e77 = light_apply_3_(_e76, _e44, _e73);
+    float4 diffuse_blend = clamp(float4((_e33.xyz + ((_e33.xyz + (_e77.tone * _e77.color.xyz)) - _e33.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 _e97 = look.back_light_color_concave;
+    float4 _e100 = look.back_light_color_convex;
+    float4 _e103 = look.back_light_color_concave;
+    float4 back_light_color = (_e97 + (back_light_convexity * (_e100 - _e103)));
+    float3 _e111 = look.back.direction;
+    float3 _e120 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e111))), (0.5 * length((surface_1.normal + _e120))));
+    float _e132 = look.back_light_warp_amount;
+    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e132, -3.1415927, 3.1415927));
+    ProfileShape _e139 = look.back_light_tone_shape;
+    const float _e140 = profile_2_(back_light_angle, back_light_warp, _e139);
+    Light _e143 = look.back;
+    const LitLayer _e144 = light_apply(_e143, back_light_color, _e140);
+    const float4 _e155 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e144.tone * _e144.color.xyz)), 1.0, _e144.color.w, true);
+    const float _e158 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float highlight_convexity = (0.5 + (0.5 * _e158));
+    float4 _e165 = look.highlight_color_concave;
+    float4 _e168 = look.highlight_color_convex;
+    float4 _e171 = look.highlight_color_concave;
+    float4 highlight_color = (_e165 + (highlight_convexity * (_e168 - _e171)));
+    Light _e177 = look.key;
+    const Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
+    float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
+    const float _e188 = profile_3_(_e180, highlight_warp, highlight_tone_shape);
+    Light _e191 = look.key;
+    const LitLayer _e192 = light_apply(_e191, highlight_color, _e188);
+    const float4 _e203 = blend_finish(_e155, (_e155.xyz + (_e192.tone * _e192.color.xyz)), 1.0, _e192.color.w, true);
+    return _e203;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -558,23 +573,19 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_4 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_4;
-    float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    float4 _e26 = view_1.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    float4 _e40 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e40.x;
-    Surface _e42 = surface;
-    const float4 _e43 = shade(_e42);
-    const float4 _e44 = finite_vec4_(_e43);
-    return _e44;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_3 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_3;
+    float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    surface.kappa = _e27.x;
+    Surface _e29 = surface;
+    const float4 _e30 = shade(_e29);
+    return _e30;
 }

@@ -33,27 +33,12 @@ fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
+    if !((largest > 1e-30) & (largest < 1e30)) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -63,6 +48,33 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
         return otherwise;
     }
     return scaled * (1.0 / sqrt(square));
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+}
+
+/// The least n.z that divides: beyond it every rim would saturate to convex.
+const LEAST_NZ = 0.2;
+/// The slope n.xy / n.z of a normal in camera axes.
+fn slope_of(normal: vec3f) -> vec2f {
+    return normal.xy / max(normal.z, LEAST_NZ);
+}
+
+/// The surface that a pixel shows, in one texel: its slope in xy, its depth in z, and in w the
+/// object's number, from 1 on, negative where the normal points away from the viewer. `normal` is
+/// unit, in camera axes.
+fn surface_texel(normal: vec3f, depth: f32, number: f32) -> vec4f {
+    return vec4f(slope_of(normal), depth, select(number, -number, normal.z < 0.0));
 }
 
 /// The normal that the curvature pass sees.
@@ -91,16 +103,9 @@ fn vs_main(vertex: Vertex) -> Varyings {
     return out;
 }
 
-struct Fragment {
-    /// The normal in camera axes, and the object's number plus 1.
-    @location(0) normal: vec4f,
-    /// The distance in front of the eye.
-    @location(1) depth: f32,
-}
-
 @fragment
-fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> Fragment {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
+    let facing = normalize_seen(in.normal);
     let toward = normalize_or(view.eye.xyz - view.eye.w * in.position, facing);
     let is_behind = !is_front && dot(facing, toward) < -0.1;
     let normal = select(facing, -facing, is_behind);
@@ -109,5 +114,5 @@ fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> Fragment {
     let shaded = shade(surface);
     let seen = (view.camera_from_world * vec4f(shaded, 0.0)).xyz;
     let depth = -(view.camera_from_world * vec4f(in.position, 1.0)).z;
-    return Fragment(vec4f(seen, object.id + 1.0), depth);
+    return surface_texel(seen, depth, object.id + 1.0);
 }

@@ -34,13 +34,9 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
-const ProfileShape diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.3861592, 0u);
+const ProfileShape diffuse_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.3613818, 1.3042344, 0.1, 0.957938, 0.38615924, 0u);
 const ProfileShape back_light_tone_shape = ProfileShape(0.9624252, 0.27154693, 3.3838634, 1.9110762, 0.55, 0.32249987, 0.13348491, 0u);
 const ProfileShape highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
 

@@ -67,110 +67,55 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape body_tone_shape = ProfileShape {0.99875027, 0.04997917, 1.0729164, 1.2200106, 0.1, 1.3103802, 0.55718035, 0u};
 constant ProfileShape wet_sheen_tone_shape = ProfileShape {0.99875027, 0.04997917, 2.2990327, 1.9773253, 0.1, 0.47253436, 0.19863184, 0u};
 constant ProfileShape window_tone_shape = ProfileShape {0.997551, 0.06994285, 16.67667, 2.4968514, 0.14, 0.05891116, 0.025379833, 0u};
 constant ProfileShape through_light_tone_shape = ProfileShape {0.9800666, 0.19866933, 1.91319, 1.9623259, 0.4, 0.5732887, 0.24258775, 0u};
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
-
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+float exp2_stable(
+    float x
+) {
+    float clamped_2 = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped_2);
+    float f = clamped_2 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable(
+float exp2_stable_2_(
+    float x_1
+) {
+    float whole_1 = metal::rint(x_1);
+    float f_1 = x_1 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
+float exp2_stable_3_(
     float x_2
 ) {
-    float clamped_3 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = (clamped_3 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float clamped_3 = metal::max(x_2, -126.0);
+    float whole_2 = metal::rint(clamped_3);
+    float f_2 = clamped_3 - whole_2;
+    float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
+    return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
+float log2_stable(
     float x_3
 ) {
     uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -181,33 +126,45 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
+metal::float2 sin_cos_eighth(
     float x_4
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_2 = x_4 * x_4;
+    float s = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
+    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float2 sin_cos_tiny(
+    float x_5
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float y_3 = x_5 * x_5;
+    float s_1 = x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
+    float c_1 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
+    return metal::float2(s_1, c_1);
+}
+
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
+) {
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_1
+) {
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y_1,
-    float x_5
+    float x_6
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_1, x_6);
+    float large = metal::max(y_1, x_6);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -215,63 +172,30 @@ float atan2_positive(
     bool is_wide = t_1 > 0.41421357;
     float r = is_wide ? ((small - large) / (small + large)) : t_1;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_6) ? (HALF_PI - a) : a;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_2, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
     float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    float c_2 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
+    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-Angle angle_shifted(
-    Angle u_2,
-    float shift
-) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_1, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
 Color curvature_color(
@@ -282,125 +206,58 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float kappa_safe(
-    float kappa
-) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
-}
-
 float curvature_signed(
-    float kappa_1,
+    float kappa,
     float slope
 ) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_1 = _e2 * metal::clamp(_e4, -1000000000000000000000000000000.0, 1000000000000000000000000000000.0);
+    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
     float magnitude = metal::min(metal::abs(a_1), 50.0);
     if (magnitude < 0.0625) {
         float a2_ = a_1 * a_1;
         return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e28 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e28) / (1.0 + _e28);
+    float _e32 = exp2_stable(-2.88539 * magnitude);
+    float t_2 = (1.0 - _e32) / (1.0 + _e32);
     return (a_1 >= 0.0) ? t_2 : -(t_2);
 }
 
-float transition(
-    float kappa_2,
-    float slope_1
-) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return 0.5 + (0.5 * _e2);
-}
-
-float warp(
-    float convexity_1,
-    float amount
-) {
-    return ((2.0 * convexity_1) - 1.0) * metal::clamp(amount, -3.1415927, 3.1415927);
-}
-
-Composite blend_finish(
+Composite blend_add(
     Composite below,
-    metal::float3 blended,
-    float alpha,
+    Color color,
+    float tone,
     float opacity,
     bool clamped
 ) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
-}
-
-Composite blend_add(
-    Composite below_1,
-    Color color,
-    float tone,
-    float opacity_1,
-    bool clamped_1
-) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
+    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_alpha(
-    Composite below_2,
+    Composite below_1,
     Color color_1,
     float tone_1,
-    float opacity_2,
-    bool clamped_2
+    float opacity_1,
+    bool clamped_1
 ) {
-    float a_2 = opacity_2 * color_1.w;
-    float alpha_1 = below_2.w + ((tone_1 * a_2) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz)), alpha_1, a_2, clamped_2);
-    return _e20;
-}
-
-Color output(
-    Composite color_2
-) {
-    Color _e1 = straight(color_2);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_3,
+    Color color_2,
     float tone_2
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_2 * _e4.x};
-}
-
-Angle parametrization_diffuse(
-    Light light_1,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
 }
 
 Angle parametrization_specular(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light_1,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
-    metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle {0.5 * metal::length(_e8 - light_1.direction), 0.5 * metal::length(_e8 + light_1.direction)};
 }
 
 float profile_power(
@@ -412,134 +269,188 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable_2_(exponent * _e19);
+    return metal::min(_e21, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_2,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
+    if ((s_3 <= 0.0) | false) {
         return 1.0;
     }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
+    float q_2 = s_3 * shape.scale;
+    float _e17 = profile_power(q_2, shape.exponent);
+    return _e17;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
     }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_3_(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_3,
+    ProfileShape shape_1
+) {
+    float s_4 = (u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset);
+    if ((s_4 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_3 = s_4 * shape_1.scale;
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
 }
 
 float profile_filtered(
-    Angle u_5,
+    Angle u_4,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape_2
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_4, shape_2);
+    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
+    if ((is_wide_1 | (w <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
+    Angle _e16 = angle_turned(u_4, _e15);
+    float _e17 = profile_point(_e16, shape_2);
+    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_2);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_5,
+    float w_1,
+    ProfileShape shape_3
+) {
+    float _e3 = profile_point_2_(u_5, shape_3);
+    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    if (true & (w_1 >= (3.4641016 * shape_3.edge_deviation))) {
+        float width = metal::sqrt((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
+        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
+    Angle _e45 = angle_turned(u_5, _e44);
+    float _e46 = profile_point_2_(_e45, shape_3);
+    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_3);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
-    ProfileShape shape_2
+    float shift,
+    ProfileShape shape_4
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    Angle _e6 = angle_turned(angle, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
+}
+
+float profile_2_(
+    Angle angle_1,
+    float shift_1,
+    ProfileShape shape_5
+) {
+    metal::float2 _e5 = sin_cos_tiny(0.5 * shift_1);
+    Angle _e6 = angle_turned(angle_1, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_5);
+    return _e8;
+}
+
+float profile_3_(
+    Angle angle_2,
+    float shift_2,
+    ProfileShape shape_6
+) {
+    metal::float2 _e5 = sin_cos_tiny(0.5 * shift_2);
+    Angle _e6 = angle_turned(angle_2, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = transition(surface_1.kappa, 0.18);
-    Color _e14 = curvature_color(_e3, metal::float4(0.3725, 0.6824, 0.5255, 1.0), metal::float4(0.1137, 0.3529, 0.2824, 1.0));
-    Light _e17 = look.key;
-    Angle _e19 = parametrization_diffuse(_e17, surface_1.normal);
-    float _e21 = warp(_e3, 0.35);
-    float _e23 = profile(_e19, _e21, body_tone_shape);
-    Light _e26 = look.key;
-    LitLayer _e27 = light_apply(_e26, _e14, _e23);
-    Composite _e37 = blend_add(metal::float4(0.0471, 0.1647, 0.1255, 1.0), _e27.color, _e27.tone, 1.0, true);
-    float _e40 = transition(surface_1.kappa, 0.15);
-    Color _e51 = curvature_color(_e40, metal::float4(0.2941, 0.4157, 0.3451, 1.0), metal::float4(0.1098, 0.2275, 0.1882, 1.0));
-    Light _e54 = look.key;
-    Angle _e57 = parametrization_specular(_e54, surface_1.normal, surface_1.view);
-    float _e59 = warp(_e40, 0.15);
-    float _e61 = profile(_e57, _e59, wet_sheen_tone_shape);
-    Light _e64 = look.key;
-    LitLayer _e65 = light_apply(_e64, _e51, _e61);
-    Composite _e70 = blend_add(_e37, _e65.color, _e65.tone, 1.0, true);
-    Color _e81 = curvature_color(_e40, metal::float4(0.9647, 1.0, 0.9569, 1.0), metal::float4(0.7216, 0.8784, 0.7843, 1.0));
-    float _e83 = warp(_e40, 0.05);
-    float _e85 = profile(_e57, _e83, window_tone_shape);
-    Light _e88 = look.key;
-    LitLayer _e89 = light_apply(_e88, _e81, _e85);
-    Composite _e94 = blend_alpha(_e70, _e89.color, _e89.tone, 0.9, true);
-    float _e97 = transition(surface_1.kappa, 0.2);
-    Color _e108 = curvature_color(_e97, metal::float4(0.4784, 0.549, 0.2353, 1.0), metal::float4(0.2902, 0.4157, 0.1725, 1.0));
-    Light _e111 = look.back;
-    Angle _e113 = parametrization_diffuse(_e111, surface_1.normal);
-    float _e115 = warp(_e97, -0.2);
-    float _e117 = profile(_e113, _e115, through_light_tone_shape);
-    Light _e120 = look.back;
-    LitLayer _e121 = light_apply(_e120, _e108, _e117);
-    Composite _e126 = blend_add(_e94, _e121.color, _e121.tone, 1.0, true);
-    Color _e127 = output(_e126);
-    return _e127;
+    float _e3 = curvature_signed(surface_1.kappa, 0.18);
+    float body_convexity = 0.5 + (0.5 * _e3);
+    Color _e18 = curvature_color(body_convexity, metal::float4(0.3725, 0.6824, 0.5255, 1.0), metal::float4(0.1137, 0.3529, 0.2824, 1.0));
+    metal::float3 _e23 = look.key.direction;
+    metal::float3 _e32 = look.key.direction;
+    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e23), 0.5 * metal::length(surface_1.normal + _e32)};
+    float body_warp = ((2.0 * body_convexity) - 1.0) * 0.35;
+    float _e45 = profile(body_angle, body_warp, body_tone_shape);
+    Light _e48 = look.key;
+    LitLayer _e49 = light_apply(_e48, _e18, _e45);
+    Composite _e59 = blend_add(metal::float4(0.0471, 0.1647, 0.1255, 1.0), _e49.color, _e49.tone, 1.0, true);
+    float _e62 = curvature_signed(surface_1.kappa, 0.15);
+    float window_convexity = 0.5 + (0.5 * _e62);
+    Color _e77 = curvature_color(window_convexity, metal::float4(0.2941, 0.4157, 0.3451, 1.0), metal::float4(0.1098, 0.2275, 0.1882, 1.0));
+    Light _e80 = look.key;
+    Angle _e83 = parametrization_specular(_e80, surface_1.normal, surface_1.view);
+    float wet_sheen_warp = ((2.0 * window_convexity) - 1.0) * 0.15;
+    float _e91 = profile_2_(_e83, wet_sheen_warp, wet_sheen_tone_shape);
+    Light _e94 = look.key;
+    LitLayer _e95 = light_apply(_e94, _e77, _e91);
+    metal::float4 wet_sheen_blend = metal::clamp(metal::float4(_e59.xyz + ((_e59.xyz + (_e95.tone * _e95.color.xyz)) - _e59.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e123 = curvature_color(window_convexity, metal::float4(0.9647, 1.0, 0.9569, 1.0), metal::float4(0.7216, 0.8784, 0.7843, 1.0));
+    float window_warp = ((2.0 * window_convexity) - 1.0) * 0.05;
+    float _e131 = profile_3_(_e83, window_warp, window_tone_shape);
+    Light _e134 = look.key;
+    LitLayer _e135 = light_apply(_e134, _e123, _e131);
+    Composite _e140 = blend_alpha(wet_sheen_blend, _e135.color, _e135.tone, 0.9, true);
+    float _e143 = curvature_signed(surface_1.kappa, 0.2);
+    float through_light_convexity = 0.5 + (0.5 * _e143);
+    Color _e158 = curvature_color(through_light_convexity, metal::float4(0.4784, 0.549, 0.2353, 1.0), metal::float4(0.2902, 0.4157, 0.1725, 1.0));
+    metal::float3 _e163 = look.back.direction;
+    metal::float3 _e172 = look.back.direction;
+    Angle through_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e163), 0.5 * metal::length(surface_1.normal + _e172)};
+    float through_light_warp = ((2.0 * through_light_convexity) - 1.0) * -0.2;
+    float _e185 = profile(through_light_angle, through_light_warp, through_light_tone_shape);
+    Light _e188 = look.back;
+    LitLayer _e189 = light_apply(_e188, _e158, _e185);
+    metal::float4 output = metal::clamp(metal::float4(_e140.xyz + ((_e140.xyz + (_e189.tone * _e189.color.xyz)) - _e140.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -551,7 +462,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -572,7 +483,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_2 [[user(loc1), center_perspective]];
+    metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -585,21 +496,17 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    metal::float4 _e40 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e40.x;
-    Surface _e42 = surface;
-    metal::float4 _e43 = shade(_e42, look);
-    metal::float4 _e44 = finite_vec4_(_e43);
-    return fs_mainOutput { _e44 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    surface.kappa = _e27.x;
+    Surface _e29 = surface;
+    metal::float4 _e30 = shade(_e29, look);
+    return fs_mainOutput { _e30 };
 }

@@ -22,42 +22,49 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-struct Fragment {
-    vec4 normal;
-    float depth;
-};
 layout(std140) uniform ViewBlock { View u_view; };
 
 layout(std140) uniform ObjectBlock { Object u_object; };
 
 smooth in vec3 v_position;
 smooth in vec3 v_normal;
-layout(location = 0) out vec4 out_normal;
-layout(location = 1) out float out_depth;
+layout(location = 0) out vec4 out_color;
 
 bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
 vec3 normalize_or(vec3 v, vec3 otherwise) {
-    bool local_1 = false;
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if ((largest > 1e-30)) {
-        local_1 = (largest < 1e30);
-    } else {
-        local_1 = false;
-    }
-    bool _e17 = local_1;
-    if (!(_e17)) {
+    if (!(((largest > 1e-30) && (largest < 1e30)))) {
         return otherwise;
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
         return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
+}
+
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+}
+
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+vec2 slope_of(vec3 normal) {
+    return (normal.xy / vec2(max(normal.z, 0.2)));
+}
+
+vec4 surface_texel(vec3 normal_1, float depth, float number) {
+    vec2 _e3 = slope_of(normal_1);
+    return vec4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
 }
 
 vec3 shade(Surface surface_1) {
@@ -69,28 +76,27 @@ void main() {
     bool is_front = gl_FrontFacing;
     bool local = false;
     Surface surface = Surface(vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec4 _e10 = u_view.eye;
-    float _e15 = u_view.eye.w;
-    vec3 _e19 = normalize_or((_e10.xyz - (_e15 * in_.position)), _e7);
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec4 _e6 = u_view.eye;
+    float _e11 = u_view.eye.w;
+    vec3 _e15 = normalize_or((_e6.xyz - (_e11 * in_.position)), _e3);
     if (!(is_front)) {
-        local = (dot(_e7, _e19) < -0.1);
+        local = (dot(_e3, _e15) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
-    vec3 normal = (is_behind ? -(_e7) : _e7);
-    surface.normal = normal;
-    Surface _e32 = surface;
-    vec3 _e33 = shade(_e32);
-    mat4x4 _e36 = u_view.camera_from_world;
-    vec3 seen = (_e36 * vec4(_e33, 0.0)).xyz;
-    mat4x4 _e43 = u_view.camera_from_world;
-    float depth = -((_e43 * vec4(in_.position, 1.0)).z);
-    float _e52 = u_object.id;
-    Fragment _tmp_return = Fragment(vec4(seen, (_e52 + 1.0)), depth);
-    out_normal = _tmp_return.normal;
-    out_depth = _tmp_return.depth;
+    vec3 normal_2 = (is_behind ? -(_e3) : _e3);
+    surface.normal = normal_2;
+    Surface _e28 = surface;
+    vec3 _e29 = shade(_e28);
+    mat4x4 _e32 = u_view.camera_from_world;
+    vec3 seen = (_e32 * vec4(_e29, 0.0)).xyz;
+    mat4x4 _e39 = u_view.camera_from_world;
+    float depth_1 = -((_e39 * vec4(in_.position, 1.0)).z);
+    float _e48 = u_object.id;
+    vec4 _e51 = surface_texel(seen, depth_1, (_e48 + 1.0));
+    out_color = _e51;
     return;
 }
 

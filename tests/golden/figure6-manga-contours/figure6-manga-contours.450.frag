@@ -41,12 +41,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape shadow_tone_shape = ProfileShape(0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u);
 const ProfileShape contour_tone_shape = ProfileShape(0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u);
 
@@ -57,100 +52,39 @@ layout(binding = 0) uniform sampler2D u_curvature_map;
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+float exp2_stable(float x) {
+    float clamped_1 = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+vec2 sin_cos_eighth(float x_1) {
+    float y_1 = (x_1 * x_1);
+    float s = (x_1 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
+    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
+    return vec2(s, c);
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
+vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0, 0.0, 1.0));
 }
 
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float exp2_stable(float x_2) {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
-}
-
-float log1p_negative_small(float y) {
-    float z_1 = (y / (2.0 - y));
-    float z2_1 = (z_1 * z_1);
-    return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
-}
-
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
-}
-
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
-}
-
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
+float atan2_positive(float y, float x_2) {
+    float small = min(y, x_2);
+    float large = max(y, x_2);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -158,246 +92,145 @@ float atan2_positive(float y_1, float x_5) {
     bool is_wide = (t_1 > 0.41421357);
     float r = (is_wide ? ((small - large) / (small + large)) : t_1);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y > x_2) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
-}
-
-Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
-    return Angle(turned.x, turned.y);
-}
-
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
     float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
+    return min(w_1, 0.5);
 }
 
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+Angle angle_turned(Angle u_1, vec2 t) {
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (convex - concave)));
+    return (concave + (convexity * (vec4(1.0) - concave)));
 }
 
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_1 = (_e2 * clamp(_e4, -1e30, 1e30));
+float curvature_signed(float kappa, float slope) {
+    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
     float magnitude = min(abs(a_1), 50.0);
     if ((magnitude < 0.0625)) {
         float a2_ = (a_1 * a_1);
         return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    float _e28 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e28) / (1.0 + _e28));
+    float _e32 = exp2_stable((-2.88539 * magnitude));
+    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-float transition(float kappa_2, float slope_1) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
-}
-
-float warp(float convexity_1, float amount) {
-    return (((2.0 * convexity_1) - 1.0) * clamp(amount, -3.1415927, 3.1415927));
-}
-
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
-        return below;
+float curvature_signed_2_(float kappa_1, float slope_1) {
+    float a_2 = ((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * 0.5);
+    float magnitude_1 = min(abs(a_2), 50.0);
+    if ((magnitude_1 < 0.0625)) {
+        float a2_1 = (a_2 * a_2);
+        return (a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254)))))));
     }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
+    float _e33 = exp2_stable((-2.88539 * magnitude_1));
+    float t_3 = ((1.0 - _e33) / (1.0 + _e33));
+    return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-vec4 blend_multiply(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz * (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
+vec4 blend_multiply(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (0.5 * ((below.xyz * (tone * color.xyz)) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-vec2 light_split(float intensity) {
-    return vec2(min(intensity, 1.0), max(intensity, 1.0));
+LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+    vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
+    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
 }
 
-LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
-    vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
+LitLayer light_apply_3_(Light light_2, vec4 color_3, float tone_3) {
+    vec2 split_2 = vec2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
+    return LitLayer(vec4((light_2.color * split_2.y), 1.0), (tone_3 * split_2.x));
 }
 
-Angle parametrization_diffuse(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
+Angle parametrization_screen_aligned(Light light_3, vec3 normal, mat3x3 camera_from_world) {
+    vec3 n = (camera_from_world * normal);
+    vec3 _e8 = normalize_moderate_2_(n, vec3(0.0, 0.0, 1.0));
+    return Angle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
+}
+
+float profile_point(Angle u_2, ProfileShape shape) {
+    float s_2 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
+    return (((s_2 <= 0.0) || false) ? 1.0 : ((s_2 <= 4e-7) ? 1.0 : 0.0));
+}
+
+float profile_filtered(Angle u_3, float w, ProfileShape shape_1) {
+    float _e3 = profile_point(u_3, shape_1);
+    if (((false || (w <= 0.0)) || false)) {
+        return _e3;
+    }
+    float width = sqrt((w * w));
+    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
+    return clamp((0.5 + ((shape_1.offset - (2.0 * _e15)) / width)), 0.0, 1.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_2) {
+    vec2 _e5 = sin_cos_eighth((0.5 * shift));
+    Angle _e6 = angle_turned(angle, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_2);
     return _e8;
 }
 
-Angle parametrization_screen_aligned(Light light_2, vec3 normal_1, mat3x3 camera_from_world) {
-    vec3 _e7 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
-    vec3 n_1 = (camera_from_world * _e7);
-    vec3 _e13 = normalize_or(n_1, vec3(0.0, 0.0, 1.0));
-    Angle _e15 = angle_between(_e13, light_2.own_direction);
-    return _e15;
-}
-
-float profile_power(float q, float exponent) {
-    float log_base = 0.0;
-    if ((q >= 1.0)) {
-        return 0.0;
-    }
-    if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
-    } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
-}
-
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_2 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
-        return 1.0;
-    }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
-    float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
-}
-
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1) {
-    bool local_3 = false;
-    bool local_4 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
-        return _e3;
-    }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
-}
-
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
-}
-
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = transition(surface_1.kappa, 0.3);
-    float _e10 = warp(_e8, 0.35);
-    float _e12 = profile(_e5, _e10, shadow_tone_shape);
-    Light _e15 = u_look.key;
-    LitLayer _e21 = light_apply(_e15, vec4(0.9843, 0.9765, 0.9569, 1.0), _e12);
-    vec4 _e31 = blend_multiply(vec4(0.9843, 0.9765, 0.9569, 1.0), _e21.color, _e21.tone, 0.5, true);
-    float _e34 = transition(surface_1.kappa, 0.5);
-    vec4 _e42 = curvature_color(_e34, vec4(1.0), vec4(0.1647, 0.1451, 0.1882, 1.0));
-    Light _e45 = u_look.key;
-    LitLayer _e47 = light_apply(_e45, _e42, 1.0);
-    vec4 _e52 = blend_multiply(_e31, _e47.color, _e47.tone, 1.0, true);
-    Light _e55 = u_look.eye;
-    mat3x3 _e59 = u_look.camera_from_world;
-    Angle _e60 = parametrization_screen_aligned(_e55, surface_1.normal, _e59);
-    float _e63 = transition(surface_1.kappa, 0.12);
-    float _e65 = warp(_e63, 0.3);
-    float _e67 = profile(_e60, _e65, contour_tone_shape);
-    Light _e70 = u_look.eye;
-    LitLayer _e73 = light_apply(_e70, vec4(1.0), _e67);
-    vec4 _e78 = blend_multiply(_e52, _e73.color, _e73.tone, 1.0, true);
-    vec4 _e79 = output_(_e78);
-    return _e79;
+    vec3 _e5 = u_look.key.direction;
+    vec3 _e14 = u_look.key.direction;
+    Angle inked_hollows_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    float _e22 = curvature_signed(surface_1.kappa, 0.3);
+    float shadow_convexity = (0.5 + (0.5 * _e22));
+    float shadow_warp = (((2.0 * shadow_convexity) - 1.0) * 0.35);
+    float _e34 = profile(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    Light _e37 = u_look.key;
+    LitLayer _e43 = light_apply(_e37, vec4(0.9843, 0.9765, 0.9569, 1.0), _e34);
+    vec4 _e53 = blend_multiply(vec4(0.9843, 0.9765, 0.9569, 1.0), _e43.color, _e43.tone, 0.5, true);
+    float _e56 = curvature_signed_2_(surface_1.kappa, 0.5);
+    float inked_hollows_convexity = (0.5 + (0.5 * _e56));
+    vec4 _e68 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.1647, 0.1451, 0.1882, 1.0));
+    Light _e71 = u_look.key;
+    LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
+    vec4 inked_hollows_blend = clamp(vec4((_e53.xyz + ((_e53.xyz * (_e73.tone * _e73.color.xyz)) - _e53.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    Light _e93 = u_look.eye;
+    mat3x3 _e97 = u_look.camera_from_world;
+    Angle _e98 = parametrization_screen_aligned(_e93, surface_1.normal, _e97);
+    float _e101 = curvature_signed(surface_1.kappa, 0.12);
+    float contour_convexity = (0.5 + (0.5 * _e101));
+    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.3);
+    float _e113 = profile(_e98, contour_warp, contour_tone_shape);
+    Light _e116 = u_look.eye;
+    LitLayer _e119 = light_apply_3_(_e116, vec4(1.0), _e113);
+    vec4 output_ = clamp(vec4((inked_hollows_blend.xyz + ((inked_hollows_blend.xyz * (_e119.tone * _e119.color.xyz)) - inked_hollows_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), 0.0);
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_2 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_2;
-    vec4 _e18 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e18.x;
-    Surface _e20 = surface;
-    vec4 _e21 = shade(_e20);
-    vec4 _e22 = finite_vec4_(_e21);
-    out_color = _e22;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_1 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_1;
+    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    surface.kappa = _e14.x;
+    Surface _e16 = surface;
+    vec4 _e17 = shade(_e16);
+    out_color = _e17;
     return;
 }
 

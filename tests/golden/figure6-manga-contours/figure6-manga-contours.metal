@@ -66,145 +66,62 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
-constant float LOG2_E = 1.442695;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape shadow_tone_shape = ProfileShape {0.78070694, 0.6248973, 0.0, 1.0, 1.35, 0.0, 0.0, 1u};
 constant ProfileShape contour_tone_shape = ProfileShape {0.8337121, 0.55219936, 0.0, 1.0, 1.17, 0.0, 0.0, 1u};
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
 float exp2_stable(
-    float x_2
+    float x
 ) {
-    float clamped_2 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_2);
-    float f = (clamped_2 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped_1);
+    float f = clamped_1 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
-    float x_3
+metal::float2 sin_cos_eighth(
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
-    float z = (mantissa - 1.0) / (mantissa + 1.0);
-    float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    float y_1 = x_1 * x_1;
+    float s = x_1 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 0.0000027557319))))))));
+    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-0.000024801588 + (y_1 * 0.0000002755732)))))))));
+    return metal::float2(s, c);
 }
 
-float log1p_negative_small(
-    float y
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float z_1 = y / (2.0 - y);
-    float z2_1 = z_1 * z_1;
-    return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float2 sin_cos_quarter(
-    float x_4
+metal::float3 normalize_moderate_2_(
+    metal::float3 v_1,
+    metal::float3 otherwise_1
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_seen(
+    metal::float3 v_2
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
-    float y_1,
-    float x_5
+    float y,
+    float x_2
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y, x_2);
+    float large = metal::max(y, x_2);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -212,63 +129,30 @@ float atan2_positive(
     bool is_wide = t_1 > 0.41421357;
     float r = is_wide ? ((small - large) / (small + large)) : t_1;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y > x_2) ? (HALF_PI - a) : a;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_1, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-Angle angle_shifted(
-    Angle u_2,
-    float shift
-) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_1, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
 Color curvature_color(
@@ -276,243 +160,156 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (convex - concave));
-}
-
-float kappa_safe(
-    float kappa
-) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
+    return concave + (convexity * (metal::float4(1.0) - concave));
 }
 
 float curvature_signed(
-    float kappa_1,
+    float kappa,
     float slope
 ) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_1 = _e2 * metal::clamp(_e4, -1000000000000000000000000000000.0, 1000000000000000000000000000000.0);
+    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
     float magnitude = metal::min(metal::abs(a_1), 50.0);
     if (magnitude < 0.0625) {
         float a2_ = a_1 * a_1;
         return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e28 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e28) / (1.0 + _e28);
+    float _e32 = exp2_stable(-2.88539 * magnitude);
+    float t_2 = (1.0 - _e32) / (1.0 + _e32);
     return (a_1 >= 0.0) ? t_2 : -(t_2);
 }
 
-float transition(
-    float kappa_2,
+float curvature_signed_2_(
+    float kappa_1,
     float slope_1
 ) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return 0.5 + (0.5 * _e2);
-}
-
-float warp(
-    float convexity_1,
-    float amount
-) {
-    return ((2.0 * convexity_1) - 1.0) * metal::clamp(amount, -3.1415927, 3.1415927);
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped
-) {
-    if (opacity <= 0.0) {
-        return below;
+    float a_2 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * 0.5;
+    float magnitude_1 = metal::min(metal::abs(a_2), 50.0);
+    if (magnitude_1 < 0.0625) {
+        float a2_1 = a_2 * a_2;
+        return a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254))))));
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
+    float _e33 = exp2_stable(-2.88539 * magnitude_1);
+    float t_3 = (1.0 - _e33) / (1.0 + _e33);
+    return (a_2 >= 0.0) ? t_3 : -(t_3);
 }
 
 Composite blend_multiply(
-    Composite below_1,
+    Composite below,
     Color color,
     float tone,
-    float opacity_1,
-    bool clamped_1
+    float opacity,
+    bool clamped
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz * (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::clamp(metal::float4(below.xyz + (0.5 * ((below.xyz * (tone * color.xyz)) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_2,
+    Color color_1,
     float tone_1
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_2.xyz * light.color) * _e4.y, color_2.w), tone_1 * _e4.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
-Angle parametrization_diffuse(
+LitLayer light_apply_2_(
     Light light_1,
-    metal::float3 normal
+    Color color_2,
+    float tone_2
 ) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
+    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
+}
+
+LitLayer light_apply_3_(
+    Light light_2,
+    Color color_3,
+    float tone_3
+) {
+    metal::float2 split_2 = metal::float2(metal::min(light_2.intensity, 1.0), metal::max(light_2.intensity, 1.0));
+    return LitLayer {metal::float4(light_2.color * split_2.y, 1.0), tone_3 * split_2.x};
 }
 
 Angle parametrization_screen_aligned(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light_3,
+    metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 _e7 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 n_1 = camera_from_world * _e7;
-    metal::float3 _e13 = normalize_or(n_1, metal::float3(0.0, 0.0, 1.0));
-    Angle _e15 = angle_between(_e13, light_2.own_direction);
-    return _e15;
-}
-
-float profile_power(
-    float q,
-    float exponent
-) {
-    float log_base = 0.0;
-    if (q >= 1.0) {
-        return 0.0;
-    }
-    if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
-    } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
-    }
-    float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    metal::float3 n = camera_from_world * normal;
+    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    return Angle {0.5 * metal::length(_e8 - light_3.own_direction), 0.5 * metal::length(_e8 + light_3.own_direction)};
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_2,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
-        return 1.0;
-    }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
-    }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float s_2 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
+    return ((s_2 <= 0.0) | false) ? 1.0 : ((s_2 <= 0.0000004) ? 1.0 : 0.0);
 }
 
 float profile_filtered(
-    Angle u_5,
+    Angle u_3,
     float w,
     ProfileShape shape_1
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_3, shape_1);
+    if ((false | (w <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w < (0.1 * shape_1.edge_deviation)) {
-        return _e3;
-    }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    float width = metal::sqrt(w * w);
+    float _e15 = atan2_positive(u_3.half_sin, u_3.half_cos);
+    return metal::clamp(0.5 + ((shape_1.offset - (2.0 * _e15)) / width), 0.0, 1.0);
 }
 
 float profile(
     Angle angle,
-    float shift_1,
+    float shift,
     ProfileShape shape_2
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    Angle _e6 = angle_turned(angle, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = transition(surface_1.kappa, 0.3);
-    float _e10 = warp(_e8, 0.35);
-    float _e12 = profile(_e5, _e10, shadow_tone_shape);
-    Light _e15 = look.key;
-    LitLayer _e21 = light_apply(_e15, metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e12);
-    Composite _e31 = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e21.color, _e21.tone, 0.5, true);
-    float _e34 = transition(surface_1.kappa, 0.5);
-    Color _e42 = curvature_color(_e34, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
-    Light _e45 = look.key;
-    LitLayer _e47 = light_apply(_e45, _e42, 1.0);
-    Composite _e52 = blend_multiply(_e31, _e47.color, _e47.tone, 1.0, true);
-    Light _e55 = look.eye;
-    metal::float3x3 _e59 = look.camera_from_world;
-    Angle _e60 = parametrization_screen_aligned(_e55, surface_1.normal, _e59);
-    float _e63 = transition(surface_1.kappa, 0.12);
-    float _e65 = warp(_e63, 0.3);
-    float _e67 = profile(_e60, _e65, contour_tone_shape);
-    Light _e70 = look.eye;
-    LitLayer _e73 = light_apply(_e70, metal::float4(1.0), _e67);
-    Composite _e78 = blend_multiply(_e52, _e73.color, _e73.tone, 1.0, true);
-    Color _e79 = output(_e78);
-    return _e79;
+    metal::float3 _e5 = look.key.direction;
+    metal::float3 _e14 = look.key.direction;
+    Angle inked_hollows_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    float _e22 = curvature_signed(surface_1.kappa, 0.3);
+    float shadow_convexity = 0.5 + (0.5 * _e22);
+    float shadow_warp = ((2.0 * shadow_convexity) - 1.0) * 0.35;
+    float _e34 = profile(inked_hollows_angle, shadow_warp, shadow_tone_shape);
+    Light _e37 = look.key;
+    LitLayer _e43 = light_apply(_e37, metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e34);
+    Composite _e53 = blend_multiply(metal::float4(0.9843, 0.9765, 0.9569, 1.0), _e43.color, _e43.tone, 0.5, true);
+    float _e56 = curvature_signed_2_(surface_1.kappa, 0.5);
+    float inked_hollows_convexity = 0.5 + (0.5 * _e56);
+    Color _e68 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
+    Light _e71 = look.key;
+    LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e53.xyz + ((_e53.xyz * (_e73.tone * _e73.color.xyz)) - _e53.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e93 = look.eye;
+    metal::float3x3 _e97 = look.camera_from_world;
+    Angle _e98 = parametrization_screen_aligned(_e93, surface_1.normal, _e97);
+    float _e101 = curvature_signed(surface_1.kappa, 0.12);
+    float contour_convexity = 0.5 + (0.5 * _e101);
+    float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.3;
+    float _e113 = profile(_e98, contour_warp, contour_tone_shape);
+    Light _e116 = look.eye;
+    LitLayer _e119 = light_apply_3_(_e116, metal::float4(1.0), _e113);
+    metal::float4 output = metal::clamp(metal::float4(inked_hollows_blend.xyz + ((inked_hollows_blend.xyz * (_e119.tone * _e119.color.xyz)) - inked_hollows_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -523,7 +320,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -542,7 +339,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 
 struct fs_mainInput {
-    metal::float3 normal_2 [[user(loc0), center_perspective]];
+    metal::float3 normal_1 [[user(loc0), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -554,15 +351,14 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e18 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e18.x;
-    Surface _e20 = surface;
-    metal::float4 _e21 = shade(_e20, look);
-    metal::float4 _e22 = finite_vec4_(_e21);
-    return fs_mainOutput { _e22 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    surface.kappa = _e14.x;
+    Surface _e16 = surface;
+    metal::float4 _e17 = shade(_e16, look);
+    return fs_mainOutput { _e17 };
 }

@@ -1,6 +1,6 @@
 // Manga, embossed: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Finds curvature from normals and depth.
-// Registers of space 0: normals t0, depths t1, curvature b0.
+// Registers of space 0: surface t0, curvature b0.
 // figure6-manga-embossed.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
@@ -12,50 +12,92 @@ struct Curvature {
     float samples;
 };
 
-struct Texel {
-    float3 normal;
+struct SeenPixel {
+    int2 at;
+    int _pad1_0;
+    int _pad1_1;
+    float4 texel;
+};
+
+struct Plane {
     float object;
     float depth;
+    float2 rise;
+    float tolerance;
     int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
 };
 
-struct SideDifferences {
-    float forward;
-    float forward_weight;
-    float backward;
-    float backward_weight;
+struct Center {
+    int2 at;
+    float2 slope;
+    Plane plane;
 };
 
-typedef int2 ret_Constructarray8_int2_[8];
-ret_Constructarray8_int2_ Constructarray8_int2_(int2 arg0, int2 arg1, int2 arg2, int2 arg3, int2 arg4, int2 arg5, int2 arg6, int2 arg7) {
-    int2 ret[8] = { arg0, arg1, arg2, arg3, arg4, arg5, arg6, arg7 };
-    return ret;
-}
+struct Ring {
+    float4 x;
+    float4 y;
+    float4 weights;
+};
 
-typedef float ret_Constructarray3_float_[3];
-ret_Constructarray3_float_ Constructarray3_float_(float arg0, float arg1, float arg2) {
-    float ret[3] = { arg0, arg1, arg2 };
-    return ret;
-}
-
-static const int2 RING[8] = Constructarray8_int2_(int2(int(1), int(0)), int2(int(-1), int(0)), int2(int(0), int(1)), int2(int(0), int(-1)), int2(int(1), int(1)), int2(int(-1), int(1)), int2(int(1), int(-1)), int2(int(-1), int(-1)));
-static const float WEIGHTS[3] = Constructarray3_float_(1.0, 0.85, 0.5);
-
-Texture2D<float4> normals : register(t0);
-Texture2D<float4> depths : register(t1);
+Texture2D<float4> surface : register(t0);
 cbuffer curvature : register(b0) { Curvature curvature; }
 
 struct FragmentInput_fs_main {
     float4 position_1 : SV_Position;
 };
 
-Texel ConstructTexel(float3 arg0, float arg1, float arg2) {
-    Texel ret = (Texel)0;
-    ret.normal = arg0;
-    ret.object = arg1;
-    ret.depth = arg2;
+float2 slope_of(float3 normal)
+{
+    return (normal.xy / (max(normal.z, 0.2)).xx);
+}
+
+float4 surface_texel(float3 normal_1, float depth, float number)
+{
+    const float2 _e3 = slope_of(normal_1);
+    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
+}
+
+float3 normal_of(float4 texel)
+{
+    float2 aside = (0.2 * texel.xy);
+    float rest = sqrt(max((1.0 - dot(aside, aside)), 0.0));
+    float nz = ((texel.w < 0.0) ? -(rest) : rest);
+    float3 facing = (float3(texel.xy, 1.0) / (sqrt((1.0 + dot(texel.xy, texel.xy)))).xxx);
+    return ((nz >= 0.2) ? facing : float3(aside, nz));
+}
+
+float4 whole_picture(uint index_1)
+{
+    return float4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
+}
+
+int naga_f2i32(float value) {
+    return int(clamp(value, -2147483600.0, 2147483500.0));
+}
+
+int step_pixels()
+{
+    float _e2 = curvature.viewport_height;
+    return max(naga_f2i32(round((_e2 / 800.0))), int(1));
+}
+
+float row_direction()
+{
+    float _e2 = curvature.rows_up;
+    return ((_e2 > 0.5) ? 1.0 : -1.0);
+}
+
+int2 around(int index_2)
+{
+    int side = asint(asuint(int(1)) - asuint(asint(asuint(int(2)) * asuint((index_2 & int(1))))));
+    int2 straight = ((index_2 < int(2)) ? int2(side, int(0)) : int2(int(0), side));
+    return ((index_2 > int(3)) ? int2(side, asint(asuint(int(1)) - asuint((index_2 & int(2))))) : straight);
+}
+
+SeenPixel ConstructSeenPixel(int2 arg0, float4 arg1) {
+    SeenPixel ret = (SeenPixel)0;
+    ret.at = arg0;
+    ret.texel = arg1;
     return ret;
 }
 
@@ -66,208 +108,160 @@ uint2 NagaDimensions2D(Texture2D<float4> tex)
     return ret.xy;
 }
 
-Texel texel(int2 at)
+SeenPixel seen_pixel(int2 pixel)
 {
+    SeenPixel seen = (SeenPixel)0;
     bool local = (bool)0;
+    int index_3 = (int)0;
 
-    int2 size = int2(NagaDimensions2D(normals));
-    if (!(any((at < (int(0)).xx)))) {
-        local = any((at >= size));
+    float4 _e3 = surface.Load(int3(pixel, int(0)));
+    seen = ConstructSeenPixel(pixel, _e3);
+    int2 last = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    float _e14 = curvature.samples;
+    if ((_e14 >= 2.0)) {
+        float _e21 = seen.texel.w;
+        local = (_e21 == 0.0);
     } else {
-        local = true;
+        local = false;
     }
-    bool _e14 = local;
-    if (_e14) {
-        const Texel texel_1 = ConstructTexel((0.0).xxx, 0.0, 0.0);
-        return texel_1;
-    }
-    float4 normal_1 = normals.Load(int3(at, int(0)));
-    float4 _e27 = depths.Load(int3(at, int(0)));
-    const Texel texel_2 = ConstructTexel(normal_1.xyz, normal_1.w, _e27.x);
-    return texel_2;
-}
-
-float2 slope(float3 normal)
-{
-    return (normal.xy / (max(normal.z, 0.2)).xx);
-}
-
-float3 neighbor(Texel center_, int2 at_1, float2 offset)
-{
-    const Texel _e3 = texel(at_1);
-    if ((_e3.object != center_.object)) {
-        return (0.0).xxx;
-    }
-    float _e11 = curvature.pixel;
-    float _e15 = curvature.perspective;
-    float pixel_2 = (_e11 * lerp(1.0, center_.depth, _e15));
-    float2 gradient = (-(center_.normal.xy) / (max(center_.normal.z, 0.02)).xx);
-    float expected = (dot(gradient, offset) * pixel_2);
-    float error = abs(((center_.depth - _e3.depth) - expected));
-    float tolerance = (((2.0 * pixel_2) * length(offset)) * (1.0 + length(gradient)));
-    float weight = clamp((2.0 - (error / max(tolerance, 1e-30))), 0.0, 1.0);
-    const float2 _e52 = slope(_e3.normal);
-    return float3(_e52, weight);
-}
-
-float derivative(SideDifferences sides)
-{
-    float forward = (sides.forward / max(sides.forward_weight, 1e-6));
-    float backward = (sides.backward / max(sides.backward_weight, 1e-6));
-    float2 trust = float2(smoothstep(0.0, 0.5, sides.forward_weight), smoothstep(0.0, 0.5, sides.backward_weight));
-    return (((forward * trust.x) + (backward * trust.y)) / max((trust.x + trust.y), 1e-6));
-}
-
-float4 whole_picture(uint index_1)
-{
-    return float4(((float((index_1 & 1u)) * 4.0) - 1.0), ((float((index_1 >> 1u)) * 4.0) - 1.0), 0.0, 1.0);
-}
-
-int2 covered_near(int2 pixel)
-{
-    int2 found = (int2)0;
-    int k = int(7);
-
-    int2 most = asint(asuint(int2(NagaDimensions2D(normals))) - asuint((int(1)).xx));
-    found = pixel;
+    bool may_be_missed = local;
+    index_3 = (may_be_missed ? int(7) : int(-1));
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
         if (all(loop_bound == uint2(0u, 0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e27 = k;
-            k = asint(asuint(_e27) - asuint(int(1)));
+            int _e47 = index_3;
+            index_3 = asint(asuint(_e47) - asuint(int(1)));
         }
         loop_init = false;
-        int _e10 = k;
-        if ((_e10 >= int(0))) {
+        int _e30 = index_3;
+        if ((_e30 >= int(0))) {
         } else {
             break;
         }
         {
-            int _e14 = k;
-            int2 near = clamp(asint(asuint(pixel) + asuint(RING[min(uint(_e14), 7u)])), (int(0)).xx, most);
-            float4 _e22 = normals.Load(int3(near, int(0)));
-            if ((_e22.w != 0.0)) {
-                found = near;
+            int _e33 = index_3;
+            const int2 _e34 = around(_e33);
+            int2 near = clamp(asint(asuint(pixel) + asuint(_e34)), (int(0)).xx, last);
+            float4 texel_1 = surface.Load(int3(near, int(0)));
+            if ((texel_1.w != 0.0)) {
+                seen = ConstructSeenPixel(near, texel_1);
             }
         }
     }
-    int2 _e29 = found;
-    return _e29;
+    SeenPixel _e49 = seen;
+    const SeenPixel seenpixel = _e49;
+    return seenpixel;
 }
 
-int naga_neg(int val) {
-    return asint(-asuint(val));
-}
-
-SideDifferences ConstructSideDifferences(float arg0, float arg1, float arg2, float arg3) {
-    SideDifferences ret = (SideDifferences)0;
-    ret.forward = arg0;
-    ret.forward_weight = arg1;
-    ret.backward = arg2;
-    ret.backward_weight = arg3;
+Plane ConstructPlane(float arg0, float arg1, float2 arg2, float arg3) {
+    Plane ret = (Plane)0;
+    ret.object = arg0;
+    ret.depth = arg1;
+    ret.rise = arg2;
+    ret.tolerance = arg3;
     return ret;
 }
 
-int naga_f2i32(float value) {
-    return int(clamp(value, -2147483600.0, 2147483500.0));
+Plane plane_of(float object, float depth_1, float3 normal_2)
+{
+    float _e5 = curvature.pixel;
+    float _e8 = curvature.perspective;
+    float pixel_2 = (_e5 * lerp(1.0, depth_1, _e8));
+    float2 gradient = (normal_2.xy / (max(normal_2.z, 0.02)).xx);
+    const float _e19 = row_direction();
+    const Plane plane_1 = ConstructPlane(object, depth_1, ((pixel_2 * gradient) * float2(1.0, _e19)), ((2.0 * pixel_2) * (1.0 + length(gradient))));
+    return plane_1;
 }
 
-float curvature_at(int2 pixel_1, int first, int last)
+float4 neighbor_weights(Plane plane, float4 objects, float4 depths, float4 rises, float distance_)
 {
-    int2 at_2 = (int2)0;
-    Texel center_1 = (Texel)0;
-    SideDifferences along_x = ConstructSideDifferences(0.0, 0.0, 0.0, 0.0);
-    SideDifferences along_y = ConstructSideDifferences(0.0, 0.0, 0.0, 0.0);
-    int k_1 = (int)0;
+    float4 error = abs(((depths - (plane.depth).xxxx) - rises));
+    float scale = (1.0 / max((plane.tolerance * distance_), 1e-30));
+    float4 weights_1 = clamp(((2.0).xxxx - (error * scale)), (0.0).xxxx, (1.0).xxxx);
+    return ((objects == (plane.object).xxxx) ? weights_1 : (0.0).xxxx);
+}
 
-    at_2 = pixel_1;
-    int2 _e4 = at_2;
-    const Texel _e5 = texel(_e4);
-    center_1 = _e5;
-    float _e8 = center_1.object;
-    if ((_e8 == 0.0)) {
-        float _e13 = curvature.samples;
-        if ((_e13 < 2.0)) {
-            return 0.0;
-        }
-        const int2 _e17 = covered_near(pixel_1);
-        at_2 = _e17;
-        int2 _e18 = at_2;
-        const Texel _e19 = texel(_e18);
-        center_1 = _e19;
-        float _e21 = center_1.object;
-        if ((_e21 == 0.0)) {
-            return 0.0;
-        }
-    }
-    float3 _e26 = center_1.normal;
-    const float2 _e27 = slope(_e26);
-    float _e42 = curvature.rows_up;
-    int up = ((_e42 > 0.5) ? int(1) : int(-1));
-    float _e50 = curvature.viewport_height;
-    int stride = max(naga_f2i32(round((_e50 / 800.0))), int(1));
-    k_1 = first;
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
-    while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            int _e168 = k_1;
-            k_1 = asint(asuint(_e168) + asuint(int(1)));
-        }
-        loop_init_1 = false;
-        int _e58 = k_1;
-        if ((_e58 <= last)) {
-        } else {
-            break;
-        }
-        {
-            int _e60 = k_1;
-            int reach = asint(asuint(_e60) * asuint(stride));
-            float distance_ = float(reach);
-            int _e64 = k_1;
-            float weight_1 = ((WEIGHTS[min(uint(asint(asuint(_e64) - asuint(int(1)))), 2u)] * distance_) * distance_);
-            Texel _e70 = center_1;
-            int2 _e71 = at_2;
-            const float3 _e79 = neighbor(_e70, asint(asuint(_e71) + asuint(int2(naga_neg(reach), int(0)))), float2(-(distance_), 0.0));
-            Texel _e80 = center_1;
-            int2 _e81 = at_2;
-            const float3 _e87 = neighbor(_e80, asint(asuint(_e81) + asuint(int2(reach, int(0)))), float2(distance_, 0.0));
-            Texel _e88 = center_1;
-            int2 _e89 = at_2;
-            const float3 _e96 = neighbor(_e88, asint(asuint(_e89) + asuint(int2(int(0), asint(asuint(up) * asuint(reach))))), float2(0.0, distance_));
-            Texel _e97 = center_1;
-            int2 _e98 = at_2;
-            const float3 _e106 = neighbor(_e97, asint(asuint(_e98) - asuint(int2(int(0), asint(asuint(up) * asuint(reach))))), float2(0.0, -(distance_)));
-            float _e108 = along_x.forward;
-            along_x.forward = (_e108 + (((weight_1 * _e87.z) * (_e87.x - _e27.x)) / distance_));
-            float _e118 = along_x.forward_weight;
-            along_x.forward_weight = (_e118 + (weight_1 * _e87.z));
-            float _e123 = along_x.backward;
-            along_x.backward = (_e123 + (((weight_1 * _e79.z) * (_e27.x - _e79.x)) / distance_));
-            float _e133 = along_x.backward_weight;
-            along_x.backward_weight = (_e133 + (weight_1 * _e79.z));
-            float _e138 = along_y.forward;
-            along_y.forward = (_e138 + (((weight_1 * _e96.z) * (_e96.y - _e27.y)) / distance_));
-            float _e148 = along_y.forward_weight;
-            along_y.forward_weight = (_e148 + (weight_1 * _e96.z));
-            float _e153 = along_y.backward;
-            along_y.backward = (_e153 + (((weight_1 * _e106.z) * (_e27.y - _e106.y)) / distance_));
-            float _e163 = along_y.backward_weight;
-            along_y.backward_weight = (_e163 + (weight_1 * _e106.z));
-        }
-    }
-    SideDifferences _e170 = along_x;
-    const float _e171 = derivative(_e170);
-    SideDifferences _e172 = along_y;
-    const float _e173 = derivative(_e172);
-    float _e179 = curvature.viewport_height;
-    float kappa = ((0.5 * (_e171 + _e173)) * _e179);
-    return clamp(kappa, -10000.0, 10000.0);
+Center ConstructCenter(int2 arg0, float2 arg1, Plane arg2) {
+    Center ret = (Center)0;
+    ret.at = arg0;
+    ret.slope = arg1;
+    ret.plane = arg2;
+    return ret;
+}
+
+Center center_at(int2 pixel_1)
+{
+    const SeenPixel _e1 = seen_pixel(pixel_1);
+    float4 texel_2 = _e1.texel;
+    const float3 _e8 = normal_of(texel_2);
+    const Plane _e9 = plane_of(abs(texel_2.w), texel_2.z, _e8);
+    const Center center_2 = ConstructCenter(_e1.at, texel_2.xy, _e9);
+    return center_2;
+}
+
+Ring ConstructRing(float4 arg0, float4 arg1, float4 arg2) {
+    Ring ret = (Ring)0;
+    ret.x = arg0;
+    ret.y = arg1;
+    ret.weights = arg2;
+    return ret;
+}
+
+Ring ring_at(Center center_, int steps, float weight)
+{
+    const int _e3 = step_pixels();
+    int reach = asint(asuint(steps) * asuint(_e3));
+    float distance_1 = float(reach);
+    int2 at = center_.at;
+    int2 last_1 = asint(asuint(int2(NagaDimensions2D(surface))) - asuint((int(1)).xx));
+    float4 a_1 = surface.Load(int3(int2(min(asint(asuint(at.x) + asuint(reach)), last_1.x), at.y), int(0)));
+    float4 b_1 = surface.Load(int3(int2(max(asint(asuint(at.x) - asuint(reach)), int(0)), at.y), int(0)));
+    float4 c = surface.Load(int3(int2(at.x, min(asint(asuint(at.y) + asuint(reach)), last_1.y)), int(0)));
+    float4 d = surface.Load(int3(int2(at.x, max(asint(asuint(at.y) - asuint(reach)), int(0))), int(0)));
+    bool4 is_inside = (int4(asint(asuint(last_1.x) - asuint(at.x)), at.x, asint(asuint(last_1.y) - asuint(at.y)), at.y) >= (reach).xxxx);
+    float4 objects_1 = (is_inside ? abs(float4(a_1.w, b_1.w, c.w, d.w)) : (0.0).xxxx);
+    float2 rise = (distance_1 * center_.plane.rise);
+    float4 rises_1 = float4(rise.x, -(rise.x), rise.y, -(rise.y));
+    const float4 _e86 = neighbor_weights(center_.plane, objects_1, float4(a_1.z, b_1.z, c.z, d.z), rises_1, distance_1);
+    float4 shares = ((weight * distance_1) * _e86);
+    const Ring ring_1 = ConstructRing((shares * (float4(a_1.x, b_1.x, c.x, d.x) - (center_.slope.x).xxxx)), (shares * (float4(a_1.y, b_1.y, c.y, d.y) - (center_.slope.y).xxxx)), (shares * distance_1));
+    return ring_1;
+}
+
+Ring joined(Ring a, Ring b)
+{
+    const Ring ring_2 = ConstructRing((a.x + b.x), (a.y + b.y), (a.weights + b.weights));
+    return ring_2;
+}
+
+Ring rings_at(Center center_1)
+{
+    const Ring _e3 = ring_at(center_1, int(1), 1.0);
+    const Ring _e6 = ring_at(center_1, int(2), 0.85);
+    const Ring _e7 = joined(_e3, _e6);
+    const Ring _e10 = ring_at(center_1, int(3), 0.5);
+    const Ring _e11 = joined(_e7, _e10);
+    const Ring ring_3 = _e11;
+    return ring_3;
+}
+
+float2 derivatives(float4 changes, float4 weights)
+{
+    float4 trust = smoothstep((0.0).xxxx, (0.5).xxxx, weights);
+    float4 sides = ((changes / max(weights, (1e-6).xxxx)) * trust);
+    float2 along = ((sides.xz - sides.yw) / max((trust.xz + trust.yw), (1e-6).xx));
+    const float _e22 = row_direction();
+    return (along * float2(1.0, _e22));
+}
+
+float mean_curvature(Ring ring)
+{
+    const float2 _e7 = derivatives(float4(ring.x.xy, ring.y.zw), ring.weights);
+    float _e15 = curvature.viewport_height;
+    return clamp(((0.5 * (_e7.x + _e7.y)) * _e15), -10000.0, 10000.0);
 }
 
 float4 vs_main(uint index : SV_VertexID) : SV_Position
@@ -283,6 +277,11 @@ int2 naga_f2i32(float2 value) {
 float fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
     float4 position = fragmentinput_fs_main.position_1;
-    const float _e5 = curvature_at(naga_f2i32(position.xy), int(1), int(3));
-    return _e5;
+    const Center _e3 = center_at(naga_f2i32(position.xy));
+    if ((_e3.plane.object == 0.0)) {
+        return 0.0;
+    }
+    const Ring _e9 = rings_at(_e3);
+    const float _e10 = mean_curvature(_e9);
+    return _e10;
 }

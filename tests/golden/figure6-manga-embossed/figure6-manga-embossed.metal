@@ -66,108 +66,53 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape dark_side_tone_shape = ProfileShape {0.9624252, 0.27154693, 5.0334897, 2.4651666, 0.55, 0.19658314, 0.08474467, 0u};
 constant ProfileShape light_side_tone_shape = ProfileShape {0.9689124, 0.24740396, 5.743557, 2.3650649, 0.5, 0.17491564, 0.07484149, 0u};
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+float exp2_stable(
+    float x
+) {
+    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped_1);
+    float f = clamped_1 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable(
+float exp2_stable_2_(
+    float x_1
+) {
+    float clamped_2 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_2);
+    float f_1 = clamped_2 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
+float exp2_stable_3_(
     float x_2
 ) {
-    float clamped_4 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_4);
-    float f = (clamped_4 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float whole_2 = metal::rint(x_2);
+    float f_2 = x_2 - whole_2;
+    float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
+    return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
+float log2_stable(
     float x_3
 ) {
     uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -178,33 +123,53 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
+metal::float2 sin_cos_eighth(
     float x_4
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_2 = x_4 * x_4;
+    float s = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
+    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float2 sin_cos_tiny(
+    float x_5
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float y_3 = x_5 * x_5;
+    float s_1 = x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
+    float c_1 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
+    return metal::float2(s_1, c_1);
+}
+
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
+) {
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_moderate_2_(
+    metal::float3 v_1,
+    metal::float3 otherwise_1
+) {
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y_1,
-    float x_5
+    float x_6
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_1, x_6);
+    float large = metal::max(y_1, x_6);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -212,63 +177,30 @@ float atan2_positive(
     bool is_wide = t_1 > 0.41421357;
     float r = is_wide ? ((small - large) / (small + large)) : t_1;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_6) ? (HALF_PI - a) : a;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_2, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
     float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    float c_2 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
+    metal::float2 upper = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
-}
-
-Angle angle_shifted(
-    Angle u_2,
-    float shift
-) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_1, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
 }
 
 Color curvature_color(
@@ -279,127 +211,65 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float kappa_safe(
-    float kappa
+Color curvature_color_2_(
+    float convexity_1,
+    Color convex_1,
+    Color concave_1
 ) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
+    return concave_1 + (convexity_1 * (metal::float4(1.0) - concave_1));
 }
 
 float curvature_signed(
-    float kappa_1,
+    float kappa,
     float slope
 ) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_1 = _e2 * metal::clamp(_e4, -1000000000000000000000000000000.0, 1000000000000000000000000000000.0);
+    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
     float magnitude = metal::min(metal::abs(a_1), 50.0);
     if (magnitude < 0.0625) {
         float a2_ = a_1 * a_1;
         return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e28 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e28) / (1.0 + _e28);
+    float _e32 = exp2_stable(-2.88539 * magnitude);
+    float t_2 = (1.0 - _e32) / (1.0 + _e32);
     return (a_1 >= 0.0) ? t_2 : -(t_2);
 }
 
-float transition(
-    float kappa_2,
-    float slope_1
-) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return 0.5 + (0.5 * _e2);
-}
-
-float warp(
-    float convexity_1,
-    float amount
-) {
-    return ((2.0 * convexity_1) - 1.0) * metal::clamp(amount, -3.1415927, 3.1415927);
-}
-
-Composite blend_finish(
+Composite blend_shade(
     Composite below,
-    metal::float3 blended,
-    float alpha,
+    Color color,
+    float tone,
     float opacity,
     bool clamped
 ) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
-}
-
-Composite blend_multiply(
-    Composite below_1,
-    Color color,
-    float tone,
-    float opacity_1,
-    bool clamped_1
-) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz * (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
-}
-
-Composite blend_alpha(
-    Composite below_2,
-    Color color_1,
-    float tone_1,
-    float opacity_2,
-    bool clamped_2
-) {
-    float a_2 = opacity_2 * color_1.w;
-    float alpha_1 = below_2.w + ((tone_1 * a_2) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz)), alpha_1, a_2, clamped_2);
-    return _e20;
-}
-
-Composite blend_shade(
-    Composite below_3,
-    Color color_2,
-    float tone_2,
-    float opacity_3,
-    bool clamped_3
-) {
-    Composite _e14 = blend_finish(below_3, below_3.xyz * metal::mix(metal::float3(1.0), color_2.xyz, tone_2), below_3.w, opacity_3 * color_2.w, clamped_3);
-    return _e14;
-}
-
-Color output(
-    Composite color_3
-) {
-    Color _e1 = straight(color_3);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::clamp(metal::float4(below.xyz + ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_4,
-    float tone_3
+    Color color_1,
+    float tone_1
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_4.xyz * light.color) * _e4.y, color_4.w), tone_3 * _e4.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+}
+
+LitLayer light_apply_2_(
+    Light light_1,
+    Color color_2,
+    float tone_2
+) {
+    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
+    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
 }
 
 Angle parametrization_screen_aligned(
-    Light light_1,
+    Light light_2,
     metal::float3 normal,
     metal::float3x3 camera_from_world
 ) {
-    metal::float3 _e7 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 n_1 = camera_from_world * _e7;
-    metal::float3 _e13 = normalize_or(n_1, metal::float3(0.0, 0.0, 1.0));
-    Angle _e15 = angle_between(_e13, light_1.own_direction);
-    return _e15;
+    metal::float3 n = camera_from_world * normal;
+    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    return Angle {0.5 * metal::length(_e8 - light_2.own_direction), 0.5 * metal::length(_e8 + light_2.own_direction)};
 }
 
 float profile_power(
@@ -411,119 +281,163 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable_2_(exponent * _e19);
+    return metal::min(_e21, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_2,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = (u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset);
+    if ((s_3 <= 0.0) | false) {
         return 1.0;
     }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
+    float q_2 = s_3 * shape.scale;
+    float _e17 = profile_power(q_2, shape.exponent);
+    return _e17;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
     }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_3_(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_3,
+    ProfileShape shape_1
+) {
+    float s_4 = (u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset);
+    if ((s_4 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_3 = s_4 * shape_1.scale;
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
 }
 
 float profile_filtered(
-    Angle u_5,
+    Angle u_4,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape_2
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_4, shape_2);
+    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
+    if ((is_wide_1 | (w <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
+    if (true & (w >= (3.4641016 * shape_2.edge_deviation))) {
+        float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
+        float _e32 = atan2_positive(u_4.half_sin, u_4.half_cos);
+        return metal::clamp(0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w);
+    Angle _e45 = angle_turned(u_4, _e44);
+    float _e46 = profile_point(_e45, shape_2);
+    Angle _e51 = angle_turned(u_4, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point(_e51, shape_2);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_5,
+    float w_1,
+    ProfileShape shape_3
+) {
+    float _e3 = profile_point_2_(u_5, shape_3);
+    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    if (true & (w_1 >= (3.4641016 * shape_3.edge_deviation))) {
+        float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
+        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return metal::clamp(0.5 + (((0.5 + shape_3.edge_mean) - (2.0 * _e32)) / width_1), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
+    Angle _e45 = angle_turned(u_5, _e44);
+    float _e46 = profile_point_2_(_e45, shape_3);
+    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_3);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
-    ProfileShape shape_2
+    float shift,
+    ProfileShape shape_4
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
+    Angle _e6 = angle_turned(angle, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
+}
+
+float profile_2_(
+    Angle angle_1,
+    float shift_1,
+    ProfileShape shape_5
+) {
+    metal::float2 _e5 = sin_cos_eighth(0.5 * shift_1);
+    Angle _e6 = angle_turned(angle_1, _e5);
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = transition(surface_1.kappa, 0.3);
-    Color _e14 = curvature_color(_e3, metal::float4(0.4275, 0.4078, 0.4745, 1.0), metal::float4(0.2275, 0.2078, 0.2784, 1.0));
-    Light _e17 = look.below;
-    metal::float3x3 _e21 = look.camera_from_world;
-    Angle _e22 = parametrization_screen_aligned(_e17, surface_1.normal, _e21);
-    float _e24 = warp(_e3, 0.35);
-    float _e26 = profile(_e22, _e24, dark_side_tone_shape);
-    Light _e29 = look.below;
-    LitLayer _e30 = light_apply(_e29, _e14, _e26);
-    Composite _e40 = blend_shade(metal::float4(0.851, 0.8314, 0.7804, 1.0), _e30.color, _e30.tone, 1.0, true);
-    Color _e48 = curvature_color(_e3, metal::float4(1.0), metal::float4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e51 = look.above;
-    metal::float3x3 _e55 = look.camera_from_world;
-    Angle _e56 = parametrization_screen_aligned(_e51, surface_1.normal, _e55);
-    float _e58 = profile(_e56, _e24, light_side_tone_shape);
-    Light _e61 = look.above;
-    LitLayer _e62 = light_apply(_e61, _e48, _e58);
-    Composite _e67 = blend_alpha(_e40, _e62.color, _e62.tone, 1.0, true);
-    float _e70 = transition(surface_1.kappa, 0.4);
-    Color _e78 = curvature_color(_e70, metal::float4(1.0), metal::float4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e81 = look.above;
-    LitLayer _e83 = light_apply(_e81, _e78, 1.0);
-    Composite _e88 = blend_multiply(_e67, _e83.color, _e83.tone, 0.8, true);
-    Color _e89 = output(_e88);
-    return _e89;
+    float _e3 = curvature_signed(surface_1.kappa, 0.3);
+    float light_side_convexity = 0.5 + (0.5 * _e3);
+    Color _e18 = curvature_color(light_side_convexity, metal::float4(0.4275, 0.4078, 0.4745, 1.0), metal::float4(0.2275, 0.2078, 0.2784, 1.0));
+    Light _e21 = look.below;
+    metal::float3x3 _e25 = look.camera_from_world;
+    Angle _e26 = parametrization_screen_aligned(_e21, surface_1.normal, _e25);
+    float light_side_warp = ((2.0 * light_side_convexity) - 1.0) * 0.35;
+    float _e34 = profile(_e26, light_side_warp, dark_side_tone_shape);
+    Light _e37 = look.below;
+    LitLayer _e38 = light_apply(_e37, _e18, _e34);
+    Composite _e48 = blend_shade(metal::float4(0.851, 0.8314, 0.7804, 1.0), _e38.color, _e38.tone, 1.0, true);
+    Color _e56 = curvature_color_2_(light_side_convexity, metal::float4(1.0), metal::float4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e59 = look.above;
+    metal::float3x3 _e63 = look.camera_from_world;
+    Angle _e64 = parametrization_screen_aligned(_e59, surface_1.normal, _e63);
+    float _e66 = profile_2_(_e64, light_side_warp, light_side_tone_shape);
+    Light _e69 = look.above;
+    LitLayer _e70 = light_apply(_e69, _e56, _e66);
+    metal::float4 light_side_blend = metal::clamp(metal::float4(_e48.xyz + ((_e48.xyz + (_e70.tone * (_e70.color.xyz - _e48.xyz))) - _e48.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e92 = curvature_signed(surface_1.kappa, 0.4);
+    float hollows_convexity = 0.5 + (0.5 * _e92);
+    Color _e104 = curvature_color_2_(hollows_convexity, metal::float4(1.0), metal::float4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e107 = look.above;
+    LitLayer _e109 = light_apply_2_(_e107, _e104, 1.0);
+    metal::float4 output = metal::clamp(metal::float4(light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e109.tone * _e109.color.xyz)) - light_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {
@@ -572,13 +486,12 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_1 = is_front ? _e7 : -(_e7);
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
     surface.normal = normal_1;
-    metal::float4 _e18 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e18.x;
-    Surface _e20 = surface;
-    metal::float4 _e21 = shade(_e20, look);
-    metal::float4 _e22 = finite_vec4_(_e21);
-    return fs_mainOutput { _e22 };
+    metal::float4 _e14 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    surface.kappa = _e14.x;
+    Surface _e16 = surface;
+    metal::float4 _e17 = shade(_e16, look);
+    return fs_mainOutput { _e17 };
 }

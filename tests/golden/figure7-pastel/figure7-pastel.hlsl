@@ -106,7 +106,6 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
 
 static const float PI = 3.1415927;
 static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const uint PROFILE_STEP = 1u;
 static const uint PROFILE_AMBIENT = 2u;
@@ -120,101 +119,61 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_2 : LOC1;
+    float3 normal_1 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_3 : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float4 finite_vec4_(float4 v)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
+    uint4 exponent_3 = (2139095040u).xxxx;
+    return (((asuint(v) & exponent_3) != exponent_3) ? v : (0.0).xxxx);
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_3 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_3);
-    float f = ((clamped_3 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p * _e33) * _e37);
+    float clamped_4 = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped_4);
+    float f = (clamped_4 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float exp2_stable_2_(float x_1)
+{
+    float clamped_5 = max(x_1, -126.0);
+    float whole_1 = round(clamped_5);
+    float f_1 = (clamped_5 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
+float exp2_stable_3_(float x_2)
+{
+    float whole_2 = round(x_2);
+    float f_2 = (x_2 - whole_2);
+    float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
+    return (twice_2 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
+}
+
+float log2_stable(float x_3)
 {
     uint bits = asuint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
-    float mantissa = asfloat((bits - (uint(exponent_1) << 23u)));
+    int exponent_4 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_4) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_4) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -234,26 +193,38 @@ float2 sin_cos_quarter(float x_4)
     return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
-    Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
-    return ret;
+float2 sin_cos_eighth(float x_5)
+{
+    float y_2 = (x_5 * x_5);
+    float s_1 = (x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+    float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
+    return float2(s_1, c_1);
 }
 
-Angle angle_between(float3 d, float3 l)
+float2 sin_cos_tiny(float x_6)
 {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    const Angle angle_1 = ConstructAngle((p_1 * k), (s_1 * k));
-    return angle_1;
+    float y_3 = (x_6 * x_6);
+    float s_2 = (x_6 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+    float c_2 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
+    return float2(s_2, c_2);
 }
 
-float atan2_positive(float y_1, float x_5)
+float3 normalize_moderate(float3 v_1, float3 otherwise)
 {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_2)
+{
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_1, float x_7)
+{
+    float small = min(y_1, x_7);
+    float large = max(y_1, x_7);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -261,59 +232,44 @@ float atan2_positive(float y_1, float x_5)
     bool is_wide = (t_1 > 0.41421357);
     float r = (is_wide ? ((small - large) / (small + large)) : t_1);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_7) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u)
+float angle_footprint(Angle u)
 {
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
-}
-
-Angle angle_turned(Angle u_1, float2 t)
-{
-    bool local_1 = (bool)0;
-
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    float2 turned = (_e32 ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
-    return angle_2;
-}
-
-Angle angle_shifted(Angle u_2, float shift)
-{
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    const Angle _e8 = angle_turned(u_2, _e7);
-    const Angle angle_3 = _e8;
-    return angle_3;
-}
-
-float angle_footprint(Angle u_3)
-{
-    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
+    float2 half_ = float2(u.half_sin, u.half_cos);
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min((((asuint(w_3) & 2139095040u) != 2139095040u) ? w_3 : 0.5), 0.5);
 }
 
-float4 straight(float4 composite)
+float angle_footprint_2_(Angle u_1)
 {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
+    float2 half_1 = float2(u_1.half_sin, u_1.half_cos);
+    float2 dx_1 = ddx(half_1);
+    float2 dy_1 = ddy(half_1);
+    float w_4 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
+    return min(w_4, 0.5);
+}
+
+Angle ConstructAngle(float arg0, float arg1) {
+    Angle ret = (Angle)0;
+    ret.half_sin = arg0;
+    ret.half_cos = arg1;
+    return ret;
+}
+
+Angle angle_turned(Angle u_2, float2 t)
+{
+    float s_3 = ((u_2.half_sin * t.y) - (u_2.half_cos * t.x));
+    float c_3 = ((u_2.half_cos * t.y) + (u_2.half_sin * t.x));
+    float2 upper = ((c_3 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_3));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < c_3)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_3 = ConstructAngle(turned.x, turned.y);
+    return angle_3;
 }
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
@@ -321,36 +277,22 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float kappa_safe(float kappa)
+float4 curvature_color_2_(float convexity_1, float4 convex_1, float4 concave_1)
 {
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
+    return (concave_1 + (convexity_1 * ((1.0).xxxx - concave_1)));
 }
 
-float curvature_signed(float kappa_1, float slope)
+float curvature_signed(float kappa, float slope)
 {
-    const float _e2 = kappa_safe(kappa_1);
-    const float _e4 = finite_or(slope, 0.0);
-    float a_1 = (_e2 * clamp(_e4, -1e30, 1e30));
+    float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
     float magnitude = min(abs(a_1), 50.0);
     if ((magnitude < 0.0625)) {
         float a2_ = (a_1 * a_1);
         return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e28 = exp2_stable((-2.88539 * magnitude));
-    float t_2 = ((1.0 - _e28) / (1.0 + _e28));
+    const float _e32 = exp2_stable((-2.88539 * magnitude));
+    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
-}
-
-float transition(float kappa_2, float slope_1)
-{
-    const float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
-}
-
-float warp(float convexity_1, float amount)
-{
-    return (((2.0 * convexity_1) - 1.0) * clamp(amount, -3.1415927, 3.1415927));
 }
 
 float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
@@ -358,34 +300,28 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     if ((opacity <= 0.0)) {
         return below;
     }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
+    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), 1.0);
+    return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_alpha(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
+float4 blend_finish_2_(float4 below_1, float3 blended_1, float alpha_1, float opacity_1, bool clamped_1)
 {
-    float a_2 = (opacity_1 * color.w);
-    float alpha_1 = (below_1.w + ((tone * a_2) * (1.0 - below_1.w)));
-    const float4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_2, clamped_1);
-    return _e20;
+    if ((opacity_1 <= 0.0)) {
+        return below_1;
+    }
+    float4 mixed_1 = float4((below_1.xyz + (opacity_1 * (blended_1 - below_1.xyz))), alpha_1);
+    return clamp(mixed_1, (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_shade(float4 below_2, float4 color_1, float tone_1, float opacity_2, bool clamped_2)
+float4 blend_alpha(float4 below_2, float4 color, float tone, float opacity_2, bool clamped_2)
 {
-    const float4 _e14 = blend_finish(below_2, (below_2.xyz * lerp((1.0).xxx, color_1.xyz, tone_1)), below_2.w, (opacity_2 * color_1.w), clamped_2);
-    return _e14;
+    float alpha_2 = (below_2.w + ((tone * opacity_2) * (1.0 - below_2.w)));
+    return clamp(float4((below_2.xyz + (opacity_2 * ((below_2.xyz + (tone * (color.xyz - below_2.xyz))) - below_2.xyz))), alpha_2), (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 output(float4 color_2)
+float4 blend_shade(float4 below_3, float4 color_1, float tone_1, float opacity_3, bool clamped_3)
 {
-    const float4 _e1 = straight(color_2);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float2 light_split(float intensity)
-{
-    return float2(min(intensity, 1.0), max(intensity, 1.0));
+    return clamp(float4((below_3.xyz + (opacity_3 * ((below_3.xyz * lerp((1.0).xxx, color_1.xyz, tone_1)) - below_3.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -395,29 +331,26 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_3, float tone_2)
+LitLayer light_apply(Light light, float4 color_2, float tone_2)
 {
-    const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light.color) * _e4.y), color_3.w), (tone_2 * _e4.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * split.y), 1.0), split.x);
     return litlayer;
 }
 
-Angle parametrization_diffuse(Light light_1, float3 normal)
+LitLayer light_apply_2_(Light light_1, float4 color_3, float tone_3)
 {
-    const float3 _e6 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    const Angle _e8 = angle_between(_e6, light_1.direction);
-    const Angle angle_4 = _e8;
-    return angle_4;
+    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_3.xyz * light_1.color) * split_1.y), 1.0), (tone_3 * split_1.x));
+    return litlayer_1;
 }
 
-Angle parametrization_specular(Light light_2, float3 normal_1, float3 view)
+Angle parametrization_specular(Light light_2, float3 normal, float3 view)
 {
-    const float3 _e7 = normalize_or(normal_1, float3(0.0, 0.0, 1.0));
-    float3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
-    const float3 _e13 = normalize_or(mirrored, _e7);
-    const Angle _e15 = angle_between(_e13, light_2.direction);
-    const Angle angle_5 = _e15;
-    return angle_5;
+    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
+    const float3 _e8 = normalize_moderate(mirrored, normal);
+    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_2.direction))), (0.5 * length((_e8 + light_2.direction))));
+    return angle_4;
 }
 
 float profile_power(float q, float exponent)
@@ -428,134 +361,230 @@ float profile_power(float q, float exponent)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        const float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        const float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
+    const float _e21 = exp2_stable((exponent * _e19));
     return clamp(_e21, 0.0, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape)
+float profile_point(Angle u_3, ProfileShape shape)
 {
-    bool local_2 = (bool)0;
-
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_4 <= 0.0) | (shape.kind == PROFILE_AMBIENT))) {
         return 1.0;
     }
     if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
+        return ((s_4 <= 4e-7) ? 1.0 : 0.0);
     }
-    float q_1 = (s_3 * shape.scale);
-    const float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_3 = (s_4 * shape.scale);
+    const float _e27 = profile_power(q_3, shape.exponent);
+    return _e27;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1)
+float profile_power_2_(float q_1, float exponent_1)
 {
-    bool local_3 = (bool)0;
-    bool local_4 = (bool)0;
+    float log_base_1 = 0.0;
 
-    const float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
+    if ((q_1 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_1 < 0.5)) {
+        const float _e11 = log1p_negative_small((q_1 * q_1));
+        log_base_1 = (LOG2_E * _e11);
     } else {
-        local_3 = true;
+        const float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
+        log_base_1 = _e18;
     }
-    bool _e13 = local_3;
-    if (_e13) {
-        return _e3;
-    }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        const float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    const float2 _e50 = sin_cos_quarter((0.19364917 * w));
-    const Angle _e51 = angle_turned(u_5, _e50);
-    const float _e52 = profile_point(_e51, shape_1);
-    const Angle _e57 = angle_turned(u_5, float2(-(_e50.x), _e50.y));
-    const float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float _e19 = log_base_1;
+    const float _e21 = exp2_stable_2_((exponent_1 * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2)
+float profile_point_2_(Angle u_4, ProfileShape shape_1)
 {
-    const Angle _e3 = angle_shifted(angle, shift_1);
-    const float _e4 = angle_footprint(_e3);
-    const float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    if (((s_5 <= 0.0) | false)) {
+        return 1.0;
+    }
+    float q_4 = (s_5 * shape_1.scale);
+    const float _e17 = profile_power_2_(q_4, shape_1.exponent);
+    return _e17;
+}
+
+float profile_power_3_(float q_2, float exponent_2)
+{
+    float log_base_2 = 0.0;
+
+    if ((q_2 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_2 < 0.5)) {
+        const float _e11 = log1p_negative_small((q_2 * q_2));
+        log_base_2 = (LOG2_E * _e11);
+    } else {
+        const float _e18 = log2_stable(((1.0 - q_2) * (1.0 + q_2)));
+        log_base_2 = _e18;
+    }
+    float _e19 = log_base_2;
+    const float _e21 = exp2_stable_3_((exponent_2 * _e19));
+    return min(_e21, 1.0);
+}
+
+float profile_point_3_(Angle u_5, ProfileShape shape_2)
+{
+    float s_6 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
+    if (((s_6 <= 0.0) | false)) {
+        return 1.0;
+    }
+    float q_5 = (s_6 * shape_2.scale);
+    const float _e17 = profile_power_3_(q_5, shape_2.exponent);
+    return _e17;
+}
+
+float profile_filtered(Angle u_6, float w, ProfileShape shape_3)
+{
+    const float _e3 = profile_point(u_6, shape_3);
+    bool is_wide_1 = (w < (0.1 * shape_3.edge_deviation));
+    if (((is_wide_1 | (w <= 0.0)) | (shape_3.kind == PROFILE_AMBIENT))) {
+        return _e3;
+    }
+    if (((shape_3.edge_deviation < 0.145) & (w >= (3.4641016 * shape_3.edge_deviation)))) {
+        float width = sqrt(((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation)));
+        const float _e36 = atan2_positive(u_6.half_sin, u_6.half_cos);
+        return clamp((0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e36)) / width)), 0.0, 1.0);
+    }
+    const float2 _e48 = sin_cos_tiny((0.19364917 * w));
+    const Angle _e49 = angle_turned(u_6, _e48);
+    const float _e50 = profile_point(_e49, shape_3);
+    const Angle _e55 = angle_turned(u_6, float2(-(_e48.x), _e48.y));
+    const float _e56 = profile_point(_e55, shape_3);
+    return ((((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_7, float w_1, ProfileShape shape_4)
+{
+    const float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_2 = (w_1 < (0.1 * shape_4.edge_deviation));
+    if (((is_wide_2 | (w_1 <= 0.0)) | false)) {
+        return _e3;
+    }
+    if ((true & (w_1 >= (3.4641016 * shape_4.edge_deviation)))) {
+        float width_1 = sqrt(((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
+        const float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
+        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
+    }
+    const float2 _e44 = sin_cos_tiny((0.19364917 * w_1));
+    const Angle _e45 = angle_turned(u_7, _e44);
+    const float _e46 = profile_point_2_(_e45, shape_4);
+    const Angle _e51 = angle_turned(u_7, float2(-(_e44.x), _e44.y));
+    const float _e52 = profile_point_2_(_e51, shape_4);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5)
+{
+    const float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_3 = (w_2 < (0.1 * shape_5.edge_deviation));
+    if (((is_wide_3 | (w_2 <= 0.0)) | false)) {
+        return _e3;
+    }
+    const float2 _e15 = sin_cos_tiny((0.19364917 * w_2));
+    const Angle _e16 = angle_turned(u_8, _e15);
+    const float _e17 = profile_point_3_(_e16, shape_5);
+    const Angle _e22 = angle_turned(u_8, float2(-(_e15.x), _e15.y));
+    const float _e23 = profile_point_3_(_e22, shape_5);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_6)
+{
+    const float2 _e8 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
+    const Angle _e9 = angle_turned(angle, _e8);
+    const float _e10 = angle_footprint(_e9);
+    const float _e11 = profile_filtered(_e9, _e10, shape_6);
+    return _e11;
+}
+
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
+{
+    const float2 _e5 = sin_cos_eighth((0.5 * shift_1));
+    const Angle _e6 = angle_turned(angle_1, _e5);
+    const float _e7 = angle_footprint_2_(_e6);
+    const float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    return _e8;
+}
+
+float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
+{
+    const float2 _e5 = sin_cos_tiny((0.5 * shift_2));
+    const Angle _e6 = angle_turned(angle_2, _e5);
+    const float _e7 = angle_footprint_2_(_e6);
+    const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)
 {
-    const float _e3 = transition(surface_1.kappa, 0.14);
-    const float4 _e14 = curvature_color(_e3, float4(0.9647, 0.9059, 0.8157, 1.0), float4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e17 = look.key;
-    const LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    const float4 _e29 = blend_shade(float4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
-    const float4 _e40 = curvature_color(_e3, float4(0.7686, 0.4157, 0.2824, 1.0), float4(0.4863, 0.1765, 0.1216, 1.0));
-    Light _e43 = look.cool;
-    const Angle _e45 = parametrization_diffuse(_e43, surface_1.normal);
-    float _e48 = look.shade_warp_amount;
-    const float _e49 = warp(_e3, _e48);
-    ProfileShape _e52 = look.shade_tone_shape;
-    const float _e53 = profile(_e45, _e49, _e52);
-    Light _e56 = look.cool;
-    const LitLayer _e57 = light_apply(_e56, _e40, _e53);
-    float _e62 = look.shade_blend_opacity;
-    const float4 _e64 = blend_shade(_e29, _e57.color, _e57.tone, _e62, true);
-    const float4 _e75 = curvature_color(_e3, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
-    Light _e78 = look.key;
-    const Angle _e80 = parametrization_diffuse(_e78, surface_1.normal);
-    float _e83 = look.light_warp_amount;
-    const float _e84 = warp(_e3, _e83);
-    ProfileShape _e87 = look.light_tone_shape;
-    const float _e88 = profile(_e80, _e84, _e87);
-    Light _e91 = look.key;
-    const LitLayer _e92 = light_apply(_e91, _e75, _e88);
-    float _e97 = look.light_blend_opacity;
-    const float4 _e99 = blend_alpha(_e64, _e92.color, _e92.tone, _e97, true);
-    const float _e102 = transition(surface_1.kappa, 0.3);
-    const float4 _e110 = curvature_color(_e102, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e113 = look.key;
-    const Angle _e116 = parametrization_specular(_e113, surface_1.normal, surface_1.view);
-    const float _e118 = warp(_e102, 0.3);
-    const float _e120 = profile(_e116, _e118, white_chalk_tone_shape);
-    Light _e123 = look.key;
-    const LitLayer _e124 = light_apply(_e123, _e110, _e120);
-    const float4 _e129 = blend_alpha(_e99, _e124.color, _e124.tone, 0.85, true);
-    const float _e132 = transition(surface_1.kappa, 0.2);
-    const float4 _e143 = curvature_color(_e132, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
-    Light _e146 = look.back;
-    const Angle _e148 = parametrization_diffuse(_e146, surface_1.normal);
-    const float _e150 = warp(_e132, 0.1);
-    const float _e152 = profile(_e148, _e150, reddish_rim_tone_shape);
-    Light _e155 = look.back;
-    const LitLayer _e156 = light_apply(_e155, _e143, _e152);
-    float _e161 = look.reddish_rim_blend_opacity;
-    const float4 _e163 = blend_shade(_e129, _e156.color, _e156.tone, _e161, true);
-    const float4 _e164 = output(_e163);
-    return _e164;
+    const float _e3 = curvature_signed(surface_1.kappa, 0.14);
+    float light_convexity = (0.5 + (0.5 * _e3));
+    const float4 _e18 = curvature_color(light_convexity, float4(0.9647, 0.9059, 0.8157, 1.0), float4(0.6118, 0.2902, 0.1961, 1.0));
+    Light _e21 = look.key;
+    const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
+    const float4 _e33 = blend_shade(float4(0.9137, 0.8627, 0.7765, 1.0), _e23.color, _e23.tone, 0.9, true);
+    const float4 _e44 = curvature_color(light_convexity, float4(0.7686, 0.4157, 0.2824, 1.0), float4(0.4863, 0.1765, 0.1216, 1.0));
+    float3 _e49 = look.cool.direction;
+    float3 _e58 = look.cool.direction;
+    Angle shade_angle = ConstructAngle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    float _e70 = look.shade_warp_amount;
+    float shade_warp = (((2.0 * light_convexity) - 1.0) * clamp(_e70, -3.1415927, 3.1415927));
+    ProfileShape _e77 = look.shade_tone_shape;
+    const float _e78 = profile(shade_angle, shade_warp, _e77);
+    Light _e81 = look.cool;
+    const LitLayer _e82 = light_apply_2_(_e81, _e44, _e78);
+    float _e94 = look.shade_blend_opacity;
+    const float4 _e96 = blend_finish(_e33, (_e33.xyz * lerp((1.0).xxx, _e82.color.xyz, _e82.tone)), 1.0, _e94, true);
+    const float4 _e107 = curvature_color(light_convexity, float4(1.0, 0.9725, 0.9176, 1.0), float4(0.9098, 0.7059, 0.5686, 1.0));
+    float3 _e112 = look.key.direction;
+    float3 _e121 = look.key.direction;
+    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e112))), (0.5 * length((surface_1.normal + _e121))));
+    float _e133 = look.light_warp_amount;
+    float light_warp = (((2.0 * light_convexity) - 1.0) * clamp(_e133, -3.1415927, 3.1415927));
+    ProfileShape _e140 = look.light_tone_shape;
+    const float _e141 = profile(light_angle, light_warp, _e140);
+    Light _e144 = look.key;
+    const LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
+    float _e157 = look.light_blend_opacity;
+    float _e165 = look.light_blend_opacity;
+    const float4 _e167 = blend_finish_2_(_e96, (_e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz))), (1.0 + ((_e145.tone * _e157) * 0.0)), _e165, true);
+    const float _e170 = curvature_signed(surface_1.kappa, 0.3);
+    float white_chalk_convexity = (0.5 + (0.5 * _e170));
+    const float4 _e182 = curvature_color_2_(white_chalk_convexity, (1.0).xxxx, float4(1.0, 0.9412, 0.8627, 1.0));
+    Light _e185 = look.key;
+    const Angle _e188 = parametrization_specular(_e185, surface_1.normal, surface_1.view);
+    float white_chalk_warp = (((2.0 * white_chalk_convexity) - 1.0) * 0.3);
+    const float _e196 = profile_2_(_e188, white_chalk_warp, white_chalk_tone_shape);
+    Light _e199 = look.key;
+    const LitLayer _e200 = light_apply_2_(_e199, _e182, _e196);
+    const float4 _e205 = blend_alpha(_e167, _e200.color, _e200.tone, 0.85, true);
+    const float _e208 = curvature_signed(surface_1.kappa, 0.2);
+    float reddish_rim_convexity = (0.5 + (0.5 * _e208));
+    const float4 _e223 = curvature_color(reddish_rim_convexity, float4(0.7059, 0.3294, 0.2275, 1.0), float4(0.4784, 0.1647, 0.1098, 1.0));
+    float3 _e228 = look.back.direction;
+    float3 _e237 = look.back.direction;
+    Angle reddish_rim_angle = ConstructAngle((0.5 * length((surface_1.normal - _e228))), (0.5 * length((surface_1.normal + _e237))));
+    float reddish_rim_warp = (((2.0 * reddish_rim_convexity) - 1.0) * 0.1);
+    const float _e250 = profile_3_(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
+    Light _e253 = look.back;
+    const LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
+    float _e266 = look.reddish_rim_blend_opacity;
+    const float4 _e268 = blend_finish_2_(_e205, (_e205.xyz * lerp((1.0).xxx, _e254.color.xyz, _e254.tone)), _e205.w, _e266, true);
+    const float4 _e279 = finite_vec4_(((_e268.w <= 0.0) ? _e268 : float4((_e268.xyz / (_e268.w).xxx), _e268.w)));
+    return _e279;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -581,23 +610,20 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_4 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_4;
-    float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    float4 _e26 = view_1.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    float4 _e40 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e40.x;
-    Surface _e42 = surface;
-    const float4 _e43 = shade(_e42);
-    const float4 _e44 = finite_vec4_(_e43);
-    return _e44;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_3 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_3;
+    float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    surface.kappa = _e27.x;
+    Surface _e29 = surface;
+    const float4 _e30 = shade(_e29);
+    const float4 _e31 = finite_vec4_(_e30);
+    return _e31;
 }

@@ -80,106 +80,61 @@ struct Varyings {
 };
 constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape white_chalk_tone_shape = ProfileShape {0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
 constant ProfileShape reddish_rim_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
 metal::float4 finite_vec4_(
-    metal::float4 v_1
+    metal::float4 v
 ) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
+    metal::uint4 exponent_3 = metal::uint4(2139095040u);
+    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent_3) != exponent_3);
 }
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+float exp2_stable(
+    float x
+) {
+    float clamped_4 = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped_4);
+    float f = clamped_4 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable(
+float exp2_stable_2_(
+    float x_1
+) {
+    float clamped_5 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_5);
+    float f_1 = clamped_5 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
+float exp2_stable_3_(
     float x_2
 ) {
-    float clamped_3 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = (clamped_3 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float whole_2 = metal::rint(x_2);
+    float f_2 = x_2 - whole_2;
+    float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
+    return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
+float log2_stable(
     float x_3
 ) {
     uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    int exponent_4 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_4) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_4) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -201,22 +156,45 @@ metal::float2 sin_cos_quarter(
     return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float2 sin_cos_eighth(
+    float x_5
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float y_2 = x_5 * x_5;
+    float s_1 = x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
+    float c_1 = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
+    return metal::float2(s_1, c_1);
+}
+
+metal::float2 sin_cos_tiny(
+    float x_6
+) {
+    float y_3 = x_6 * x_6;
+    float s_2 = x_6 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
+    float c_2 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
+    return metal::float2(s_2, c_2);
+}
+
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise
+) {
+    float square = metal::dot(v_1, v_1);
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y_1,
-    float x_5
+    float x_7
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_1, x_7);
+    float large = metal::max(y_1, x_7);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -224,63 +202,40 @@ float atan2_positive(
     bool is_wide = t_1 > 0.41421357;
     float r = is_wide ? ((small - large) / (small + large)) : t_1;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
-}
-
-float angle_radians(
-    Angle u
-) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
-}
-
-Angle angle_turned(
-    Angle u_1,
-    metal::float2 t
-) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
-    float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
-    return Angle {turned.x, turned.y};
-}
-
-Angle angle_shifted(
-    Angle u_2,
-    float shift
-) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_7) ? (HALF_PI - a) : a;
 }
 
 float angle_footprint(
-    Angle u_3
+    Angle u
 ) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_1, 0.5);
-    return metal::min(_e13, 0.5);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(((as_type<uint>(w_3) & 2139095040u) != 2139095040u) ? w_3 : 0.5, 0.5);
 }
 
-Color straight(
-    Composite composite
+float angle_footprint_2_(
+    Angle u_1
 ) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+    metal::float2 half_1 = metal::float2(u_1.half_sin, u_1.half_cos);
+    metal::float2 dx_1 = metal::dfdx(half_1);
+    metal::float2 dy_1 = metal::dfdy(half_1);
+    float w_4 = 2.0 * metal::sqrt(metal::dot(dx_1, dx_1) + metal::dot(dy_1, dy_1));
+    return metal::min(w_4, 0.5);
+}
+
+Angle angle_turned(
+    Angle u_2,
+    metal::float2 t
+) {
+    float s_3 = (u_2.half_sin * t.y) - (u_2.half_cos * t.x);
+    float c_3 = (u_2.half_cos * t.y) + (u_2.half_sin * t.x);
+    metal::float2 upper = (c_3 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_3, c_3);
+    metal::float2 turned = ((s_3 <= 0.0) & (s_3 < c_3)) ? metal::float2(0.0, 1.0) : upper;
+    return Angle {turned.x, turned.y};
 }
 
 Color curvature_color(
@@ -291,43 +246,27 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-float kappa_safe(
-    float kappa
+Color curvature_color_2_(
+    float convexity_1,
+    Color convex_1,
+    Color concave_1
 ) {
-    bool is_nan = (as_type<uint>(kappa) & 2147483647u) > 2139095040u;
-    return is_nan ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0);
+    return concave_1 + (convexity_1 * (metal::float4(1.0) - concave_1));
 }
 
 float curvature_signed(
-    float kappa_1,
+    float kappa,
     float slope
 ) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_1 = _e2 * metal::clamp(_e4, -1000000000000000000000000000000.0, 1000000000000000000000000000000.0);
+    float a_1 = (((as_type<uint>(kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa, -10000.0, 10000.0)) * slope;
     float magnitude = metal::min(metal::abs(a_1), 50.0);
     if (magnitude < 0.0625) {
         float a2_ = a_1 * a_1;
         return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
-    float _e28 = exp2_stable(-2.88539 * magnitude);
-    float t_2 = (1.0 - _e28) / (1.0 + _e28);
+    float _e32 = exp2_stable(-2.88539 * magnitude);
+    float t_2 = (1.0 - _e32) / (1.0 + _e32);
     return (a_1 >= 0.0) ? t_2 : -(t_2);
-}
-
-float transition(
-    float kappa_2,
-    float slope_1
-) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return 0.5 + (0.5 * _e2);
-}
-
-float warp(
-    float convexity_1,
-    float amount
-) {
-    return ((2.0 * convexity_1) - 1.0) * metal::clamp(amount, -3.1415927, 3.1415927);
 }
 
 Composite blend_finish(
@@ -340,76 +279,71 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
+    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), 1.0);
+    return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
-Composite blend_alpha(
+Composite blend_finish_2_(
     Composite below_1,
-    Color color,
-    float tone,
+    metal::float3 blended_1,
+    float alpha_1,
     float opacity_1,
     bool clamped_1
 ) {
-    float a_2 = opacity_1 * color.w;
-    float alpha_1 = below_1.w + ((tone * a_2) * (1.0 - below_1.w));
-    Composite _e20 = blend_finish(below_1, below_1.xyz + (tone * (color.xyz - below_1.xyz)), alpha_1, a_2, clamped_1);
-    return _e20;
+    if (opacity_1 <= 0.0) {
+        return below_1;
+    }
+    metal::float4 mixed_1 = metal::float4(below_1.xyz + (opacity_1 * (blended_1 - below_1.xyz)), alpha_1);
+    return metal::clamp(mixed_1, metal::float4(0.0), metal::float4(1.0));
 }
 
-Composite blend_shade(
+Composite blend_alpha(
     Composite below_2,
-    Color color_1,
-    float tone_1,
+    Color color,
+    float tone,
     float opacity_2,
     bool clamped_2
 ) {
-    Composite _e14 = blend_finish(below_2, below_2.xyz * metal::mix(metal::float3(1.0), color_1.xyz, tone_1), below_2.w, opacity_2 * color_1.w, clamped_2);
-    return _e14;
+    float alpha_2 = below_2.w + ((tone * opacity_2) * (1.0 - below_2.w));
+    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz + (tone * (color.xyz - below_2.xyz))) - below_2.xyz)), alpha_2), metal::float4(0.0), metal::float4(1.0));
 }
 
-Color output(
-    Composite color_2
+Composite blend_shade(
+    Composite below_3,
+    Color color_1,
+    float tone_1,
+    float opacity_3,
+    bool clamped_3
 ) {
-    Color _e1 = straight(color_2);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::clamp(metal::float4(below_3.xyz + (opacity_3 * ((below_3.xyz * metal::mix(metal::float3(1.0), color_1.xyz, tone_1)) - below_3.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_3,
+    Color color_2,
     float tone_2
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_3.xyz * light.color) * _e4.y, color_3.w), tone_2 * _e4.x};
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), split.x};
 }
 
-Angle parametrization_diffuse(
+LitLayer light_apply_2_(
     Light light_1,
-    metal::float3 normal
+    Color color_3,
+    float tone_3
 ) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
+    return LitLayer {metal::float4((color_3.xyz * light_1.color) * split_1.y, 1.0), tone_3 * split_1.x};
 }
 
 Angle parametrization_specular(
     Light light_2,
-    metal::float3 normal_1,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
-    metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle {0.5 * metal::length(_e8 - light_2.direction), 0.5 * metal::length(_e8 + light_2.direction)};
 }
 
 float profile_power(
@@ -421,147 +355,263 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
+    float _e21 = exp2_stable(exponent * _e19);
     return metal::clamp(_e21, 0.0, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_3,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_4 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
+    if ((s_4 <= 0.0) | (shape.kind == PROFILE_AMBIENT)) {
         return 1.0;
     }
     if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
+        return (s_4 <= 0.0000004) ? 1.0 : 0.0;
     }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_3 = s_4 * shape.scale;
+    float _e27 = profile_power(q_3, shape.exponent);
+    return _e27;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
+    }
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_4,
+    ProfileShape shape_1
+) {
+    float s_5 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
+    if ((s_5 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_4 = s_5 * shape_1.scale;
+    float _e17 = profile_power_2_(q_4, shape_1.exponent);
+    return _e17;
+}
+
+float profile_power_3_(
+    float q_2,
+    float exponent_2
+) {
+    float log_base_2 = 0.0;
+    if (q_2 >= 1.0) {
+        return 0.0;
+    }
+    if (q_2 < 0.5) {
+        float _e11 = log1p_negative_small(q_2 * q_2);
+        log_base_2 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_2) * (1.0 + q_2));
+        log_base_2 = _e18;
+    }
+    float _e19 = log_base_2;
+    float _e21 = exp2_stable_3_(exponent_2 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_3_(
+    Angle u_5,
+    ProfileShape shape_2
+) {
+    float s_6 = (u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset);
+    if ((s_6 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_5 = s_6 * shape_2.scale;
+    float _e17 = profile_power_3_(q_5, shape_2.exponent);
+    return _e17;
 }
 
 float profile_filtered(
-    Angle u_5,
+    Angle u_6,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape_3
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_6, shape_3);
+    bool is_wide_1 = w < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_1 | (w <= 0.0)) | (shape_3.kind == PROFILE_AMBIENT)) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
+    if ((shape_3.edge_deviation < 0.145) & (w >= (3.4641016 * shape_3.edge_deviation))) {
+        float width = metal::sqrt((w * w) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
+        float _e36 = atan2_positive(u_6.half_sin, u_6.half_cos);
+        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e36)) / width), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e48 = sin_cos_tiny(0.19364917 * w);
+    Angle _e49 = angle_turned(u_6, _e48);
+    float _e50 = profile_point(_e49, shape_3);
+    Angle _e55 = angle_turned(u_6, metal::float2(-(_e48.x), _e48.y));
+    float _e56 = profile_point(_e55, shape_3);
+    return (((5.0 * _e50) + (8.0 * _e3)) + (5.0 * _e56)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_7,
+    float w_1,
+    ProfileShape shape_4
+) {
+    float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_2 = w_1 < (0.1 * shape_4.edge_deviation);
+    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    if (true & (w_1 >= (3.4641016 * shape_4.edge_deviation))) {
+        float width_1 = metal::sqrt((w_1 * w_1) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
+        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
+        return metal::clamp(0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width_1), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_1);
+    Angle _e45 = angle_turned(u_7, _e44);
+    float _e46 = profile_point_2_(_e45, shape_4);
+    Angle _e51 = angle_turned(u_7, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_4);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+}
+
+float profile_filtered_3_(
+    Angle u_8,
+    float w_2,
+    ProfileShape shape_5
+) {
+    float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_3 = w_2 < (0.1 * shape_5.edge_deviation);
+    if ((is_wide_3 | (w_2 <= 0.0)) | false) {
+        return _e3;
+    }
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
+    Angle _e16 = angle_turned(u_8, _e15);
+    float _e17 = profile_point_3_(_e16, shape_5);
+    Angle _e22 = angle_turned(u_8, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point_3_(_e22, shape_5);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
-    ProfileShape shape_2
+    float shift,
+    ProfileShape shape_6
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    metal::float2 _e8 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
+    Angle _e9 = angle_turned(angle, _e8);
+    float _e10 = angle_footprint(_e9);
+    float _e11 = profile_filtered(_e9, _e10, shape_6);
+    return _e11;
+}
+
+float profile_2_(
+    Angle angle_1,
+    float shift_1,
+    ProfileShape shape_7
+) {
+    metal::float2 _e5 = sin_cos_eighth(0.5 * shift_1);
+    Angle _e6 = angle_turned(angle_1, _e5);
+    float _e7 = angle_footprint_2_(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    return _e8;
+}
+
+float profile_3_(
+    Angle angle_2,
+    float shift_2,
+    ProfileShape shape_8
+) {
+    metal::float2 _e5 = sin_cos_tiny(0.5 * shift_2);
+    Angle _e6 = angle_turned(angle_2, _e5);
+    float _e7 = angle_footprint_2_(_e6);
+    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    float _e3 = transition(surface_1.kappa, 0.14);
-    Color _e14 = curvature_color(_e3, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
-    Light _e17 = look.key;
-    LitLayer _e19 = light_apply(_e17, _e14, 1.0);
-    Composite _e29 = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), _e19.color, _e19.tone, 0.9, true);
-    Color _e40 = curvature_color(_e3, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
-    Light _e43 = look.cool;
-    Angle _e45 = parametrization_diffuse(_e43, surface_1.normal);
-    float _e48 = look.shade_warp_amount;
-    float _e49 = warp(_e3, _e48);
-    ProfileShape _e52 = look.shade_tone_shape;
-    float _e53 = profile(_e45, _e49, _e52);
-    Light _e56 = look.cool;
-    LitLayer _e57 = light_apply(_e56, _e40, _e53);
-    float _e62 = look.shade_blend_opacity;
-    Composite _e64 = blend_shade(_e29, _e57.color, _e57.tone, _e62, true);
-    Color _e75 = curvature_color(_e3, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
-    Light _e78 = look.key;
-    Angle _e80 = parametrization_diffuse(_e78, surface_1.normal);
-    float _e83 = look.light_warp_amount;
-    float _e84 = warp(_e3, _e83);
-    ProfileShape _e87 = look.light_tone_shape;
-    float _e88 = profile(_e80, _e84, _e87);
-    Light _e91 = look.key;
-    LitLayer _e92 = light_apply(_e91, _e75, _e88);
-    float _e97 = look.light_blend_opacity;
-    Composite _e99 = blend_alpha(_e64, _e92.color, _e92.tone, _e97, true);
-    float _e102 = transition(surface_1.kappa, 0.3);
-    Color _e110 = curvature_color(_e102, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
-    Light _e113 = look.key;
-    Angle _e116 = parametrization_specular(_e113, surface_1.normal, surface_1.view);
-    float _e118 = warp(_e102, 0.3);
-    float _e120 = profile(_e116, _e118, white_chalk_tone_shape);
-    Light _e123 = look.key;
-    LitLayer _e124 = light_apply(_e123, _e110, _e120);
-    Composite _e129 = blend_alpha(_e99, _e124.color, _e124.tone, 0.85, true);
-    float _e132 = transition(surface_1.kappa, 0.2);
-    Color _e143 = curvature_color(_e132, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
-    Light _e146 = look.back;
-    Angle _e148 = parametrization_diffuse(_e146, surface_1.normal);
-    float _e150 = warp(_e132, 0.1);
-    float _e152 = profile(_e148, _e150, reddish_rim_tone_shape);
-    Light _e155 = look.back;
-    LitLayer _e156 = light_apply(_e155, _e143, _e152);
-    float _e161 = look.reddish_rim_blend_opacity;
-    Composite _e163 = blend_shade(_e129, _e156.color, _e156.tone, _e161, true);
-    Color _e164 = output(_e163);
-    return _e164;
+    float _e3 = curvature_signed(surface_1.kappa, 0.14);
+    float light_convexity = 0.5 + (0.5 * _e3);
+    Color _e18 = curvature_color(light_convexity, metal::float4(0.9647, 0.9059, 0.8157, 1.0), metal::float4(0.6118, 0.2902, 0.1961, 1.0));
+    Light _e21 = look.key;
+    LitLayer _e23 = light_apply(_e21, _e18, 1.0);
+    Composite _e33 = blend_shade(metal::float4(0.9137, 0.8627, 0.7765, 1.0), _e23.color, _e23.tone, 0.9, true);
+    Color _e44 = curvature_color(light_convexity, metal::float4(0.7686, 0.4157, 0.2824, 1.0), metal::float4(0.4863, 0.1765, 0.1216, 1.0));
+    metal::float3 _e49 = look.cool.direction;
+    metal::float3 _e58 = look.cool.direction;
+    Angle shade_angle = Angle {0.5 * metal::length(surface_1.normal - _e49), 0.5 * metal::length(surface_1.normal + _e58)};
+    float _e70 = look.shade_warp_amount;
+    float shade_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(_e70, -3.1415927, 3.1415927);
+    ProfileShape _e77 = look.shade_tone_shape;
+    float _e78 = profile(shade_angle, shade_warp, _e77);
+    Light _e81 = look.cool;
+    LitLayer _e82 = light_apply_2_(_e81, _e44, _e78);
+    float _e94 = look.shade_blend_opacity;
+    Composite _e96 = blend_finish(_e33, _e33.xyz * metal::mix(metal::float3(1.0), _e82.color.xyz, _e82.tone), 1.0, _e94, true);
+    Color _e107 = curvature_color(light_convexity, metal::float4(1.0, 0.9725, 0.9176, 1.0), metal::float4(0.9098, 0.7059, 0.5686, 1.0));
+    metal::float3 _e112 = look.key.direction;
+    metal::float3 _e121 = look.key.direction;
+    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e112), 0.5 * metal::length(surface_1.normal + _e121)};
+    float _e133 = look.light_warp_amount;
+    float light_warp = ((2.0 * light_convexity) - 1.0) * metal::clamp(_e133, -3.1415927, 3.1415927);
+    ProfileShape _e140 = look.light_tone_shape;
+    float _e141 = profile(light_angle, light_warp, _e140);
+    Light _e144 = look.key;
+    LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
+    float _e157 = look.light_blend_opacity;
+    float _e165 = look.light_blend_opacity;
+    Composite _e167 = blend_finish_2_(_e96, _e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz)), 1.0 + ((_e145.tone * _e157) * 0.0), _e165, true);
+    float _e170 = curvature_signed(surface_1.kappa, 0.3);
+    float white_chalk_convexity = 0.5 + (0.5 * _e170);
+    Color _e182 = curvature_color_2_(white_chalk_convexity, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
+    Light _e185 = look.key;
+    Angle _e188 = parametrization_specular(_e185, surface_1.normal, surface_1.view);
+    float white_chalk_warp = ((2.0 * white_chalk_convexity) - 1.0) * 0.3;
+    float _e196 = profile_2_(_e188, white_chalk_warp, white_chalk_tone_shape);
+    Light _e199 = look.key;
+    LitLayer _e200 = light_apply_2_(_e199, _e182, _e196);
+    Composite _e205 = blend_alpha(_e167, _e200.color, _e200.tone, 0.85, true);
+    float _e208 = curvature_signed(surface_1.kappa, 0.2);
+    float reddish_rim_convexity = 0.5 + (0.5 * _e208);
+    Color _e223 = curvature_color(reddish_rim_convexity, metal::float4(0.7059, 0.3294, 0.2275, 1.0), metal::float4(0.4784, 0.1647, 0.1098, 1.0));
+    metal::float3 _e228 = look.back.direction;
+    metal::float3 _e237 = look.back.direction;
+    Angle reddish_rim_angle = Angle {0.5 * metal::length(surface_1.normal - _e228), 0.5 * metal::length(surface_1.normal + _e237)};
+    float reddish_rim_warp = ((2.0 * reddish_rim_convexity) - 1.0) * 0.1;
+    float _e250 = profile_3_(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
+    Light _e253 = look.back;
+    LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
+    float _e266 = look.reddish_rim_blend_opacity;
+    Composite _e268 = blend_finish_2_(_e205, _e205.xyz * metal::mix(metal::float3(1.0), _e254.color.xyz, _e254.tone), _e205.w, _e266, true);
+    metal::float4 _e279 = finite_vec4_((_e268.w <= 0.0) ? _e268 : metal::float4(_e268.xyz / metal::float3(_e268.w), _e268.w));
+    return _e279;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -573,7 +623,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -594,7 +644,7 @@ metal::int2 naga_f2i32(metal::float2 value) {
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_2 [[user(loc1), center_perspective]];
+    metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -607,21 +657,18 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    metal::float4 _e40 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.kappa = _e40.x;
-    Surface _e42 = surface;
-    metal::float4 _e43 = shade(_e42, look);
-    metal::float4 _e44 = finite_vec4_(_e43);
-    return fs_mainOutput { _e44 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    metal::float4 _e27 = curvature_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    surface.kappa = _e27.x;
+    Surface _e29 = surface;
+    metal::float4 _e30 = shade(_e29, look);
+    metal::float4 _e31 = finite_vec4_(_e30);
+    return fs_mainOutput { _e31 };
 }

@@ -36,23 +36,18 @@ struct Varyings {
     float3 normal : LOC1;
 };
 
-struct Fragment {
-    float4 normal : SV_Target0;
-    float depth : SV_Target1;
-};
-
 cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal : LOC1;
+    float3 normal_2 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_1 : LOC1;
+    float3 normal_3 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
@@ -62,48 +57,42 @@ bool is_finite(float x)
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise)
+float3 normalize_or(float3 v, float3 otherwise)
 {
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local_1 = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local_1 = (largest < 1e30);
-    } else {
-        local_1 = false;
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+        return otherwise;
     }
-    bool _e17 = local_1;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
+    float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    const bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
+}
+
+float3 normalize_moderate(float3 v_1, float3 otherwise_1)
+{
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
+}
+
+float3 normalize_seen(float3 v_2)
+{
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float2 slope_of(float3 normal)
+{
+    return (normal.xy / (max(normal.z, 0.2)).xx);
+}
+
+float4 surface_texel(float3 normal_1, float depth, float number)
+{
+    const float2 _e3 = slope_of(normal_1);
+    return float4(_e3, depth, ((normal_1.z < 0.0) ? -(number) : number));
 }
 
 float3 shade(Surface surface_1)
@@ -128,39 +117,32 @@ VertexOutput_vs_main vs_main(Vertex vertex)
     return varyings_1;
 }
 
-Fragment ConstructFragment(float4 arg0, float arg1) {
-    Fragment ret = (Fragment)0;
-    ret.normal = arg0;
-    ret.depth = arg1;
-    return ret;
-}
-
-Fragment fs_main(FragmentInput_fs_main fragmentinput_fs_main)
+float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     bool local = (bool)0;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float4 _e10 = view.eye;
-    float _e15 = view.eye.w;
-    const float3 _e19 = normalize_or((_e10.xyz - (_e15 * in_.position)), _e7);
+    const float3 _e3 = normalize_seen(in_.normal);
+    float4 _e6 = view.eye;
+    float _e11 = view.eye.w;
+    const float3 _e15 = normalize_or((_e6.xyz - (_e11 * in_.position)), _e3);
     if (!(is_front)) {
-        local = (dot(_e7, _e19) < -0.1);
+        local = (dot(_e3, _e15) < -0.1);
     } else {
         local = false;
     }
     bool is_behind = local;
-    float3 normal_2 = (is_behind ? -(_e7) : _e7);
-    surface.normal = normal_2;
-    Surface _e32 = surface;
-    const float3 _e33 = shade(_e32);
-    float4x4 _e36 = view.camera_from_world;
-    float3 seen = mul(float4(_e33, 0.0), _e36).xyz;
-    float4x4 _e43 = view.camera_from_world;
-    float depth = -(mul(float4(in_.position, 1.0), _e43).z);
-    float _e52 = object.id;
-    const Fragment fragment = ConstructFragment(float4(seen, (_e52 + 1.0)), depth);
-    return fragment;
+    float3 normal_4 = (is_behind ? -(_e3) : _e3);
+    surface.normal = normal_4;
+    Surface _e28 = surface;
+    const float3 _e29 = shade(_e28);
+    float4x4 _e32 = view.camera_from_world;
+    float3 seen = mul(float4(_e29, 0.0), _e32).xyz;
+    float4x4 _e39 = view.camera_from_world;
+    float depth_1 = -(mul(float4(in_.position, 1.0), _e39).z);
+    float _e48 = object.id;
+    const float4 _e51 = surface_texel(seen, depth_1, (_e48 + 1.0));
+    return _e51;
 }

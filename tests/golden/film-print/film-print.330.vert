@@ -38,15 +38,9 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape tone_shape = ProfileShape(1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u);
 const Curve response_of_the_film = Curve(vec4[16](vec4(0.0, 0.0, 0.2, 0.0), vec4(0.3, 0.06, 0.36, 0.0), vec4(0.5, 0.42, 0.972973, 0.0), vec4(0.62, 0.5, 1.0256411, 0.0), vec4(0.8, 0.9, 0.81632656, 0.0), vec4(1.0, 1.0, 0.5, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 6u, 1u);
 const ProfileShape sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);

@@ -50,15 +50,9 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape tone_shape = ProfileShape(1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u);
 const Curve response_of_the_film = Curve(vec4[16](vec4(0.0, 0.0, 0.2, 0.0), vec4(0.3, 0.06, 0.36, 0.0), vec4(0.5, 0.42, 0.972973, 0.0), vec4(0.62, 0.5, 1.0256411, 0.0), vec4(0.8, 0.9, 0.81632656, 0.0), vec4(1.0, 1.0, 0.5, 0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 6u, 1u);
 const ProfileShape sheen_tone_shape = ProfileShape(0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u);
@@ -76,73 +70,28 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+float exp2_stable(float x) {
+    float whole = roundEven(x);
+    float f = (x - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+float exp2_stable_2_(float x_1) {
+    float clamped_1 = max(x_1, -126.0);
+    float whole_1 = roundEven(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float exp2_stable(float x_2) {
-    float clamped_3 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_3);
-    float f = ((clamped_3 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -151,25 +100,26 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_tiny(float x_3) {
+    float y_2 = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
+    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    return vec2(s, c);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_1, float x_4) {
+    float small = min(y_1, x_4);
+    float large = max(y_1, x_4);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -177,59 +127,40 @@ float atan2_positive(float y_1, float x_5) {
     bool is_wide = (t_3 > 0.41421357);
     float r = (is_wide ? ((small - large) / (small + large)) : t_3);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_3 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a_3) : a_3);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a_2 = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_4) ? (HALF_PI - a_2) : a_2);
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_5 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_5, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_3, 0.5);
-    return min(_e13, 0.5);
-}
-
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
+float bounded(float x_5) {
+    uint bits_1 = floatBitsToUint(x_5);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-vec4 bounded_vec4_(vec4 v_3) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    float _e8 = bounded(v_3.w);
-    return vec4(_e2, _e4, _e6, _e8);
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b) {
@@ -240,207 +171,117 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float mixed(float a_1, float b_1, float t_1) {
-    float _e4 = bounded((b_1 - a_1));
-    float _e14 = bounded(((t_1 < 0.5) ? (a_1 + (t_1 * _e4)) : (b_1 - ((1.0 - t_1) * _e4))));
-    return _e14;
+float footprint_of(float x_6) {
+    float _e1 = dFdx(x_6);
+    float _e2 = dFdy(x_6);
+    vec2 d = vec2(_e1, _e2);
+    return sqrt(dot(d, d));
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
-    vec2 d_1 = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d_1, d_1)));
-    return _e6;
+vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t_2) {
+    vec4 d_1 = (b_1 - a_1);
+    return (a_1 + (t_2 * (from_a + (t_2 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_2 * ((from_a + to_b) - (2.0 * d_1))))))));
 }
 
-float step_filtered(float x_8, float edge, float w) {
-    float _e4 = bounded((x_8 - edge));
-    if ((w < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
-    }
-    float _e13 = bounded((_e4 / w));
-    return clamp((0.5 + _e13), 0.0, 1.0);
-}
-
-vec4 hermite(vec4 a_2, vec4 b_2, vec4 from_a, vec4 to_b, float t_2) {
-    vec4 d_2 = (b_2 - a_2);
-    return (a_2 + (t_2 * (from_a + (t_2 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_2 * ((from_a + to_b) - (2.0 * d_2))))))));
-}
-
-float curve_at(Curve curve, float x_9, float w_1) {
+float curve_at(Curve curve, float x_7, float w) {
     vec4 points[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    float y_2 = 0.0;
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_2 = false;
-    uint count = min(curve.count, 16u);
-    if ((count == 0u)) {
-        return 0.0;
-    }
     points = curve.points;
-    if ((curve.interpolation == INTERPOLATION_STEPPED)) {
-        float _e16 = points[0].y;
-        y_2 = _e16;
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                uint _e42 = i;
-                i = (_e42 + 1u);
-            }
-            loop_init = false;
-            uint _e20 = i;
-            if ((_e20 < count)) {
-            } else {
-                break;
-            }
-            {
-                float _e22 = y_2;
-                uint _e23 = i;
-                float _e26 = points[_e23].y;
-                uint _e27 = i;
-                float _e32 = points[(_e27 - 1u)].y;
-                uint _e34 = i;
-                float _e37 = points[_e34].x;
-                float _e38 = step_filtered(x_9, _e37, w_1);
-                y_2 = (_e22 + ((_e26 - _e32) * _e38));
-            }
+    bool loop_init = true;
+    while(true) {
+        if (!loop_init) {
+            uint _e21 = i_2_;
+            i_2_ = (_e21 + 1u);
         }
-        float _e44 = y_2;
-        float _e45 = bounded(_e44);
-        return _e45;
+        loop_init = false;
+        uint _e9 = i_2_;
+        if (!((_e9 < 6u))) {
+            break;
+        }
+        uint _e13 = at;
+        uint _e14 = i_2_;
+        uint _e15 = i_2_;
+        float _e18 = points[_e15].x;
+        at = ((_e18 <= x_7) ? _e14 : _e13);
     }
+    uint _e24 = at;
+    vec4 a_3 = points[_e24];
+    uint _e27 = at;
+    if ((((_e27 + 1u) >= 6u) || (x_7 <= a_3.x))) {
+        return a_3.y;
+    }
+    uint _e36 = at;
+    vec4 b_2 = points[(_e36 + 1u)];
+    float _e46 = divided((x_7 - a_3.x), (b_2.x - a_3.x));
+    float t_4 = clamp(_e46, 0.0, 1.0);
+    vec4 _e66 = hermite(vec4(a_3.y), vec4(b_2.y), ((b_2.x - a_3.x) * vec4(a_3.z)), ((b_2.x - a_3.x) * vec4(b_2.z)), t_4);
+    return _e66.x;
+}
+
+float curve_at_2_(Curve curve_1, float x_8, float w_1) {
+    vec4 points_1[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+    uint i_2_1 = 1u;
+    uint at_1 = 0u;
+    points_1 = curve_1.points;
     bool loop_init_1 = true;
     while(true) {
         if (!loop_init_1) {
-            uint _e61 = i_1;
-            i_1 = (_e61 + 1u);
+            uint _e21 = i_2_1;
+            i_2_1 = (_e21 + 1u);
         }
         loop_init_1 = false;
-        uint _e50 = i_1;
-        if ((_e50 < count)) {
-        } else {
+        uint _e9 = i_2_1;
+        if (!((_e9 < 4u))) {
             break;
         }
-        {
-            uint _e52 = at;
-            uint _e53 = i_1;
-            uint _e54 = i_1;
-            float _e57 = points[_e54].x;
-            at = ((_e57 <= x_9) ? _e53 : _e52);
-        }
+        uint _e13 = at_1;
+        uint _e14 = i_2_1;
+        uint _e15 = i_2_1;
+        float _e18 = points_1[_e15].x;
+        at_1 = ((_e18 <= x_8) ? _e14 : _e13);
     }
-    uint _e63 = at;
-    vec4 a_4 = points[_e63];
-    uint _e66 = at;
-    if (!(((_e66 + 1u) >= count))) {
-        local_2 = (x_9 <= a_4.x);
-    } else {
-        local_2 = true;
+    uint _e24 = at_1;
+    vec4 a_4 = points_1[_e24];
+    uint _e27 = at_1;
+    if ((((_e27 + 1u) >= 4u) || (x_8 <= a_4.x))) {
+        return a_4.y;
     }
-    bool _e76 = local_2;
-    if (_e76) {
-        float _e78 = bounded(a_4.y);
-        return _e78;
-    }
-    uint _e79 = at;
-    vec4 b_3 = points[(_e79 + 1u)];
-    float _e89 = divided((x_9 - a_4.x), (b_3.x - a_4.x));
-    float t_4 = clamp(_e89, 0.0, 1.0);
-    if ((curve.interpolation == INTERPOLATION_SMOOTH)) {
-        vec4 _e112 = hermite(vec4(a_4.y), vec4(b_3.y), ((b_3.x - a_4.x) * vec4(a_4.z)), ((b_3.x - a_4.x) * vec4(b_3.z)), t_4);
-        float _e114 = bounded(_e112.x);
-        return _e114;
-    }
-    float _e117 = mixed(a_4.y, b_3.y, t_4);
-    return _e117;
+    uint _e36 = at_1;
+    vec4 b_3 = points_1[(_e36 + 1u)];
+    float _e46 = divided((x_8 - a_4.x), (b_3.x - a_4.x));
+    float t_5 = clamp(_e46, 0.0, 1.0);
+    vec4 _e66 = hermite(vec4(a_4.y), vec4(b_3.y), ((b_3.x - a_4.x) * vec4(a_4.z)), ((b_3.x - a_4.x) * vec4(b_3.z)), t_5);
+    return _e66.x;
 }
 
 vec4 color_curves(vec4 color, Curve all_, Curve red, Curve green, Curve blue) {
-    vec4 _e5 = bounded_vec4_(color);
-    float _e7 = footprint_of(_e5.x);
-    float _e9 = footprint_of(_e5.y);
-    float _e11 = footprint_of(_e5.z);
-    vec3 w_4 = vec3(_e7, _e9, _e11);
-    float _e15 = curve_at(all_, _e5.x, w_4.x);
-    float _e18 = curve_at(all_, _e5.y, w_4.y);
-    float _e21 = curve_at(all_, _e5.z, w_4.z);
-    float _e23 = curve_at(red, _e15, w_4.x);
-    float _e25 = curve_at(green, _e18, w_4.y);
-    float _e27 = curve_at(blue, _e21, w_4.z);
-    return vec4(_e23, _e25, _e27, _e5.w);
+    float _e6 = footprint_of(color.x);
+    float _e8 = footprint_of(color.y);
+    float _e10 = footprint_of(color.z);
+    vec3 w_6 = vec3(_e6, _e8, _e10);
+    float _e14 = curve_at_2_(all_, color.x, w_6.x);
+    float _e17 = curve_at_2_(all_, color.y, w_6.y);
+    float _e20 = curve_at_2_(all_, color.z, w_6.z);
+    float _e22 = curve_at_2_(red, _e14, w_6.x);
+    float _e24 = curve_at_2_(green, _e17, w_6.y);
+    float _e26 = curve_at_2_(blue, _e20, w_6.z);
+    return vec4(_e22, _e24, _e26, 1.0);
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
+vec4 blend_alpha(vec4 below, vec4 color_1, float tone, float opacity, bool clamped) {
+    return vec4((below.xyz + (tone * (color_1.xyz - below.xyz))), 1.0);
 }
 
-vec4 premultiplied(vec4 color_1) {
-    return vec4((color_1.xyz * color_1.w), color_1.w);
+LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed_1 = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed_1, vec4(0.0), vec4(1.0)) : mixed_1);
-}
-
-vec4 blend_add(vec4 below_1, vec4 color_2, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color_2.xyz)), below_1.w, (opacity_1 * color_2.w), clamped_1);
-    return _e12;
-}
-
-vec4 blend_alpha(vec4 below_2, vec4 color_3, float tone_1, float opacity_2, bool clamped_2) {
-    float a_5 = (opacity_2 * color_3.w);
-    float alpha_1 = (below_2.w + ((tone_1 * a_5) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_3.xyz - below_2.xyz))), alpha_1, a_5, clamped_2);
-    return _e20;
-}
-
-vec4 output_(vec4 color_4) {
-    vec4 _e1 = straight(color_4);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float curve_1(float value, Curve curve_2) {
-    float _e2 = footprint_of(value);
-    float _e3 = bounded(value);
-    float _e4 = curve_at(curve_2, _e3, _e2);
-    return _e4;
-}
-
-vec2 light_split(float intensity) {
-    return vec2(min(intensity, 1.0), max(intensity, 1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_5, float tone_2) {
-    vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_5.xyz * light.color) * _e4.y), color_5.w), (tone_2 * _e4.x));
-}
-
-Angle parametrization_diffuse(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
-}
-
-Angle parametrization_specular(Light light_2, vec3 normal_1, vec3 view) {
-    vec3 _e7 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
-    vec3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
-    vec3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
+    vec3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
+    vec3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle((0.5 * length((_e8 - light_1.direction))), (0.5 * length((_e8 + light_1.direction))));
 }
 
 float profile_power(float q, float exponent) {
@@ -449,122 +290,176 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_3 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_3 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e18 = local_3;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_3 = (u_3.half_sin - (u_3.half_cos * 0.0));
+    if (((s_3 <= 0.0) || false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
-    float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_2 = (s_3 * shape.scale);
+    float _e15 = profile_power(q_2, shape.exponent);
+    return _e15;
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1) {
-    bool local_4 = false;
-    bool local_5 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_4 = (shape_1.kind == PROFILE_AMBIENT);
+float profile_power_2_(float q_1, float exponent_1) {
+    float log_base_1 = 0.0;
+    if ((q_1 >= 1.0)) {
+        return 0.0;
+    }
+    if ((q_1 < 0.5)) {
+        float _e11 = log1p_negative_small((q_1 * q_1));
+        log_base_1 = (LOG2_E * _e11);
     } else {
-        local_4 = true;
+        float _e18 = log2_stable(((1.0 - q_1) * (1.0 + q_1)));
+        log_base_1 = _e18;
     }
-    bool _e13 = local_4;
-    if (_e13) {
-        return _e3;
-    }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_5 = (w_2 >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_5 = false;
-    }
-    bool _e24 = local_5;
-    if (_e24) {
-        float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w_2 < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w_2));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_((exponent_1 * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    if (((s_4 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_3 = (s_4 * shape_1.scale);
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
+}
+
+float profile_point_3_(Angle u_5, ProfileShape shape_2) {
+    float s_5 = ((u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset));
+    if (((s_5 <= 0.0) || false)) {
+        return 1.0;
+    }
+    float q_4 = (s_5 * shape_2.scale);
+    float _e17 = profile_power(q_4, shape_2.exponent);
+    return _e17;
+}
+
+float profile_filtered(Angle u_6, float w_2, ProfileShape shape_3) {
+    float _e3 = profile_point(u_6, shape_3);
+    bool is_wide_1 = (w_2 < (0.1 * shape_3.edge_deviation));
+    if (((is_wide_1 || (w_2 <= 0.0)) || false)) {
+        return _e3;
+    }
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w_2));
+    Angle _e16 = angle_turned(u_6, _e15);
+    float _e17 = profile_point(_e16, shape_3);
+    Angle _e22 = angle_turned(u_6, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_3);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_7, float w_3, ProfileShape shape_4) {
+    float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_2 = (w_3 < (0.1 * shape_4.edge_deviation));
+    if (((is_wide_2 || (w_3 <= 0.0)) || false)) {
+        return _e3;
+    }
+    if ((true && (w_3 >= (3.4641016 * shape_4.edge_deviation)))) {
+        float width = sqrt(((w_3 * w_3) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation)));
+        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
+        return clamp((0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
+    }
+    vec2 _e44 = sin_cos_tiny((0.19364917 * w_3));
+    Angle _e45 = angle_turned(u_7, _e44);
+    float _e46 = profile_point_2_(_e45, shape_4);
+    Angle _e51 = angle_turned(u_7, vec2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_4);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile_filtered_3_(Angle u_8, float w_4, ProfileShape shape_5) {
+    float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_3 = (w_4 < (0.1 * shape_5.edge_deviation));
+    if (((is_wide_3 || (w_4 <= 0.0)) || false)) {
+        return _e3;
+    }
+    if ((true && (w_4 >= (3.4641016 * shape_5.edge_deviation)))) {
+        float width_1 = sqrt(((w_4 * w_4) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation)));
+        float _e32 = atan2_positive(u_8.half_sin, u_8.half_cos);
+        return clamp((0.5 + (((0.5 + shape_5.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
+    }
+    vec2 _e44 = sin_cos_tiny((0.19364917 * w_4));
+    Angle _e45 = angle_turned(u_8, _e44);
+    float _e46 = profile_point_3_(_e45, shape_5);
+    Angle _e51 = angle_turned(u_8, vec2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_3_(_e51, shape_5);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile(Angle angle, float shift, ProfileShape shape_6) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    return _e8;
+}
+
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    return _e8;
+}
+
+float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
+    Angle _e6 = angle_turned_2_(angle_2, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, tone_shape);
-    float _e10 = curve_1(_e8, response_of_the_film);
-    float _e11 = unit_share(_e10);
-    vec4 _e24 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), _e11, 1.0, true);
-    Light _e27 = u_look.key;
-    Angle _e30 = parametrization_specular(_e27, surface_1.normal, surface_1.view);
-    float _e33 = profile(_e30, 0.0, sheen_tone_shape);
-    Light _e36 = u_look.key;
-    LitLayer _e42 = light_apply(_e36, vec4(0.3725, 0.3451, 0.298, 1.0), _e33);
-    vec4 _e47 = blend_add(_e24, _e42.color, _e42.tone, 1.0, true);
-    Light _e50 = u_look.back;
-    Angle _e52 = parametrization_diffuse(_e50, surface_1.normal);
-    float _e55 = profile(_e52, 0.0, back_light_tone_shape);
-    Light _e58 = u_look.back;
-    LitLayer _e64 = light_apply(_e58, vec4(0.498, 0.5255, 0.549, 1.0), _e55);
-    vec4 _e69 = blend_add(_e47, _e64.color, _e64.tone, 1.0, true);
-    vec4 _e70 = straight(_e69);
-    vec4 _e75 = color_curves(_e70, film_print, film_print_2_, film_print_3_, film_print_4_);
-    vec4 _e76 = premultiplied(_e75);
-    vec4 _e77 = output_(_e76);
-    return _e77;
+    vec3 _e5 = u_look.key.direction;
+    vec3 _e14 = u_look.key.direction;
+    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
+    float _e24 = footprint_of(_e22);
+    float _e25 = curve_at(response_of_the_film, _e22, _e24);
+    float body_tone = clamp(_e25, 0.0, 1.0);
+    vec4 _e41 = blend_alpha(vec4(0.1216, 0.1137, 0.1333, 1.0), vec4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
+    Light _e44 = u_look.key;
+    Angle _e47 = parametrization_specular(_e44, surface_1.normal, surface_1.view);
+    float _e50 = profile_2_(_e47, 0.0, sheen_tone_shape);
+    Light _e53 = u_look.key;
+    LitLayer _e59 = light_apply(_e53, vec4(0.3725, 0.3451, 0.298, 1.0), _e50);
+    vec4 sheen_blend = clamp(vec4((_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec3 _e81 = u_look.back.direction;
+    vec3 _e90 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
+    float _e98 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
+    Light _e101 = u_look.back;
+    LitLayer _e107 = light_apply(_e101, vec4(0.498, 0.5255, 0.549, 1.0), _e98);
+    vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + ((sheen_blend.xyz + (_e107.tone * _e107.color.xyz)) - sheen_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e129 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
+    return _e129;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_2 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_2;
-    vec4 _e15 = u_view.eye;
-    float _e20 = u_view.eye.w;
-    vec4 _e26 = u_view.eye;
-    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
-    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    vec4 _e35 = shade(_e34);
-    vec4 _e36 = finite_vec4_(_e35);
-    out_color = _e36;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_1 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_1;
+    vec4 _e11 = u_view.eye;
+    float _e16 = u_view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    Surface _e21 = surface;
+    vec4 _e22 = shade(_e21);
+    out_color = _e22;
     return;
 }
 

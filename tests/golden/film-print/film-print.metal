@@ -75,15 +75,9 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint INTERPOLATION_SMOOTH = 1u;
-constant uint INTERPOLATION_STEPPED = 2u;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape tone_shape = ProfileShape {1.0, 0.0, 1.0248806, 0.99999666, 0.0, 1.5064107, 0.63535863, 0u};
 constant Curve response_of_the_film = Curve {type_5 {{metal::float4(0.0, 0.0, 0.2, 0.0), metal::float4(0.3, 0.06, 0.36, 0.0), metal::float4(0.5, 0.42, 0.972973, 0.0), metal::float4(0.62, 0.5, 1.0256411, 0.0), metal::float4(0.8, 0.9, 0.81632656, 0.0), metal::float4(1.0, 1.0, 0.5, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 6u, 1u};
 constant ProfileShape sheen_tone_shape = ProfileShape {0.9996875, 0.024997396, 3.1317647, 2.7420828, 0.05, 0.3043368, 0.13399889, 0u};
@@ -93,99 +87,38 @@ constant Curve film_print_2_ = Curve {type_5 {{metal::float4(0.0, 0.0, 0.7333333
 constant Curve film_print_3_ = Curve {type_5 {{metal::float4(0.0, 0.06, 0.8333333, 0.0), metal::float4(0.3, 0.31, 0.8805031, 0.0), metal::float4(0.6, 0.59, 0.91636366, 0.0), metal::float4(1.0, 0.95, 0.9, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 1u};
 constant Curve film_print_4_ = Curve {type_5 {{metal::float4(0.0, 0.13, 0.8, 0.0), metal::float4(0.3, 0.37, 0.53333336, 0.0), metal::float4(0.6, 0.49, 0.51555556, 0.0), metal::float4(1.0, 0.78, 0.725, 0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 1u};
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
-
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+float exp2_stable(
+    float x
+) {
+    float whole = metal::rint(x);
+    float f = x - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable(
+float exp2_stable_2_(
+    float x_1
+) {
+    float clamped_1 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_1);
+    float f_1 = clamped_1 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
+float log2_stable(
     float x_2
 ) {
-    float clamped_3 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = (clamped_3 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
-}
-
-float log_stable(
-    float x_3
-) {
-    uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x_2);
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -196,33 +129,36 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
-    float x_4
+metal::float2 sin_cos_tiny(
+    float x_3
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_2 = x_3 * x_3;
+    float s = x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
+    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_1
+) {
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y_1,
-    float x_5
+    float x_4
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_1, x_4);
+    float large = metal::max(y_1, x_4);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -230,73 +166,50 @@ float atan2_positive(
     bool is_wide = t_3 > 0.41421357;
     float r = is_wide ? ((small - large) / (small + large)) : t_3;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_3 = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a_3) : a_3;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a_2 = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_4) ? (HALF_PI - a_2) : a_2;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_5, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_shifted(
+Angle angle_turned_2_(
     Angle u_2,
-    float shift
+    metal::float2 t_1
 ) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_3, 0.5);
-    return metal::min(_e13, 0.5);
+    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
+    return Angle {turned_1.x, turned_1.y};
 }
 
 float bounded(
-    float x_6
+    float x_5
 ) {
-    uint bits_1 = as_type<uint>(x_6);
+    uint bits_1 = as_type<uint>(x_5);
     uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
-}
-
-metal::float4 bounded_vec4_(
-    metal::float4 v_3
-) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    float _e8 = bounded(v_3.w);
-    return metal::float4(_e2, _e4, _e6, _e8);
+    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 float divided(
@@ -310,147 +223,110 @@ float divided(
     return _e7;
 }
 
-float mixed(
-    float a_1,
-    float b_1,
-    float t_1
-) {
-    float _e4 = bounded(b_1 - a_1);
-    float _e14 = bounded((t_1 < 0.5) ? (a_1 + (t_1 * _e4)) : (b_1 - ((1.0 - t_1) * _e4)));
-    return _e14;
-}
-
 float footprint_of(
-    float x_7
+    float x_6
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d_1, d_1)));
-    return _e6;
-}
-
-float step_filtered(
-    float x_8,
-    float edge,
-    float w
-) {
-    float _e4 = bounded(x_8 - edge);
-    if (w < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
+    float _e1 = metal::dfdx(x_6);
+    float _e2 = metal::dfdy(x_6);
+    metal::float2 d = metal::float2(_e1, _e2);
+    return metal::sqrt(metal::dot(d, d));
 }
 
 metal::float4 hermite(
-    metal::float4 a_2,
-    metal::float4 b_2,
+    metal::float4 a_1,
+    metal::float4 b_1,
     metal::float4 from_a,
     metal::float4 to_b,
     float t_2
 ) {
-    metal::float4 d_2 = b_2 - a_2;
-    return a_2 + (t_2 * (from_a + (t_2 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_2 * ((from_a + to_b) - (2.0 * d_2)))))));
+    metal::float4 d_1 = b_1 - a_1;
+    return a_1 + (t_2 * (from_a + (t_2 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_2 * ((from_a + to_b) - (2.0 * d_1)))))));
 }
 
 float curve_at(
     Curve curve,
-    float x_9,
-    float w_1
+    float x_7,
+    float w
 ) {
     type_5 points = {};
-    float y_2 = {};
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_2 = {};
-    uint count = metal::min(curve.count, 16u);
-    if (count == 0u) {
-        return 0.0;
-    }
     points = curve.points;
-    if (curve.interpolation == INTERPOLATION_STEPPED) {
-        float _e16 = points.inner[0].y;
-        y_2 = _e16;
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e42 = i;
-                i = _e42 + 1u;
-            }
-            loop_init = false;
-            uint _e20 = i;
-            if (_e20 < count) {
-            } else {
-                break;
-            }
-            {
-                float _e22 = y_2;
-                uint _e23 = i;
-                float _e26 = points.inner[_e23].y;
-                uint _e27 = i;
-                float _e32 = points.inner[_e27 - 1u].y;
-                uint _e34 = i;
-                float _e37 = points.inner[_e34].x;
-                float _e38 = step_filtered(x_9, _e37, w_1);
-                y_2 = _e22 + ((_e26 - _e32) * _e38);
-            }
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
+    while(true) {
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e21 = i_2_;
+            i_2_ = _e21 + 1u;
         }
-        float _e44 = y_2;
-        float _e45 = bounded(_e44);
-        return _e45;
+        loop_init = false;
+        uint _e9 = i_2_;
+        if (!((_e9 < 6u))) {
+            break;
+        }
+        uint _e13 = at;
+        uint _e14 = i_2_;
+        uint _e15 = i_2_;
+        float _e18 = points.inner[_e15].x;
+        at = (_e18 <= x_7) ? _e14 : _e13;
     }
+    uint _e24 = at;
+    metal::float4 a_3 = points.inner[_e24];
+    uint _e27 = at;
+    if (((_e27 + 1u) >= 6u) | (x_7 <= a_3.x)) {
+        return a_3.y;
+    }
+    uint _e36 = at;
+    metal::float4 b_2 = points.inner[_e36 + 1u];
+    float _e46 = divided(x_7 - a_3.x, b_2.x - a_3.x);
+    float t_4 = metal::clamp(_e46, 0.0, 1.0);
+    metal::float4 _e66 = hermite(metal::float4(a_3.y), metal::float4(b_2.y), (b_2.x - a_3.x) * metal::float4(a_3.z), (b_2.x - a_3.x) * metal::float4(b_2.z), t_4);
+    return _e66.x;
+}
+
+float curve_at_2_(
+    Curve curve_1,
+    float x_8,
+    float w_1
+) {
+    type_5 points_1 = {};
+    uint i_2_1 = 1u;
+    uint at_1 = 0u;
+    points_1 = curve_1.points;
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
     while(true) {
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            uint _e61 = i_1;
-            i_1 = _e61 + 1u;
+            uint _e21 = i_2_1;
+            i_2_1 = _e21 + 1u;
         }
         loop_init_1 = false;
-        uint _e50 = i_1;
-        if (_e50 < count) {
-        } else {
+        uint _e9 = i_2_1;
+        if (!((_e9 < 4u))) {
             break;
         }
-        {
-            uint _e52 = at;
-            uint _e53 = i_1;
-            uint _e54 = i_1;
-            float _e57 = points.inner[_e54].x;
-            at = (_e57 <= x_9) ? _e53 : _e52;
-        }
+        uint _e13 = at_1;
+        uint _e14 = i_2_1;
+        uint _e15 = i_2_1;
+        float _e18 = points_1.inner[_e15].x;
+        at_1 = (_e18 <= x_8) ? _e14 : _e13;
     }
-    uint _e63 = at;
-    metal::float4 a_4 = points.inner[_e63];
-    uint _e66 = at;
-    if (!(((_e66 + 1u) >= count))) {
-        local_2 = x_9 <= a_4.x;
-    } else {
-        local_2 = true;
+    uint _e24 = at_1;
+    metal::float4 a_4 = points_1.inner[_e24];
+    uint _e27 = at_1;
+    if (((_e27 + 1u) >= 4u) | (x_8 <= a_4.x)) {
+        return a_4.y;
     }
-    bool _e76 = local_2;
-    if (_e76) {
-        float _e78 = bounded(a_4.y);
-        return _e78;
-    }
-    uint _e79 = at;
-    metal::float4 b_3 = points.inner[_e79 + 1u];
-    float _e89 = divided(x_9 - a_4.x, b_3.x - a_4.x);
-    float t_4 = metal::clamp(_e89, 0.0, 1.0);
-    if (curve.interpolation == INTERPOLATION_SMOOTH) {
-        metal::float4 _e112 = hermite(metal::float4(a_4.y), metal::float4(b_3.y), (b_3.x - a_4.x) * metal::float4(a_4.z), (b_3.x - a_4.x) * metal::float4(b_3.z), t_4);
-        float _e114 = bounded(_e112.x);
-        return _e114;
-    }
-    float _e117 = mixed(a_4.y, b_3.y, t_4);
-    return _e117;
+    uint _e36 = at_1;
+    metal::float4 b_3 = points_1.inner[_e36 + 1u];
+    float _e46 = divided(x_8 - a_4.x, b_3.x - a_4.x);
+    float t_5 = metal::clamp(_e46, 0.0, 1.0);
+    metal::float4 _e66 = hermite(metal::float4(a_4.y), metal::float4(b_3.y), (b_3.x - a_4.x) * metal::float4(a_4.z), (b_3.x - a_4.x) * metal::float4(b_3.z), t_5);
+    return _e66.x;
 }
 
 Color color_curves(
@@ -460,131 +336,46 @@ Color color_curves(
     Curve green,
     Curve blue
 ) {
-    metal::float4 _e5 = bounded_vec4_(color);
-    float _e7 = footprint_of(_e5.x);
-    float _e9 = footprint_of(_e5.y);
-    float _e11 = footprint_of(_e5.z);
-    metal::float3 w_4 = metal::float3(_e7, _e9, _e11);
-    float _e15 = curve_at(all, _e5.x, w_4.x);
-    float _e18 = curve_at(all, _e5.y, w_4.y);
-    float _e21 = curve_at(all, _e5.z, w_4.z);
-    float _e23 = curve_at(red, _e15, w_4.x);
-    float _e25 = curve_at(green, _e18, w_4.y);
-    float _e27 = curve_at(blue, _e21, w_4.z);
-    return metal::float4(_e23, _e25, _e27, _e5.w);
-}
-
-float unit_share(
-    float share
-) {
-    return metal::clamp(share, 0.0, 1.0);
-}
-
-Composite premultiplied(
-    Color color_1
-) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed_1 = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed_1, metal::float4(0.0), metal::float4(1.0)) : mixed_1;
-}
-
-Composite blend_add(
-    Composite below_1,
-    Color color_2,
-    float tone,
-    float opacity_1,
-    bool clamped_1
-) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color_2.xyz), below_1.w, opacity_1 * color_2.w, clamped_1);
-    return _e12;
+    float _e6 = footprint_of(color.x);
+    float _e8 = footprint_of(color.y);
+    float _e10 = footprint_of(color.z);
+    metal::float3 w_6 = metal::float3(_e6, _e8, _e10);
+    float _e14 = curve_at_2_(all, color.x, w_6.x);
+    float _e17 = curve_at_2_(all, color.y, w_6.y);
+    float _e20 = curve_at_2_(all, color.z, w_6.z);
+    float _e22 = curve_at_2_(red, _e14, w_6.x);
+    float _e24 = curve_at_2_(green, _e17, w_6.y);
+    float _e26 = curve_at_2_(blue, _e20, w_6.z);
+    return metal::float4(_e22, _e24, _e26, 1.0);
 }
 
 Composite blend_alpha(
-    Composite below_2,
-    Color color_3,
-    float tone_1,
-    float opacity_2,
-    bool clamped_2
+    Composite below,
+    Color color_1,
+    float tone,
+    float opacity,
+    bool clamped
 ) {
-    float a_5 = opacity_2 * color_3.w;
-    float alpha_1 = below_2.w + ((tone_1 * a_5) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_3.xyz - below_2.xyz)), alpha_1, a_5, clamped_2);
-    return _e20;
-}
-
-Color output(
-    Composite color_4
-) {
-    Color _e1 = straight(color_4);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float curve_1(
-    float value,
-    Curve curve_2
-) {
-    float _e2 = footprint_of(value);
-    float _e3 = bounded(value);
-    float _e4 = curve_at(curve_2, _e3, _e2);
-    return _e4;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::float4(below.xyz + (tone * (color_1.xyz - below.xyz)), 1.0);
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_5,
-    float tone_2
+    Color color_2,
+    float tone_1
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_5.xyz * light.color) * _e4.y, color_5.w), tone_2 * _e4.x};
-}
-
-Angle parametrization_diffuse(
-    Light light_1,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_2.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 Angle parametrization_specular(
-    Light light_2,
-    metal::float3 normal_1,
+    Light light_1,
+    metal::float3 normal,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
-    metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+    metal::float3 mirrored = ((2.0 * metal::dot(normal, view)) * normal) - view;
+    metal::float3 _e8 = normalize_moderate(mirrored, normal);
+    return Angle {0.5 * metal::length(_e8 - light_1.direction), 0.5 * metal::length(_e8 + light_1.direction)};
 }
 
 float profile_power(
@@ -596,122 +387,205 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable(exponent * _e19);
+    return metal::min(_e21, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_3,
     ProfileShape shape
 ) {
-    bool local_3 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_3 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e18 = local_3;
-    if (_e18) {
+    float s_3 = u_3.half_sin - (u_3.half_cos * 0.0);
+    if ((s_3 <= 0.0) | false) {
         return 1.0;
     }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
+    float q_2 = s_3 * shape.scale;
+    float _e15 = profile_power(q_2, shape.exponent);
+    return _e15;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
     }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_4,
+    ProfileShape shape_1
+) {
+    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
+    if ((s_4 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_3 = s_4 * shape_1.scale;
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
+}
+
+float profile_point_3_(
+    Angle u_5,
+    ProfileShape shape_2
+) {
+    float s_5 = (u_5.half_sin * shape_2.half_cos_offset) - (u_5.half_cos * shape_2.half_sin_offset);
+    if ((s_5 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_4 = s_5 * shape_2.scale;
+    float _e17 = profile_power(q_4, shape_2.exponent);
+    return _e17;
 }
 
 float profile_filtered(
-    Angle u_5,
+    Angle u_6,
     float w_2,
-    ProfileShape shape_1
+    ProfileShape shape_3
 ) {
-    bool local_4 = {};
-    bool local_5 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_4 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_4 = true;
-    }
-    bool _e13 = local_4;
-    if (_e13) {
+    float _e3 = profile_point(u_6, shape_3);
+    bool is_wide_1 = w_2 < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_1 | (w_2 <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_5 = w_2 >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_5 = false;
-    }
-    bool _e24 = local_5;
-    if (_e24) {
-        float width = metal::sqrt((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w_2 < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
+    Angle _e16 = angle_turned(u_6, _e15);
+    float _e17 = profile_point(_e16, shape_3);
+    Angle _e22 = angle_turned(u_6, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_3);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_7,
+    float w_3,
+    ProfileShape shape_4
+) {
+    float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_2 = w_3 < (0.1 * shape_4.edge_deviation);
+    if ((is_wide_2 | (w_3 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w_2);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    if (true & (w_3 >= (3.4641016 * shape_4.edge_deviation))) {
+        float width = metal::sqrt((w_3 * w_3) + ((12.0 * shape_4.edge_deviation) * shape_4.edge_deviation));
+        float _e32 = atan2_positive(u_7.half_sin, u_7.half_cos);
+        return metal::clamp(0.5 + (((shape_4.offset + shape_4.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_3);
+    Angle _e45 = angle_turned(u_7, _e44);
+    float _e46 = profile_point_2_(_e45, shape_4);
+    Angle _e51 = angle_turned(u_7, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_4);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+}
+
+float profile_filtered_3_(
+    Angle u_8,
+    float w_4,
+    ProfileShape shape_5
+) {
+    float _e3 = profile_point_3_(u_8, shape_5);
+    bool is_wide_3 = w_4 < (0.1 * shape_5.edge_deviation);
+    if ((is_wide_3 | (w_4 <= 0.0)) | false) {
+        return _e3;
+    }
+    if (true & (w_4 >= (3.4641016 * shape_5.edge_deviation))) {
+        float width_1 = metal::sqrt((w_4 * w_4) + ((12.0 * shape_5.edge_deviation) * shape_5.edge_deviation));
+        float _e32 = atan2_positive(u_8.half_sin, u_8.half_cos);
+        return metal::clamp(0.5 + (((0.5 + shape_5.edge_mean) - (2.0 * _e32)) / width_1), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_4);
+    Angle _e45 = angle_turned(u_8, _e44);
+    float _e46 = profile_point_3_(_e45, shape_5);
+    Angle _e51 = angle_turned(u_8, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_3_(_e51, shape_5);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
-    ProfileShape shape_2
+    float shift,
+    ProfileShape shape_6
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_6);
+    return _e8;
+}
+
+float profile_2_(
+    Angle angle_1,
+    float shift_1,
+    ProfileShape shape_7
+) {
+    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_7);
+    return _e8;
+}
+
+float profile_3_(
+    Angle angle_2,
+    float shift_2,
+    ProfileShape shape_8
+) {
+    Angle _e6 = angle_turned_2_(angle_2, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, tone_shape);
-    float _e10 = curve_1(_e8, response_of_the_film);
-    float _e11 = unit_share(_e10);
-    Composite _e24 = blend_alpha(metal::float4(0.1216, 0.1137, 0.1333, 1.0), metal::float4(0.7765, 0.7137, 0.6392, 1.0), _e11, 1.0, true);
-    Light _e27 = look.key;
-    Angle _e30 = parametrization_specular(_e27, surface_1.normal, surface_1.view);
-    float _e33 = profile(_e30, 0.0, sheen_tone_shape);
-    Light _e36 = look.key;
-    LitLayer _e42 = light_apply(_e36, metal::float4(0.3725, 0.3451, 0.298, 1.0), _e33);
-    Composite _e47 = blend_add(_e24, _e42.color, _e42.tone, 1.0, true);
-    Light _e50 = look.back;
-    Angle _e52 = parametrization_diffuse(_e50, surface_1.normal);
-    float _e55 = profile(_e52, 0.0, back_light_tone_shape);
-    Light _e58 = look.back;
-    LitLayer _e64 = light_apply(_e58, metal::float4(0.498, 0.5255, 0.549, 1.0), _e55);
-    Composite _e69 = blend_add(_e47, _e64.color, _e64.tone, 1.0, true);
-    Color _e70 = straight(_e69);
-    Color _e75 = color_curves(_e70, film_print, film_print_2_, film_print_3_, film_print_4_);
-    Composite _e76 = premultiplied(_e75);
-    Color _e77 = output(_e76);
-    return _e77;
+    metal::float3 _e5 = look.key.direction;
+    metal::float3 _e14 = look.key.direction;
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
+    float _e24 = footprint_of(_e22);
+    float _e25 = curve_at(response_of_the_film, _e22, _e24);
+    float body_tone = metal::clamp(_e25, 0.0, 1.0);
+    Composite _e41 = blend_alpha(metal::float4(0.1216, 0.1137, 0.1333, 1.0), metal::float4(0.7765, 0.7137, 0.6392, 1.0), body_tone, 1.0, true);
+    Light _e44 = look.key;
+    Angle _e47 = parametrization_specular(_e44, surface_1.normal, surface_1.view);
+    float _e50 = profile_2_(_e47, 0.0, sheen_tone_shape);
+    Light _e53 = look.key;
+    LitLayer _e59 = light_apply(_e53, metal::float4(0.3725, 0.3451, 0.298, 1.0), _e50);
+    metal::float4 sheen_blend = metal::clamp(metal::float4(_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e81 = look.back.direction;
+    metal::float3 _e90 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e81), 0.5 * metal::length(surface_1.normal + _e90)};
+    float _e98 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
+    Light _e101 = look.back;
+    LitLayer _e107 = light_apply(_e101, metal::float4(0.498, 0.5255, 0.549, 1.0), _e98);
+    metal::float4 back_light_blend = metal::clamp(metal::float4(sheen_blend.xyz + ((sheen_blend.xyz + (_e107.tone * _e107.color.xyz)) - sheen_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e129 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
+    return _e129;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -723,7 +597,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -740,7 +614,7 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_2 [[user(loc1), center_perspective]];
+    metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -752,19 +626,15 @@ fragment fs_mainOutput fs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    metal::float4 _e35 = shade(_e34, look);
-    metal::float4 _e36 = finite_vec4_(_e35);
-    return fs_mainOutput { _e36 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    Surface _e21 = surface;
+    metal::float4 _e22 = shade(_e21, look);
+    return fs_mainOutput { _e22 };
 }

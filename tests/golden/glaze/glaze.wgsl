@@ -65,80 +65,57 @@ struct Light {
     intensity: f32,
 }
 
-const PI: f32 = 3.14159265358979323846;
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+    let exponent = vec4u(0x7f800000u);
+    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_3(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -149,61 +126,32 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
 }
 
-/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
-fn angle_between(d: vec3f, l: vec3f) -> Angle {
-    let p = length(d - l);
-    let s = length(d + l);
-    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
-    return Angle(p * k, s * k);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
-}
-
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -213,8 +161,7 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -224,101 +171,51 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }
 
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin - u.half_cos * 0.0;
+    let c = u.half_cos + u.half_sin * 0.0;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    return Angle(turned.x, turned.y);
 }
 
 /// [`bounded`], component by component.
 fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
+    let bits = bitcast<vec3u>(v);
+    let magnitude = bits & vec3u(0x7fffffffu);
+    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
+    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
+    return select(numbers, v, magnitude < vec3u(0x7f800000u));
 }
 
 /// [`mixed`], component by component.
 fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
-/// makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
-    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
+    let d = bounded_vec3(b - a);
+    return bounded_vec3(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
+    return sqrt(dot(d, d));
 }
 
 /// Soft light: a darkened or lightened by b without ever reaching black or white (W3C Compositing
 /// and Blending 1).
 fn soft_light(a: f32, b: f32) -> f32 {
-    if b <= 0.5 {
-        return a - (1.0 - 2.0 * b) * a * (1.0 - a);
-    }
     let curved = select(sqrt(max(a, 0.0)), ((16.0 * a - 12.0) * a + 4.0) * a, a <= 0.25);
     return a + (2.0 * b - 1.0) * (curved - a);
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
-        bounded(a.w));
-}
-
-/// `rgb` with each component clamped to [0, 1].
-fn within_unit(rgb: vec3f) -> vec3f {
-    return clamp(bounded_vec3(rgb), vec3f(0.0), vec3f(1.0));
+    let b = bounded_vec3(blended);
+    return vec4f(bounded_vec3(b - (1.0 - factor) * bounded_vec3(b - a.xyz)), 1.0);
 }
 
 /// Lightness of a color in the non-separable modes (W3C Compositing and Blending 1, Lum).
@@ -341,142 +238,42 @@ fn lit_as(rgb: vec3f, other: vec3f) -> vec3f {
     return light + (clipped - light) * lowered;
 }
 
-/// `rgb` with the spread between largest and smallest component that `other` has (SetSat); black
-/// where `rgb` is gray.
-fn saturated_as(rgb: vec3f, other: vec3f) -> vec3f {
-    let least = min(min(rgb.x, rgb.y), rgb.z);
-    let spread = max(max(rgb.x, rgb.y), rgb.z) - least;
-    let wanted = max(max(other.x, other.y), other.z) - min(min(other.x, other.y), other.z);
-    return select(vec3f(0.0), (rgb - least) * (wanted / max(spread, SMALLEST_NORMAL)),
-        spread > 0.0);
-}
-
-/// Premultiplied RGBA of a straight color.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// Mix colors
-///
-/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
-/// knows tones and transparency.
-fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
-    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
-}
-
 fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, a.xyz + b.xyz - a.xyz * b.xyz, factor);
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(a.xyz + b.xyz - a.xyz * b.xyz),
+        factor), 1.0);
 }
 
 fn mix_colors_soft_light(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), soft_light(a.z, b.z)),
-        factor);
+    return color_mixed(a, vec3f(soft_light(a.x, b.x), soft_light(a.y, b.y), a.z - (1.0 - 2.0
+        * b.z) * a.z * (1.0 - a.z)), factor);
 }
 
 fn mix_colors_hue(a: Color, b: Color, factor: f32) -> Color {
-    let below = within_unit(a.xyz);
-    return color_mixed(a, lit_as(saturated_as(within_unit(b.xyz), below), below), factor);
-}
-
-fn mix_colors_color(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, lit_as(within_unit(b.xyz), within_unit(a.xyz)), factor);
-}
-
-/// Set alpha
-///
-/// The same color with another transparency.
-fn set_alpha(color: Color, alpha: f32) -> Color {
-    return vec4f(color.xyz, alpha);
-}
-
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
+    let below = clamp(bounded_vec3(a.xyz), vec3f(0.0), vec3f(1.0));
+    return vec4f(mixed_vec3(bounded_vec3(a.xyz), lit_as((b.xyz - b.y) * ((max(max(below.x, below.y),
+        below.z) - min(min(below.x, below.y), below.z)) / (b.x - b.y)), below), max(factor, 0.0)),
+        1.0);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = kappa_safe(kappa) * clamp(finite_or(slope, 0.0), -1e30, 1e30);
+    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
+        > 0x7f800000u) * slope;
     let magnitude = min(abs(a), 50.0);
     if magnitude < 0.0625 {
-        // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333
-            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
+            * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.0 * LOG2_E * magnitude);
+    let z = exp2_stable(-2.88539 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
 
-/// Curvature transition
-///
-/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF
-/// paper writes it lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
-fn transition(kappa: f32, slope: f32) -> f32 {
-    return 0.5 + 0.5 * curvature_signed(kappa, slope);
-}
-
-/// Curvature
-///
-/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured
-/// against the picture's height, so that detail comes forward as the camera does.
-fn kappa_surface(kappa: f32) -> f32 {
-    return kappa_safe(kappa);
-}
-
-fn position_object(position_object: vec3f) -> vec3f {
-    return position_object;
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
-}
-
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    let a = opacity * color.w;
-    let alpha = below.w + tone * a * (1.0 - below.w);
-    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
-/// least 1).
-fn light_split(intensity: f32) -> vec2f {
-    return vec2f(min(intensity, 1.0), max(intensity, 1.0));
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -484,8 +281,8 @@ fn light_split(intensity: f32) -> vec2f {
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = light_split(light.intensity);
-    return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -495,20 +292,10 @@ struct LitLayer {
     tone: f32,
 }
 
-/// Parametrization
-///
-/// The angle u between a light and a direction of the surface; it decides how shading moves.
-/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
-/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
-/// own axes.
-fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-}
-
 fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let mirrored = 2.0 * dot(n, view) * n - view;
-    return angle_between(normalize_or(mirrored, n), light.direction);
+    let mirrored = 2.0 * dot(normal, view) * normal - view;
+    let d = normalize_moderate(mirrored, normal);
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -530,20 +317,24 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) | false {
         return 1.0;
-    }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
     }
     let q = s * shape.scale;
     return profile_power(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power_2(q, shape.exponent);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -553,11 +344,25 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return min(exp2_stable_2(exponent * log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_2(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable_3(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -565,21 +370,28 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
     let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
+        return point;
+    }
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_2(angle_turned(u, reach), shape);
+    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -591,8 +403,20 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
     return profile_filtered(warped, angle_footprint(warped), shape);
+}
+
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
 /// Rim light
@@ -600,49 +424,15 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 /// A line of light along the silhouette, on the side of a light: what lifts a figure off its
 /// background.
 fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, follow: f32) -> f32 {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let facing = clamp(dot(n, view), 0.0, 1.0);
-    let reach = factor_of(width, true);
-    // The edge is as wide as softness wants, but never narrower than a pixel.
-    let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
-    // difference has them.
-    let aside = n - view;
-    let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
-    let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
-    let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
-    // the near one (1).
+    let facing = clamp(dot(normal, view), 0.0, 1.0);
+    let edge = max(width * softness, min(footprint_of(facing), 1.0));
+    let aside = normal - view;
+    let further = select(width - facing, 0.5 * dot(aside, aside) - (1.0 - width), facing > 0.5);
+    let within = further / edge + 0.0;
+    let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    // Only the normal's part across the eye's direction counts, too: where the light is nearly
-    // behind, rounding leaves a little of that direction in `across`.
-    let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
-    return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
-}
-
-/// Map range
-///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
-/// range is empty, all that is below it becomes the new low and the rest the new high. A color
-/// keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    return remapped(value, from_low, from_high, to_low, to_high, clamped);
-}
-
-/// Smooth step
-///
-/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1
-/// to 0; where both are the same it is a step.
-fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
-    return eased(value, low, high);
-}
-
-/// Separate vector
-///
-/// The three numbers of a vector.
-fn separate_vector(vector: vec3f) -> VectorParts {
-    return VectorParts(vector.x, vector.y, vector.z);
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate_2(across, vec3f(0.0)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
 struct VectorParts {
@@ -659,30 +449,30 @@ const gray_lights_tone_shape = ProfileShape(0.99875027, 0.04997917, 2.0858297, 3
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let gray_modeling_angle = parametrization_diffuse(look.key, surface.normal);
+    let gray_modeling_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let gray_modeling_tone = profile(gray_modeling_angle, 0.0, gray_modeling_tone_shape);
     let gray_modeling_lit = light_apply(look.key, vec4f(0.7059, 0.7059, 0.7059, 1.0), gray_modeling_tone);
     let gray_modeling_blend = blend_alpha(vec4f(0.1216, 0.1216, 0.1216, 1.0), gray_modeling_lit.color, gray_modeling_lit.tone, 1.0, true);
     let gray_lights_angle = parametrization_specular(look.key, surface.normal, surface.view);
-    let gray_lights_tone = profile(gray_lights_angle, 0.0, gray_lights_tone_shape);
+    let gray_lights_tone = profile_2(gray_lights_angle, 0.0, gray_lights_tone_shape);
     let gray_lights_lit = light_apply(look.key, vec4f(0.2902, 0.2902, 0.2902, 1.0), gray_lights_tone);
-    let gray_lights_blend = blend_add(gray_modeling_blend, gray_lights_lit.color, gray_lights_lit.tone, 1.0, true);
-    let grisaille = set_alpha(straight(gray_lights_blend), 1.0);
-    let glaze_of_green_earth = mix_colors_color(grisaille, vec4f(0.4275, 0.5412, 0.4471, 1.0), 0.75);
-    let glaze_of_sienna = mix_colors_color(grisaille, vec4f(0.7098, 0.4667, 0.3098, 1.0), 0.7);
-    let place = position_object(surface.position_object);
-    let height = separate_vector(place);
-    let toward_the_head = smooth_step_value(height.y, -0.5, 0.5);
-    let from_green_to_sienna = mix_colors_normal(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
+    let gray_lights_blend = clamp(vec4f(gray_modeling_blend.xyz + (gray_modeling_blend.xyz + gray_lights_lit.tone * gray_lights_lit.color.xyz - gray_modeling_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let grisaille = vec4f(gray_lights_blend.xyz, 1.0);
+    let glaze_of_green_earth = vec4f(mix(grisaille.xyz, lit_as(vec4f(0.4275, 0.5412, 0.4471, 1.0).xyz, grisaille.xyz), 0.75), 1.0);
+    let glaze_of_sienna = vec4f(mix(grisaille.xyz, lit_as(vec4f(0.7098, 0.4667, 0.3098, 1.0).xyz, grisaille.xyz), 0.7), 1.0);
+    let place = surface.position_object;
+    let height = VectorParts(place.x, place.y, place.z);
+    let toward_the_head = smoothstep(-0.5, 0.5, height.y);
+    let from_green_to_sienna = mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
     let warm_light = mix_colors_soft_light(from_green_to_sienna, vec4f(0.9098, 0.702, 0.4157, 1.0), 0.6);
-    let curvature = kappa_surface(surface.kappa);
-    let bulge = transition(curvature, 0.06);
-    let hollows = map_range(bulge, 0.0, 0.55, 0.6, 0.0, true);
+    let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
+    let bulge = 0.5 + 0.5 * curvature_signed(curvature, 0.06);
+    let hollows = mix(0.6, 0.0, min((bulge - 0.0) / (0.55 - 0.0), 1.0));
     let wine_in_the_hollows = mix_colors_hue(warm_light, vec4f(0.4902, 0.2471, 0.3608, 1.0), hollows);
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.3, 0.6, 1.0);
     let cool_edge = mix_colors_screen(wine_in_the_hollows, vec4f(0.4353, 0.5294, 0.6588, 1.0), rim_2);
-    let output_2 = output(premultiplied(cool_edge));
-    return output_2;
+    let output = finite_vec4(cool_edge);
+    return output;
 }
 
 struct Vertex {
@@ -710,11 +500,11 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.position_object = in.position_object;
     surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
     let shaded = shade(surface);

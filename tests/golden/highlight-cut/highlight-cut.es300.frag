@@ -55,13 +55,8 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape disc_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0, 1u);
 const ProfileShape bite_shape = ProfileShape(0.9887711, 0.14943813, 0.0, 1.0, 0.3, 0.0, 0.0, 1u);
@@ -79,69 +74,35 @@ bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
+vec3 normalize_or(vec3 v, vec3 otherwise) {
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+        return otherwise;
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
+    vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
+float exp2_stable(float x_1) {
+    float clamped_1 = max(x_1, -126.0);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable(float x_2) {
-    float clamped_5 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_5);
-    float f = ((clamped_5 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -150,25 +111,36 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_tiny(float x_3) {
+    float y_2 = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
+    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    return vec2(s, c);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
+vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
+    float square_2 = dot(v_2, v_2);
+    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
+}
+
+vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
+    float square_3 = dot(v_3, v_3);
+    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0));
+}
+
+vec3 normalize_seen(vec3 v_4) {
+    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_1, float x_4) {
+    float small = min(y_1, x_4);
+    float large = max(y_1, x_4);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -176,163 +148,72 @@ float atan2_positive(float y_1, float x_5) {
     bool is_wide = (t_2 > 0.41421357);
     float r = (is_wide ? ((small - large) / (small + large)) : t_2);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_5 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a_5) : a_5);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_4) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
     float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
+float footprint_of(float x_5) {
+    float _e1 = dFdx(x_5);
+    float _e2 = dFdy(x_5);
+    vec2 d = vec2(_e1, _e2);
+    return sqrt(dot(d, d));
 }
 
-float bounded(float x_6) {
-    uint bits_1 = floatBitsToUint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-float mixed(float a, float b, float t_1) {
-    float _e4 = bounded((b - a));
-    float _e14 = bounded(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
-    return _e14;
-}
-
-float place_between(float x_7, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_7 >= high) ? 1.0 : 0.0);
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_7 - low) / _e12));
-    return _e14;
-}
-
-float eased(float x_8, float low_1, float high_1) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_3 = clamp(_e6, 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
-}
-
-float factor_of(float x_9, bool clamped) {
-    float _e2 = bounded(x_9);
-    float _e3 = bounded(x_9);
-    return (clamped ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-float footprint_of(float x_10) {
-    float _e1 = dFdx(x_10);
-    float _e2 = dFdy(x_10);
-    vec2 d_1 = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d_1, d_1)));
-    return _e6;
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
-vec3 any_orthogonal(vec3 n_1) {
-    float sign_ = ((n_1.z >= 0.0) ? 1.0 : -1.0);
-    float a_6 = (-1.0 / (sign_ + n_1.z));
-    return vec3((1.0 + (((sign_ * n_1.x) * n_1.x) * a_6)), (((sign_ * n_1.x) * n_1.y) * a_6), (-(sign_) * n_1.x));
-}
-
-vec3 normal(vec3 normal_1) {
-    return normal_1;
-}
-
-Angle angle_between_directions(vec3 a_1, vec3 b_1) {
-    vec3 z_2 = vec3(0.0, 0.0, 1.0);
-    vec3 _e6 = normalize_or(a_1, z_2);
-    vec3 _e7 = normalize_or(b_1, z_2);
-    Angle _e8 = angle_between(_e6, _e7);
-    return _e8;
+vec3 any_orthogonal(vec3 n) {
+    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
+    float a_1 = (-1.0 / (sign_ + n.z));
+    return vec3((1.0 + (((sign_ * n.x) * n.x) * a_1)), (((sign_ * n.x) * n.y) * a_1), (-(sign_) * n.x));
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
-    vec3 _e10 = normalize_or(x_axis, vec3(0.0));
-    vec3 _e13 = normalize_or(y_axis, vec3(0.0));
-    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
+    vec3 _e5 = normalize_moderate_3_(y_axis, vec3(0.0));
+    return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
-    vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
-    vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
-    vec3 _e18 = normalize_or(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
+    vec3 _e13 = normalize_moderate(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_or(toward, vec3(0.0, 0.0, 1.0));
-    vec3 _e11 = normalize_or(up, vec3(0.0, 1.0, 0.0));
-    vec3 leaning = cross(_e11, _e6);
-    float square_1 = dot(leaning, leaning);
-    vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
-    vec3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e38, cross(_e6, _e38), _e6);
+    vec3 y_3 = vec3(0.0, 1.0, 0.0);
+    vec3 leaning = cross(y_3, toward);
+    float square_4 = dot(leaning, leaning);
+    vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
+    vec3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e32, cross(toward, _e32), toward);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e2 = axes_around(direction_1, up_1);
-    return AxesAround(_e2[0], _e2[1]);
-}
-
-float combine_tones_union(float a_2, float b_2) {
-    float _e3 = factor_of(a_2, true);
-    float _e5 = factor_of(b_2, true);
-    return max(_e3, _e5);
-}
-
-float combine_tones_intersection(float a_3, float b_3) {
-    float _e3 = factor_of(a_3, true);
-    float _e5 = factor_of(b_3, true);
-    return min(_e3, _e5);
-}
-
-float combine_tones_difference(float a_4, float b_4) {
-    float _e3 = factor_of(a_4, true);
-    float _e5 = factor_of(b_4, true);
-    return min(_e3, (1.0 - _e5));
+    mat3x3 _e6 = axes_around(direction_1, vec3(0.0, 1.0, 0.0));
+    return AxesAround(_e6[0], _e6[1]);
 }
 
 vec3 half_vector(Light light, vec3 view) {
@@ -342,47 +223,8 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 shift_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_11, float y_2) {
-    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    vec3 _e7 = direction_moved(_e5, vec2(x_11, y_2));
-    return _e7;
-}
-
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped_1) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed_1 = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped_1 ? clamp(mixed_1, vec4(0.0), vec4(1.0)) : mixed_1);
-}
-
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_2) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_2);
-    return _e12;
-}
-
-vec4 blend_alpha(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_3) {
-    float a_7 = (opacity_2 * color_1.w);
-    float alpha_1 = (below_2.w + ((tone_1 * a_7) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_7, clamped_3);
-    return _e20;
-}
-
-vec4 blend_shade(vec4 below_3, vec4 color_2, float tone_2, float opacity_3, bool clamped_4) {
-    vec4 _e14 = blend_finish(below_3, (below_3.xyz * mix(vec3(1.0), color_2.xyz, tone_2)), below_3.w, (opacity_3 * color_2.w), clamped_4);
-    return _e14;
-}
-
-vec4 output_(vec4 color_3) {
-    vec4 _e1 = straight(color_3);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-Angle parametrization_diffuse(Light light_1, vec3 normal_2) {
-    vec3 _e6 = normalize_or(normal_2, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 float profile_power(float q, float exponent) {
@@ -391,150 +233,133 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_2 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_3 <= 0.0) || false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
     float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1) {
-    bool local_3 = false;
-    bool local_4 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_4 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    return (((s_4 <= 0.0) || false) ? 1.0 : ((s_4 <= 4e-7) ? 1.0 : 0.0));
+}
+
+float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
+    if (((is_wide_1 || (w <= 0.0)) || false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
+    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
+        float width_1 = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return clamp((0.5 + (((1.25 + shape_2.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width_1)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
+    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
+    Angle _e45 = angle_turned(u_5, _e44);
+    float _e46 = profile_point(_e45, shape_2);
+    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
+    float _e52 = profile_point(_e51, shape_2);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
+    float _e3 = profile_point_2_(u_6, shape_3);
+    if (((false || (w_1 <= 0.0)) || false)) {
         return _e3;
     }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float width_2 = sqrt((w_1 * w_1));
+    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
+    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_2)), 0.0, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
 }
 
-float rim(Light light_2, vec3 normal_3, vec3 view_1, float width, float softness, float follow) {
-    vec3 _e10 = normalize_or(normal_3, vec3(0.0, 0.0, 1.0));
-    float facing = clamp(dot(_e10, view_1), 0.0, 1.0);
-    float _e16 = factor_of(width, true);
-    float _e18 = factor_of(softness, true);
-    float _e20 = footprint_of(facing);
-    float edge = max((_e16 * _e18), min(_e20, 1.0));
-    vec3 aside_1 = (_e10 - view_1);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside_1, aside_1)) - (1.0 - _e16)) : (_e16 - facing));
-    float within = ((further / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
-    vec3 across_1 = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    vec3 _e61 = normalize_or(across_1, vec3(0.0));
-    float side = dot((_e10 - (dot(_e10, view_1) * view_1)), _e61);
-    float _e66 = eased(side, 0.0, 0.5);
-    float _e68 = factor_of(follow, true);
-    float _e69 = mixed(1.0, _e66, _e68);
-    return (inside * _e69);
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
-float invert(float value) {
-    float _e3 = bounded((1.0 - value));
-    return _e3;
+float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, float follow) {
+    float facing = clamp(dot(normal, view_1), 0.0, 1.0);
+    float _e11 = footprint_of(facing);
+    float edge = max((width * softness), min(_e11, 1.0));
+    vec3 aside_1 = (normal - view_1);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside_1, aside_1)) - (1.0 - width)) : (width - facing));
+    float within = ((further / edge) + 0.0);
+    float inside = clamp(within, 0.0, 1.0);
+    vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
+    vec3 _e42 = normalize_moderate_3_(across_1, vec3(0.0));
+    float side = dot((normal - (dot(normal, view_1) * view_1)), _e42);
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, lit_side_shape);
-    float _e9 = invert(_e8);
-    vec4 _e22 = blend_shade(vec4(0.62, 0.16, 0.26, 1.0), vec4(0.5, 0.33, 0.56, 1.0), _e9, 1.0, true);
-    vec3 _e24 = normal(surface_1.normal);
-    Light _e27 = u_look.key;
-    vec3 _e29 = half_vector(_e27, surface_1.view);
-    Angle _e30 = angle_between_directions(_e24, _e29);
-    float _e33 = profile(_e30, 0.0, disc_shape);
-    AxesAround _e38 = axes(_e29, vec3(0.0, 1.0, 0.0));
-    vec3 _e43 = shift_direction(_e24, _e38.x_axis, _e38.y_axis, -0.13, 0.13);
-    Angle _e44 = angle_between_directions(_e43, _e29);
-    float _e47 = profile(_e44, 0.0, bite_shape);
-    float _e48 = combine_tones_difference(_e33, _e47);
-    vec3 _e53 = shift_direction(_e24, _e38.x_axis, _e38.y_axis, -0.06, 0.06);
-    Angle _e54 = angle_between_directions(_e53, _e29);
-    float _e57 = profile(_e54, 0.0, dot_shape);
-    float _e58 = combine_tones_union(_e48, _e57);
-    vec4 _e66 = blend_alpha(_e22, vec4(1.0, 0.97, 0.9, 1.0), _e58, 0.96, true);
-    Light _e69 = u_look.back;
-    float _e75 = rim(_e69, surface_1.normal, surface_1.view, 0.42, 0.08, 1.0);
-    float _e76 = combine_tones_intersection(_e75, _e9);
-    vec4 _e84 = blend_add(_e66, vec4(1.0, 0.62, 0.5, 1.0), _e76, 0.6, true);
-    vec4 _e85 = output_(_e84);
-    return _e85;
+    vec3 _e5 = u_look.key.direction;
+    vec3 _e14 = u_look.key.direction;
+    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    float in_the_dark = (1.0 - _e22);
+    vec4 shadow = vec4((vec3(0.62, 0.16, 0.26) * mix(vec3(1.0), vec3(0.5, 0.33, 0.56), in_the_dark)), 1.0);
+    vec3 normal_1 = surface_1.normal;
+    Light _e42 = u_look.key;
+    vec3 _e44 = half_vector(_e42, surface_1.view);
+    Angle from_the_highlight = Angle((0.5 * length((normal_1 - _e44))), (0.5 * length((normal_1 + _e44))));
+    float _e56 = profile_2_(from_the_highlight, 0.0, disc_shape);
+    AxesAround _e61 = axes(_e44, vec3(0.0, 1.0, 0.0));
+    DirectionParts _e64 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
+    vec3 _e68 = direction_moved(_e64, vec2(-0.13, 0.13));
+    Angle from_beside_it = Angle((0.5 * length((_e68 - _e44))), (0.5 * length((_e68 + _e44))));
+    float _e80 = profile_2_(from_beside_it, 0.0, bite_shape);
+    float crescent = min(_e56, (1.0 - _e80));
+    DirectionParts _e86 = direction_within(normal_1, _e61.x_axis, _e61.y_axis);
+    vec3 _e90 = direction_moved(_e86, vec2(-0.06, 0.06));
+    Angle from_the_dot = Angle((0.5 * length((_e90 - _e44))), (0.5 * length((_e90 + _e44))));
+    float _e102 = profile_2_(from_the_dot, 0.0, dot_shape);
+    float crescent_and_dot = max(crescent, _e102);
+    vec4 _e111 = blend_alpha(shadow, vec4(1.0, 0.97, 0.9, 1.0), crescent_and_dot, 0.96, true);
+    Light _e114 = u_look.back;
+    float _e120 = rim(_e114, surface_1.normal, surface_1.view, 0.42, 0.08, 1.0);
+    float rim_in_the_dark_only = min(_e120, in_the_dark);
+    vec4 output_ = clamp(vec4((_e111.xyz + (0.6 * ((_e111.xyz + (rim_in_the_dark_only * vec3(1.0, 0.62, 0.5))) - _e111.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_4 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_4;
-    vec4 _e15 = u_view.eye;
-    float _e20 = u_view.eye.w;
-    vec4 _e26 = u_view.eye;
-    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
-    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    vec4 _e35 = shade(_e34);
-    vec4 _e36 = finite_vec4_(_e35);
-    out_color = _e36;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_2 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_2;
+    vec4 _e11 = u_view.eye;
+    float _e16 = u_view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    Surface _e21 = surface;
+    vec4 _e22 = shade(_e21);
+    out_color = _e22;
     return;
 }
 

@@ -60,13 +60,9 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u);
 
@@ -82,69 +78,45 @@ bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+vec4 finite_vec4_(vec4 v) {
+    uvec4 exponent_1 = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_1), exponent_1));
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
+vec3 normalize_or(vec3 v_1, vec3 otherwise) {
+    float largest = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
+    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+        return otherwise;
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
+    vec3 scaled = (v_1 * (1.0 / largest));
     float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
+float exp2_stable(float x_1) {
+    float clamped_1 = max(x_1, -126.0);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable(float x_2) {
-    float clamped_5 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_5);
-    float f = ((clamped_5 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_2 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
+    float z = ((mantissa - 1.0) / (mantissa + 1.0));
+    float z2_ = (z * z);
+    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
-    float z = ((mantissa - 1.0) / (mantissa + 1.0));
-    float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    float _e2 = log2_stable(x_3);
+    return (LN_2_ * _e2);
 }
 
 float log1p_negative_small(float y) {
@@ -171,24 +143,49 @@ vec2 sin_cos_quarter(float x_4) {
     return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-vec2 sin_cos(float x_5) {
-    float turns = roundEven((x_5 * 0.31830987));
-    float r = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+vec2 sin_cos_tiny(float x_5) {
+    float y_5 = (x_5 * x_5);
+    float s_1 = (x_5 * (1.0 + (y_5 * (-0.16666667 + (y_5 * 0.008333334)))));
+    float c_1 = (1.0 - (y_5 * (0.5 + (y_5 * (-0.041666668 + (y_5 * 0.0013888889))))));
+    return vec2(s_1, c_1);
+}
+
+vec2 sin_cos(float x_6) {
+    float turns = roundEven((x_6 * 0.31830987));
+    float r = (((x_6 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
     vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
     return (sign_ * _e27);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
+    float square_1 = dot(v_2, v_2);
+    return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float atan2_positive(float y_2, float x_6) {
-    float small = min(y_2, x_6);
-    float large = max(y_2, x_6);
+vec3 normalize_moderate_2_(vec3 v_3, vec3 otherwise_2) {
+    float square_2 = dot(v_3, v_3);
+    return ((square_2 > 1e-30) ? (v_3 * inversesqrt(max(square_2, 1e-30))) : vec3(0.0, 1.0, 0.0));
+}
+
+vec3 normalize_moderate_3_(vec3 v_4, vec3 otherwise_3) {
+    float square_3 = dot(v_4, v_4);
+    return ((square_3 > 1e-30) ? (v_4 * inversesqrt(max(square_3, 1e-30))) : vec3(1.0, 0.0, 0.0));
+}
+
+vec3 normalize_moderate_4_(vec3 v_5, vec3 otherwise_4) {
+    float square_4 = dot(v_5, v_5);
+    return ((square_4 > 1e-30) ? (v_5 * inversesqrt(max(square_4, 1e-30))) : vec3(0.0));
+}
+
+vec3 normalize_seen(vec3 v_6) {
+    vec3 _e5 = normalize_moderate(v_6, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float atan2_positive(float y_2, float x_7) {
+    float small = min(y_2, x_7);
+    float large = max(y_2, x_7);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -196,135 +193,66 @@ float atan2_positive(float y_2, float x_6) {
     bool is_wide = (t_2 > 0.41421357);
     float r_1 = (is_wide ? ((small - large) / (small + large)) : t_2);
     float r2_ = (r_1 * r_1);
-    float series_1 = (r_1 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_2 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_2 > x_6) ? (HALF_PI - a_2) : a_2);
+    float series = (r_1 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_2 > x_7) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
+    vec2 dx = dFdx(half_);
+    vec2 dy = dFdy(half_);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
     float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
+    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper);
     return Angle(turned.x, turned.y);
 }
 
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_3 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_3 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_3 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_3, c_3));
+    vec2 turned_1 = (((s_3 <= 0.0) && (s_3 < c_3)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
-    vec2 dx = dFdx(half_);
-    vec2 dy = dFdy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
-}
-
-float bounded(float x_7) {
-    uint bits_1 = floatBitsToUint(x_7);
+float bounded(float x_8) {
+    uint bits_1 = floatBitsToUint(x_8);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_3) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    return vec3(_e2, _e4, _e6);
+vec3 bounded_vec3_(vec3 v_7) {
+    uvec3 bits_2 = floatBitsToUint(v_7);
+    uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
+    vec3 largest_2 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_7, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
-float mixed(float a, float b, float t_1) {
-    float _e4 = bounded((b - a));
-    float _e14 = bounded(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
-    return _e14;
+float footprint_of(float x_9) {
+    float _e1 = dFdx(x_9);
+    float _e2 = dFdy(x_9);
+    vec2 d = vec2(_e1, _e2);
+    return sqrt(dot(d, d));
 }
 
-float place_between(float x_8, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_8 >= high) ? 1.0 : 0.0);
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_8 - low) / _e12));
-    return _e14;
-}
-
-float eased(float x_9, float low_1, float high_1) {
-    float _e3 = bounded(x_9);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_3 = clamp(_e6, 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
-}
-
-float factor_of(float x_10, bool clamped) {
-    float _e2 = bounded(x_10);
-    float _e3 = bounded(x_10);
-    return (clamped ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-vec2 sin_cos_of(float x_11) {
-    float _e1 = bounded(x_11);
-    vec2 _e2 = sin_cos(_e1);
-    return clamp(_e2, vec2(-1.0), vec2(1.0));
-}
-
-float footprint_of(float x_12) {
-    float _e1 = dFdx(x_12);
-    float _e2 = dFdy(x_12);
-    vec2 d_1 = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d_1, d_1)));
-    return _e6;
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
-vec3 any_orthogonal(vec3 n_1) {
-    float sign_1 = ((n_1.z >= 0.0) ? 1.0 : -1.0);
-    float a_3 = (-1.0 / (sign_1 + n_1.z));
-    return vec3((1.0 + (((sign_1 * n_1.x) * n_1.x) * a_3)), (((sign_1 * n_1.x) * n_1.y) * a_3), (-(sign_1) * n_1.x));
-}
-
-vec3 normal(vec3 normal_1) {
-    return normal_1;
-}
-
-Angle angle_between_directions(vec3 a_1, vec3 b_1) {
-    vec3 z_2 = vec3(0.0, 0.0, 1.0);
-    vec3 _e6 = normalize_or(a_1, z_2);
-    vec3 _e7 = normalize_or(b_1, z_2);
-    Angle _e8 = angle_between(_e6, _e7);
-    return _e8;
+vec3 any_orthogonal(vec3 n) {
+    float sign_1 = ((n.z >= 0.0) ? 1.0 : -1.0);
+    float a_1 = (-1.0 / (sign_1 + n.z));
+    return vec3((1.0 + (((sign_1 * n.x) * n.x) * a_1)), (((sign_1 * n.x) * n.y) * a_1), (-(sign_1) * n.x));
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
-    vec3 _e10 = normalize_or(x_axis, vec3(0.0));
-    vec3 _e13 = normalize_or(y_axis, vec3(0.0));
-    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
+    vec3 _e5 = normalize_moderate_4_(y_axis, vec3(0.0));
+    return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
@@ -335,14 +263,13 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_or(toward, vec3(0.0, 0.0, 1.0));
-    vec3 _e11 = normalize_or(up, vec3(0.0, 1.0, 0.0));
-    vec3 leaning = cross(_e11, _e6);
-    float square_1 = dot(leaning, leaning);
-    vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_1 > 1e-8) ? leaning : cross(aside, _e6));
-    vec3 _e38 = normalize_or((across - (dot(across, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e38, cross(_e6, _e38), _e6);
+    vec3 _e6 = normalize_moderate_2_(up, vec3(0.0, 1.0, 0.0));
+    vec3 leaning = cross(_e6, toward);
+    float square_5 = dot(leaning, leaning);
+    vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
+    vec3 across = ((square_5 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e33 = normalize_moderate_3_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e33, cross(toward, _e33), toward);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
@@ -357,81 +284,34 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 shift_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_13, float y_3) {
+vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_10, float y_3) {
     DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    vec3 _e7 = direction_moved(_e5, vec2(x_13, y_3));
-    return _e7;
-}
-
-vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_14, float y_4) {
-    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_14, y_4), vec2(0.0))) * side));
+    vec3 _e21 = direction_moved(_e5, (-(max(vec2(x_10, y_3), vec2(0.0))) * side));
     return _e21;
 }
 
-vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amount, float sharpness) {
-    bool local_2 = false;
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
-    float square_2 = dot(_e5.place, _e5.place);
+vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
+    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    float square_6 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = clamp(((apart * apart) / max(square_2, 1e-20)), 0.0, 1.0);
-    float _e23 = bounded(sharpness);
-    float sharp = clamp(_e23, 1.0, 1024.0);
-    float _e29 = log1p_negative(aside_1);
-    float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
-    if ((square_2 > 1e-20)) {
-        local_2 = (aside_1 < 1.0);
-    } else {
-        local_2 = false;
-    }
-    bool _e39 = local_2;
-    float corner = (_e39 ? _e31 : 0.0);
-    vec3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
-    return _e49;
+    float aside_1 = min(((apart * apart) / max(square_6, 1e-20)), 1.0);
+    float _e23 = log1p_negative(aside_1);
+    float _e25 = exp2_stable((5.77078 * _e23));
+    float corner = (((square_6 > 1e-20) && (aside_1 < 1.0)) ? _e25 : 0.0);
+    vec3 _e40 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
+    return _e40;
 }
 
-vec3 stretch_direction(vec3 direction_5, vec3 x_axis_4, vec3 y_axis_4, float x_15, float y_5) {
-    DirectionParts _e5 = direction_within(direction_5, x_axis_4, y_axis_4);
-    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_15, y_5), vec2(1.0))) * _e5.place));
+vec3 stretch_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float x_11, float y_4) {
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    vec3 _e13 = direction_moved(_e5, (-(min(vec2(x_11, y_4), vec2(1.0))) * _e5.place));
     return _e13;
 }
 
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped_1) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed_1 = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped_1 ? clamp(mixed_1, vec4(0.0), vec4(1.0)) : mixed_1);
-}
-
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_2) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_2);
-    return _e12;
-}
-
-vec4 blend_alpha(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_3) {
-    float a_4 = (opacity_2 * color_1.w);
-    float alpha_1 = (below_2.w + ((tone_1 * a_4) * (1.0 - below_2.w)));
-    vec4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_1.xyz - below_2.xyz))), alpha_1, a_4, clamped_3);
-    return _e20;
-}
-
-vec4 blend_shade(vec4 below_3, vec4 color_2, float tone_2, float opacity_3, bool clamped_4) {
-    vec4 _e14 = blend_finish(below_3, (below_3.xyz * mix(vec3(1.0), color_2.xyz, tone_2)), below_3.w, (opacity_3 * color_2.w), clamped_4);
-    return _e14;
-}
-
-vec4 output_(vec4 color_3) {
-    vec4 _e1 = straight(color_3);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-Angle parametrization_diffuse(Light light_1, vec3 normal_2) {
-    vec3 _e6 = normalize_or(normal_2, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    float alpha = (below.w + ((tone * opacity) * (1.0 - below.w)));
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), alpha), vec4(0.0), vec4(1.0));
 }
 
 float profile_power(float q, float exponent) {
@@ -440,165 +320,152 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_3 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_3 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e18 = local_3;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_4 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_4 <= 0.0) || false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
-    float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_1 = (s_4 * shape.scale);
+    float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1) {
-    bool local_4 = false;
-    bool local_5 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_4 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_4 = true;
-    }
-    bool _e13 = local_4;
-    if (_e13) {
+float profile_point_2_(Angle u_4, ProfileShape shape_1) {
+    float s_5 = ((u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset));
+    return (((s_5 <= 0.0) || false) ? 1.0 : ((s_5 <= 4e-7) ? 1.0 : 0.0));
+}
+
+float profile_filtered(Angle u_5, float w, ProfileShape shape_2) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = (w < (0.1 * shape_2.edge_deviation));
+    if (((is_wide_1 || (w <= 0.0)) || false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_5 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_5 = false;
+    if ((true && (w >= (3.4641016 * shape_2.edge_deviation)))) {
+        float width_1 = sqrt(((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return clamp((0.5 + (((1.25 + shape_2.edge_mean) - (2.0 * _e32)) / width_1)), 0.0, 1.0);
     }
-    bool _e24 = local_5;
-    if (_e24) {
-        float width_1 = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width_1)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
+    vec2 _e44 = sin_cos_tiny((0.19364917 * w));
+    Angle _e45 = angle_turned(u_5, _e44);
+    float _e46 = profile_point(_e45, shape_2);
+    Angle _e51 = angle_turned(u_5, vec2(-(_e44.x), _e44.y));
+    float _e52 = profile_point(_e51, shape_2);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_6, float w_1, ProfileShape shape_3) {
+    float _e3 = profile_point_2_(u_6, shape_3);
+    if (((false || (w_1 <= 0.0)) || false)) {
         return _e3;
     }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float width_2 = sqrt((w_1 * w_1));
+    float _e15 = atan2_positive(u_6.half_sin, u_6.half_cos);
+    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_2)), 0.0, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile(Angle angle, float shift, ProfileShape shape_4) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
 }
 
-float rim(Light light_2, vec3 normal_3, vec3 view_1, float width, float softness, float follow) {
-    vec3 _e10 = normalize_or(normal_3, vec3(0.0, 0.0, 1.0));
-    float facing = clamp(dot(_e10, view_1), 0.0, 1.0);
-    float _e16 = factor_of(width, true);
-    float _e18 = factor_of(softness, true);
-    float _e20 = footprint_of(facing);
-    float edge = max((_e16 * _e18), min(_e20, 1.0));
-    vec3 aside_2 = (_e10 - view_1);
-    float further = ((facing > 0.5) ? ((0.5 * dot(aside_2, aside_2)) - (1.0 - _e16)) : (_e16 - facing));
-    float within = ((further / max(edge, 1e-6)) + ((softness > 0.0) ? 0.0 : 0.5));
-    float inside = ((_e16 <= 0.0) ? 0.0 : clamp(within, 0.0, 1.0));
-    vec3 across_1 = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    vec3 _e61 = normalize_or(across_1, vec3(0.0));
-    float side_1 = dot((_e10 - (dot(_e10, view_1) * view_1)), _e61);
-    float _e66 = eased(side_1, 0.0, 0.5);
-    float _e68 = factor_of(follow, true);
-    float _e69 = mixed(1.0, _e66, _e68);
-    return (inside * _e69);
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
+    Angle _e6 = angle_turned_2_(angle_1, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
-float invert(float value) {
-    float _e3 = bounded((1.0 - value));
-    return _e3;
+float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, float follow) {
+    float facing = clamp(dot(normal, view_1), 0.0, 1.0);
+    float _e11 = footprint_of(facing);
+    float edge = max((width * softness), min(_e11, 1.0));
+    vec3 aside_2 = (normal - view_1);
+    float further = ((facing > 0.5) ? ((0.5 * dot(aside_2, aside_2)) - (1.0 - width)) : (width - facing));
+    float within = ((further / edge) + 0.0);
+    float inside = clamp(within, 0.0, 1.0);
+    vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
+    vec3 _e42 = normalize_moderate_4_(across_1, vec3(0.0));
+    float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
+    return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }
 
-vec3 rotate_vector(vec3 vector, vec3 axis, float angle_1) {
-    vec3 _e3 = bounded_vec3_(vector);
-    vec3 _e6 = normalize_or(axis, vec3(0.0));
-    float _e7 = bounded(angle_1);
-    vec2 _e10 = sin_cos_of((0.5 * _e7));
-    vec3 aside_3 = cross(_e6, _e3);
-    vec3 _e23 = bounded_vec3_((_e3 + ((2.0 * _e10.x) * ((_e10.y * aside_3) + (_e10.x * cross(_e6, aside_3))))));
-    return _e23;
+vec3 rotate_vector(vec3 vector, vec3 axis, float angle_2) {
+    vec3 v_8 = vec3(0.0, 1.0, 0.0);
+    float _e7 = bounded(angle_2);
+    vec2 _e10 = sin_cos((0.5 * _e7));
+    vec2 half_2 = clamp(_e10, vec2(-1.0), vec2(1.0));
+    vec3 aside_3 = cross(axis, v_8);
+    vec3 _e28 = bounded_vec3_((v_8 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
+    return _e28;
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, lit_side_shape);
-    float _e9 = invert(_e8);
-    vec4 _e12 = u_look.body;
-    vec4 _e20 = blend_shade(_e12, vec4(0.45, 0.36, 0.62, 1.0), _e9, 1.0, true);
-    vec3 _e22 = normal(surface_1.normal);
-    Light _e25 = u_look.key;
-    vec3 _e27 = half_vector(_e25, surface_1.view);
-    float _e34 = u_look.turn_angle;
-    vec3 _e35 = rotate_vector(vec3(0.0, 1.0, 0.0), _e27, _e34);
-    AxesAround _e36 = axes(_e27, _e35);
-    float _e41 = u_look.move_x;
-    float _e44 = u_look.move_y;
-    vec3 _e45 = shift_direction(_e22, _e36.x_axis, _e36.y_axis, _e41, _e44);
-    float _e50 = u_look.stretch_x;
-    float _e53 = u_look.stretch_y;
-    vec3 _e54 = stretch_direction(_e45, _e36.x_axis, _e36.y_axis, _e50, _e53);
-    float _e59 = u_look.split_x;
-    float _e62 = u_look.split_y;
-    vec3 _e63 = split_direction(_e54, _e36.x_axis, _e36.y_axis, _e59, _e62);
-    float _e68 = u_look.square_amount;
-    vec3 _e70 = square_direction(_e63, _e36.x_axis, _e36.y_axis, _e68, 4.0);
-    Angle _e71 = angle_between_directions(_e70, _e27);
-    float _e74 = profile(_e71, 0.0, highlight_shape);
-    vec4 _e82 = blend_alpha(_e20, vec4(1.0, 0.98, 0.92, 1.0), _e74, 0.96, true);
-    Light _e85 = u_look.back;
-    float _e91 = rim(_e85, surface_1.normal, surface_1.view, 0.3, 0.2, 1.0);
-    vec4 _e99 = blend_add(_e82, vec4(0.55, 0.75, 1.0, 1.0), _e91, 0.5, true);
-    vec4 _e100 = output_(_e99);
-    return _e100;
+    vec3 _e5 = u_look.key.direction;
+    vec3 _e14 = u_look.key.direction;
+    Angle turned_from_the_key = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    float _e22 = profile(turned_from_the_key, 0.0, lit_side_shape);
+    float in_the_dark = (1.0 - _e22);
+    vec4 _e27 = u_look.body;
+    vec4 _e31 = u_look.body;
+    vec4 _e43 = u_look.body;
+    float _e50 = u_look.body.w;
+    vec4 shadow = clamp(vec4((_e27.xyz + ((_e31.xyz * mix(vec3(1.0), vec3(0.45, 0.36, 0.62), in_the_dark)) - _e43.xyz)), _e50), vec4(0.0), vec4(1.0));
+    vec3 normal_1 = surface_1.normal;
+    Light _e60 = u_look.key;
+    vec3 _e62 = half_vector(_e60, surface_1.view);
+    float _e69 = u_look.turn_angle;
+    vec3 _e70 = rotate_vector(vec3(0.0, 1.0, 0.0), _e62, _e69);
+    AxesAround _e71 = axes(_e62, _e70);
+    DirectionParts _e74 = direction_within(normal_1, _e71.x_axis, _e71.y_axis);
+    float _e77 = u_look.move_x;
+    float _e80 = u_look.move_y;
+    vec3 _e82 = direction_moved(_e74, vec2(_e77, _e80));
+    float _e87 = u_look.stretch_x;
+    float _e90 = u_look.stretch_y;
+    vec3 _e91 = stretch_direction(_e82, _e71.x_axis, _e71.y_axis, _e87, _e90);
+    float _e96 = u_look.split_x;
+    float _e99 = u_look.split_y;
+    vec3 _e100 = split_direction(_e91, _e71.x_axis, _e71.y_axis, _e96, _e99);
+    float _e105 = u_look.square_amount;
+    vec3 _e107 = square_direction(_e100, _e71.x_axis, _e71.y_axis, _e105, 4.0);
+    Angle from_the_highlight = Angle((0.5 * length((_e107 - _e62))), (0.5 * length((_e107 + _e62))));
+    float _e119 = profile_2_(from_the_highlight, 0.0, highlight_shape);
+    vec4 _e127 = blend_alpha(shadow, vec4(1.0, 0.98, 0.92, 1.0), _e119, 0.96, true);
+    Light _e130 = u_look.back;
+    float _e136 = rim(_e130, surface_1.normal, surface_1.view, 0.3, 0.2, 1.0);
+    vec4 rim_s_light = clamp(vec4((_e127.xyz + (0.5 * ((_e127.xyz + (_e136 * vec3(0.55, 0.75, 1.0))) - _e127.xyz))), _e127.w), vec4(0.0), vec4(1.0));
+    vec4 _e167 = finite_vec4_(((rim_s_light.w <= 0.0) ? rim_s_light : vec4((rim_s_light.xyz / vec3(rim_s_light.w)), rim_s_light.w)));
+    return _e167;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_4 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_4;
-    vec4 _e15 = u_view.eye;
-    float _e20 = u_view.eye.w;
-    vec4 _e26 = u_view.eye;
-    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
-    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    vec4 _e35 = shade(_e34);
-    vec4 _e36 = finite_vec4_(_e35);
-    out_color = _e36;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_2 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_2;
+    vec4 _e11 = u_view.eye;
+    float _e16 = u_view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    Surface _e21 = surface;
+    vec4 _e22 = shade(_e21);
+    vec4 _e23 = finite_vec4_(_e22);
+    out_color = _e23;
     return;
 }
 

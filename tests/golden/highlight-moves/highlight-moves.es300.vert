@@ -37,13 +37,9 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape lit_side_shape = ProfileShape(0.8109631, 0.58509725, 4.0419726, 5.9230337, 1.25, 0.17004733, 0.08138281, 0u);
 const ProfileShape highlight_shape = ProfileShape(0.9939561, 0.1097783, 0.0, 1.0, 0.22, 0.0, 0.0, 1u);
 

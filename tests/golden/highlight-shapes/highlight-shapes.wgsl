@@ -73,27 +73,12 @@ fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
+    if !((largest > 1e-30) & (largest < 1e30)) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -105,38 +90,33 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = max(x, -126.0);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
+}
+
+/// ln(x) for normal x > 0.
+fn log_stable(x: f32) -> f32 {
+    return LN_2 * log2_stable(x);
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -173,22 +153,36 @@ fn sin_cos_quarter(x: f32) -> vec2f {
     return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
 }
 
-/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
-fn angle_between(d: vec3f, l: vec3f) -> Angle {
-    let p = length(d - l);
-    let s = length(d + l);
-    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
-    return Angle(p * k, s * k);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_3(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// The angle of `radians`, clamped to [0, pi]; 0 where it is not finite.
 fn angle_of(radians: f32) -> Angle {
-    let half_angle = 0.5 * clamp(finite_or(radians, 0.0), 0.0, PI);
+    let half_angle = 0.5 * min(radians, PI);
     let sc = sin_cos_quarter(half_angle);
     return Angle(max(sc.x, 0.0), max(sc.y, 0.0));
 }
@@ -214,11 +208,6 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -226,68 +215,21 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
 fn angle_turned(u: Angle, t: vec2f) -> Angle {
-    let s = u.half_sin * t.y - u.half_cos * t.x;
-    let c = u.half_cos * t.y + u.half_sin * t.x;
+    let s = u.half_sin - u.half_cos * 0.0;
+    let c = u.half_cos + u.half_sin * 0.0;
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
-    // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
-    // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
-}
-
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec2(v: vec2f) -> vec2f {
-    return vec2f(bounded(v.x), bounded(v.y));
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
-    // Coordinates are halved where they are large, so that the sum of both stays finite.
-    let p = abs(bounded_vec2(vec2f(x, y)));
+    let p = abs(vec2f(x, y));
     let scaled = select(p, 0.5 * p, max(p.x, p.y) > 1.0);
     let a = atan2_positive(scaled.y, scaled.x);
     let turned = select(a, PI - a, x < 0.0);
@@ -297,16 +239,7 @@ fn angle_of_point(y: f32, x: f32) -> f32 {
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
+    return sqrt(dot(d, d));
 }
 
 /// A unit vector at right angles to the unit vector n, smooth but at one pole (Duff et al. 2017).
@@ -314,22 +247,6 @@ fn any_orthogonal(n: vec3f) -> vec3f {
     let sign = select(-1.0, 1.0, n.z >= 0.0);
     let a = -1.0 / (sign + n.z);
     return vec3f(1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x);
-}
-
-/// Normal
-///
-/// The surface's normal in world space, toward the side that is seen.
-fn normal(normal: vec3f) -> vec3f {
-    return normal;
-}
-
-/// Angle between directions
-///
-/// The angle that a Profile turns into a tone, between any two directions: a bent half-vector and
-/// the normal, a hair's tangent and a light.
-fn angle_between_directions(a: vec3f, b: vec3f) -> Angle {
-    let z = vec3f(0.0, 0.0, 1.0);
-    return angle_between(normalize_or(a, z), normalize_or(b, z));
 }
 
 /// A direction with the two axes along which it is bent.
@@ -345,47 +262,39 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
-    let x = normalize_or(x_axis, vec3f(0.0));
-    let y = normalize_or(y_axis, vec3f(0.0));
-    return DirectionParts(d, x, y, vec2f(dot(d, x), dot(d, y)));
+    let y = normalize_moderate_3(y_axis, vec3f(0.0));
+    return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
-    // Farther than a million the direction lies along the axis.
-    let step = clamp(by, vec2f(-1e6), vec2f(1e6));
-    let moved = parts.direction + step.x * parts.x_axis + step.y * parts.y_axis;
-    // The direction of a sum of nearly 0 would be rounding's.
-    return select(parts.direction, normalize_or(moved, parts.direction), dot(moved, moved) > 1e-6);
+    let moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
+    return select(parts.direction, normalize_moderate(moved, parts.direction), dot(moved, moved)
+        > 1e-6);
 }
 
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
-    let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
-    let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
-    let leaning = cross(y, z);
+    let y = vec3f(0.0, 1.0, 0.0);
+    let leaning = cross(y, toward);
     let square = dot(leaning, leaning);
-    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
-    // rounding's.
-    let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
-    let across = select(cross(aside, z), leaning, square > 1e-8);
-    // The part along z that rounding left in `across`, short as that may be, would tilt x.
-    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
-    return mat3x3f(x, cross(z, x), z);
+    let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(toward.x) > 0.7);
+    let across = select(cross(aside, toward), leaning, square > 1e-8);
+    let x = normalize_moderate_2(across - dot(across, toward) * toward, vec3f(1.0, 0.0, 0.0));
+    return mat3x3f(x, cross(toward, x), toward);
 }
 
 /// Radius of a star at `turn`, in turns from its first ray: 1 at its rays, `inner` between them,
 /// along straight lines; `round` from 0 to 1 goes from there to a circle.
 fn star_reach(turn: f32, rays: f32, inner: f32, round: f32) -> f32 {
-    let half_sector = PI / rays;
-    let sector = abs(turn * rays - floor(turn * rays + 0.5));
+    let half_sector = PI / 4.0;
+    let sector = abs(turn * 4.0 - floor(turn * 4.0 + 0.5));
     let from_ray = sin_cos_quarter(min(2.0 * sector * half_sector, HALF_PI));
-    let between = sin_cos_quarter(clamp((1.0 - 2.0 * sector) * half_sector, 0.0, HALF_PI));
-    let corner = sin_cos_quarter(min(half_sector, HALF_PI)).x;
+    let between = sin_cos_quarter(max((1.0 - 2.0 * sector) * half_sector, 0.0));
+    let corner = sin_cos_quarter(half_sector).x;
     let straight = inner * corner / max(inner * between.x + from_ray.x, 1e-6);
-    return mix(straight, 1.0, round);
+    return mix(straight, 1.0, 0.0);
 }
 
 /// Axes around a direction
@@ -394,8 +303,8 @@ fn star_reach(turn: f32, rays: f32, inner: f32, round: f32) -> f32 {
 /// moved, stretched or split so that it keeps its shape on every object, whatever its texture
 /// coordinates.
 fn axes(direction: vec3f, up: vec3f) -> AxesAround {
-    let axes = axes_around(direction, up);
-    return AxesAround(axes[0], axes[1]);
+    let axes_2 = axes_around(direction, vec3f(0.0, 1.0, 0.0));
+    return AxesAround(axes_2[0], axes_2[1]);
 }
 
 struct AxesAround {
@@ -422,97 +331,40 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
     let side = select(vec2f(-1.0), vec2f(1.0), bent.place >= vec2f(0.0));
-    return direction_moved(bent, -max(vec2f(x, y), vec2f(0.0)) * side);
+    return direction_moved(bent, -vec2f(x, y) * side);
 }
 
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
-    sharpness: f32) -> vec3f {
+fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32)
+    -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
-    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
-    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
-    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
-    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
-    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20
-        && aside < 1.0);
-    return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
+    let aside = min(apart * apart / max(square, 1e-20), 1.0);
+    let corner = select(0.0, exp2_stable(4.0 * LOG2_E * log1p_negative(aside)), (square > 1e-20)
+        & (aside < 1.0));
+    return direction_moved(bent, -amount * corner * bent.place);
 }
 
 /// Star
 ///
 /// The angle between two directions, measured so that a Profile draws a star, a flower or a polygon
 /// instead of a disk: in between its rays the angle counts for more.
-fn star_angle(
-    direction: vec3f,
-    middle: vec3f,
-    x_axis: vec3f,
-    y_axis: vec3f,
-    rays: i32,
-    inner: f32,
-    round: f32,
-    turn: f32,
-) -> Angle {
-    let z = vec3f(0.0, 0.0, 1.0);
+fn star_angle(direction: vec3f, middle: vec3f, x_axis: vec3f, y_axis: vec3f, rays: i32, inner: f32,
+    round: f32, turn: f32) -> Angle {
     let bent = direction_within(direction, x_axis, y_axis);
-    let u = angle_between(bent.direction, normalize_or(middle, z));
-    let around = (angle_of_point(bent.place.y, bent.place.x) - clamp(bounded(turn), -1e4, 1e4))
-        / (2.0 * PI);
-    let reach = star_reach(around, f32(clamp(rays, 2, 64)), clamp(inner, 0.01, 1.0),
-        clamp(round, 0.0, 1.0));
-    return angle_of(angle_radians(u) / reach);
+    let u = Angle(0.5 * length(bent.direction - middle), 0.5 * length(bent.direction + middle));
+    let around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.2831855;
+    let reach = star_reach(around, 4.0, inner, 0.0);
+    return angle_of(2.0 * atan2_positive(u.half_sin, u.half_cos) / reach);
 }
 
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
-}
-
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    let a = opacity * color.w;
-    let alpha = below.w + tone * a * (1.0 - below.w);
-    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
-}
-
-fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz * mix(vec3f(1.0), color.xyz, tone), below.w,
-        opacity * color.w, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// Parametrization
-///
-/// The angle u between a light and a direction of the surface; it decides how shading moves.
-/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
-/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
-/// own axes.
-fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
+        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -534,34 +386,10 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
-        return 1.0;
-    }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
-    }
-    let q = s * shape.scale;
-    return profile_power(q, shape.exponent);
-}
-
-/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
-fn profile_power(q: f32, exponent: f32) -> f32 {
-    if q >= 1.0 {
-        return 0.0;
-    }
-    var log_base = 0.0;
-    if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
-    } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
-    }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return select(select(0.0, 1.0, s <= 4e-7), 1.0, (s <= 0.0) | false);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -569,22 +397,24 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    if false | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
+    let width = sqrt(w * w);
+    return clamp(0.5 + (shape.offset - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0,
+        1.0);
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point(u, shape);
+    if false | (w <= 0.0) | false {
         return point;
     }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
-    let before = profile_point(angle_turned(u, reach), shape);
-    let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
-    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+    let width = sqrt(w * w);
+    return clamp(0.5 + (0.125 - 2.0 * atan2_positive(u.half_sin, u.half_cos)) / width, 0.0, 1.0);
 }
 
 /// Profile
@@ -595,8 +425,20 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
     return profile_filtered(warped, angle_footprint(warped), shape);
+}
+
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned(angle, vec2f(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
 /// Rim light
@@ -604,32 +446,15 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 /// A line of light along the silhouette, on the side of a light: what lifts a figure off its
 /// background.
 fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, follow: f32) -> f32 {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let facing = clamp(dot(n, view), 0.0, 1.0);
-    let reach = factor_of(width, true);
-    // The edge is as wide as softness wants, but never narrower than a pixel.
-    let edge = max(reach * factor_of(softness, true), min(footprint_of(facing), 1.0));
-    // Where the normal is nearly straight at the eye a cosine has no digits left, and the vectors'
-    // difference has them.
-    let aside = n - view;
-    let further = select(reach - facing, 0.5 * dot(aside, aside) - (1.0 - reach), facing > 0.5);
-    let within = further / max(edge, 1e-6) + select(0.5, 0.0, softness > 0.0);
-    let inside = select(clamp(within, 0.0, 1.0), 0.0, reach <= 0.0);
-    // `across` is the light's direction across the eye's: from the far side of the object (-1) to
-    // the near one (1).
+    let facing = clamp(dot(normal, view), 0.0, 1.0);
+    let edge = max(width * softness, min(footprint_of(facing), 1.0));
+    let aside = normal - view;
+    let further = select(width - facing, 0.5 * dot(aside, aside) - (1.0 - width), facing > 0.5);
+    let within = further / edge + 0.0;
+    let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    // Only the normal's part across the eye's direction counts, too: where the light is nearly
-    // behind, rounding leaves a little of that direction in `across`.
-    let side = dot(n - dot(n, view) * view, normalize_or(across, vec3f(0.0)));
-    return inside * mixed(1.0, eased(side, 0.0, 0.5), factor_of(follow, true));
-}
-
-/// Invert
-///
-/// 1 minus the number: light becomes dark, a mask becomes what it left out. A color keeps its
-/// alpha.
-fn invert(value: f32) -> f32 {
-    return bounded(1.0 - value);
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate_3(across, vec3f(0.0)));
+    return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
 const shadow_side_shape = ProfileShape(0.7484994, 0.66313547, 0.0, 1.0, 1.45, 0.0, 0.0, 1u);
@@ -638,27 +463,27 @@ const spark_shape = ProfileShape(0.9855848, 0.16918235, 0.0, 1.0, 0.34, 0.0, 0.0
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let turned_from_the_key = parametrization_diffuse(look.key, surface.normal);
+    let turned_from_the_key = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let shadow_side = profile(turned_from_the_key, 0.0, shadow_side_shape);
-    let in_the_dark = invert(shadow_side);
-    let shadow = blend_shade(vec4f(0.83, 0.19, 0.18, 1.0), vec4f(0.52, 0.25, 0.46, 1.0), in_the_dark, 1.0, true);
-    let normal_2 = normal(surface.normal);
+    let in_the_dark = 1.0 - shadow_side;
+    let shadow = min(vec4f(vec4f(0.83, 0.19, 0.18, 1.0).xyz * mix(vec3f(1.0), vec4f(0.52, 0.25, 0.46, 1.0).xyz, in_the_dark), 1.0), vec4f(1.0));
+    let normal = surface.normal;
     let half = half_vector(look.key, surface.view);
     let upright = axes(half, vec3f(0.0, 1.0, 0.0));
-    let four_panes = split_direction(normal_2, upright.x_axis, upright.y_axis, 0.15, 0.15);
+    let four_panes = split_direction(normal, upright.x_axis, upright.y_axis, 0.15, 0.15);
     let square_it = square_direction(four_panes, upright.x_axis, upright.y_axis, 0.3, 4.0);
-    let window_angle = angle_between_directions(square_it, half);
-    let window = profile(window_angle, 0.0, window_shape);
+    let window_angle = Angle(0.5 * length(square_it - half), 0.5 * length(square_it + half));
+    let window = profile_2(window_angle, 0.0, window_shape);
     let window_s_light = blend_alpha(shadow, vec4f(1.0, 0.97, 0.9, 1.0), window, 0.95, true);
     let spark_half = half_vector(look.spark, surface.view);
     let upright_2 = axes(spark_half, vec3f(0.0, 1.0, 0.0));
     let four_rays = star_angle(surface.normal, spark_half, upright_2.x_axis, upright_2.y_axis, 4i, 0.28, 0.0, 0.3);
     let spark = profile(four_rays, 0.0, spark_shape);
-    let spark_s_light = blend_alpha(window_s_light, vec4f(1.0, 0.83, 0.42, 1.0), spark, 1.0, true);
+    let spark_s_light = clamp(vec4f(window_s_light.xyz + spark * (vec4f(1.0, 0.83, 0.42, 1.0).xyz - window_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let rim_2 = rim(look.back, surface.normal, surface.view, 0.38, 0.15, 1.0);
-    let rim_s_light = blend_add(spark_s_light, vec4f(0.55, 0.72, 1.0, 1.0), rim_2, 0.75, true);
-    let output_2 = output(rim_s_light);
-    return output_2;
+    let rim_s_light = clamp(vec4f(spark_s_light.xyz + 0.75 * (spark_s_light.xyz + rim_2 * vec4f(0.55, 0.72, 1.0, 1.0).xyz - spark_s_light.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let output = rim_s_light;
+    return output;
 }
 
 struct Vertex {
@@ -684,11 +509,11 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

@@ -29,11 +29,7 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp glow = Ramp(vec4[16](vec4(0.851, 0.4118, 0.1647, 1.0), vec4(1.0, 0.7804, 0.3961, 1.0), vec4(1.0, 0.9647, 0.8471, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.45, 1.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0)), 3u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };

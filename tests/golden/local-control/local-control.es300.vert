@@ -39,13 +39,8 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape soft_tone_shape = ProfileShape(1.0, 0.0, 1.0, 0.9999963, 0.0, 1.5707985, 0.68337417, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };

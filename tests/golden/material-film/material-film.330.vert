@@ -28,12 +28,7 @@ const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
 const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint NOISE_PERLIN = 1u;
-const uint NOISE_SIMPLEX = 2u;
-const uint NOISE_WORLEY = 3u;
-const float SIMPLEX_SCALE = 38.4553;
-const float WORLEY_MEAN = 0.5205;
 
 layout(std140) uniform ViewBlock { View u_view; };
 

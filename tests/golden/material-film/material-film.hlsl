@@ -1,6 +1,6 @@
 // Iridescent film: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_5 b0, object b1, look b2.
+// Registers of space 0: view_4 b0, object b1, look b2.
 // material-film.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
@@ -66,116 +66,48 @@ static const float PI = 3.1415927;
 static const float HALF_PI = 1.5707964;
 static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
-static const float SMALLEST_NORMAL = 1.1754944e-38;
 static const uint NOISE_PERLIN = 1u;
-static const uint NOISE_SIMPLEX = 2u;
-static const uint NOISE_WORLEY = 3u;
-static const float SIMPLEX_SCALE = 38.4553;
-static const float WORLEY_MEAN = 0.5205;
 
-cbuffer view_5 : register(b0) { View view_5; }
+cbuffer view_4 : register(b0) { View view_4; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
     float3 position_1 : LOC0;
-    float3 position_object_2 : LOC1;
-    float3 normal_5 : LOC2;
+    float3 position_object : LOC1;
+    float3 normal_4 : LOC2;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_2 : LOC0;
-    float3 position_object_3 : LOC1;
-    float3 normal_6 : LOC2;
+    float3 position_object_1 : LOC1;
+    float3 normal_5 : LOC2;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
-
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
-}
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_5 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_5);
-    float f = ((clamped_5 - whole) * LN_2_);
-    float p_6 = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p_6 * _e33) * _e37);
+    float clamped_1 = max(x, -126.0);
+    float whole = round(clamped_1);
+    float f = (clamped_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float log2_stable(float x_1)
 {
-    uint bits = asuint(x_3);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent_2 = ((shift >= int(256)) ? asint(asuint(shift) - asuint(int(512))) : shift);
-    float mantissa = asfloat((bits - (uint(exponent_2) << 23u)));
+    uint bits = asuint(x_1);
+    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_2) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -191,13 +123,13 @@ float log1p_negative(float y_1)
         const float _e3 = log1p_negative_small(y_1);
         return _e3;
     }
-    const float _e8 = log_stable(max((1.0 - y_1), 1.1754944e-38));
-    return _e8;
+    const float _e7 = log2_stable((1.0 - y_1));
+    return (LN_2_ * _e7);
 }
 
-float2 sin_cos_quarter(float x_4)
+float2 sin_cos_quarter(float x_2)
 {
-    float h = (0.5 * x_4);
+    float h = (0.5 * x_2);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -205,171 +137,49 @@ float2 sin_cos_quarter(float x_4)
     return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float2 sin_cos(float x_5)
+float2 sin_cos(float x_3)
 {
-    float turns = round((x_5 * 0.31830987));
-    float r = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+    float turns = round((x_3 * 0.31830987));
+    float r = (((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
     const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
     return (sign_ * _e27);
 }
 
-float bounded(float x_6)
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    uint bits_1 = asuint(x_6);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 bounded_vec3_(float3 v_3)
+float3 normalize_seen(float3 v_1)
 {
-    const float _e2 = bounded(v_3.x);
-    const float _e4 = bounded(v_3.y);
-    const float _e6 = bounded(v_3.z);
-    return float3(_e2, _e4, _e6);
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
-float powered(float base, float exponent)
+float footprint_of_vec3_(float3 v_2)
 {
-    bool local_1 = (bool)0;
-
-    const float _e2 = bounded(base);
-    const float _e3 = bounded(exponent);
-    if ((_e3 == 1.0)) {
-        return _e2;
-    }
-    if ((_e3 == 0.0)) {
-        return 1.0;
-    }
-    if ((_e3 == 2.0)) {
-        const float _e12 = bounded((_e2 * _e2));
-        return _e12;
-    }
-    float magnitude_1 = abs(_e2);
-    if ((magnitude_1 < SMALLEST_NORMAL)) {
-        return 0.0;
-    }
-    const float _e18 = log_stable(magnitude_1);
-    const float _e21 = bounded((_e3 * (LOG2_E * _e18)));
-    const float _e22 = exp2_stable(_e21);
-    bool is_even = (floor((_e3 * 0.5)) == (_e3 * 0.5));
-    if ((_e2 < 0.0)) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return (_e36 ? -(_e22) : _e22);
+    float3 dx = ddx(v_2);
+    float3 dy = ddy(v_2);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
-float mixed(float a, float b, float t)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    const float _e4 = bounded((b - a));
-    const float _e14 = bounded(((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4))));
-    return _e14;
-}
-
-float place_between(float x_7, float low, float high)
-{
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_7 >= high) ? 1.0 : 0.0);
-    }
-    const float _e12 = bounded(span);
-    const float _e14 = bounded(((x_7 - low) / _e12));
-    return _e14;
-}
-
-float remapped(float x_8, float from_low, float from_high, float to_low, float to_high, bool clamped)
-{
-    const float _e6 = bounded(x_8);
-    const float _e7 = bounded(from_low);
-    const float _e8 = bounded(from_high);
-    const float _e9 = place_between(_e6, _e7, _e8);
-    const float _e10 = bounded(to_low);
-    const float _e11 = bounded(to_high);
-    const float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
-}
-
-float eased(float x_9, float low_1, float high_1)
-{
-    const float _e3 = bounded(x_9);
-    const float _e4 = bounded(low_1);
-    const float _e5 = bounded(high_1);
-    const float _e6 = place_between(_e3, _e4, _e5);
-    float t_2 = clamp(_e6, 0.0, 1.0);
-    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
-}
-
-float factor_of(float x_10, bool clamped_1)
-{
-    const float _e2 = bounded(x_10);
-    const float _e3 = bounded(x_10);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-float2 sin_cos_of(float x_11)
-{
-    const float _e1 = bounded(x_11);
-    const float2 _e2 = sin_cos(_e1);
-    return clamp(_e2, (-1.0).xx, (1.0).xx);
-}
-
-float footprint_of_vec3_(float3 v_4)
-{
-    float3 dx = ddx(v_4);
-    float3 dy = ddy(v_4);
-    const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
-    return _e7;
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
-float3 position_object(float3 position_object_1)
-{
-    return position_object_1;
-}
-
-float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped_2)
-{
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    float4 mixed_1 = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped_2 ? clamp(mixed_1, (0.0).xxxx, (1.0).xxxx) : mixed_1);
-}
-
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_3)
-{
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_3);
-    return _e12;
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (1.0).xxx)) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float3 half_of(float3 light, float3 normal, float3 view)
 {
     float3 half_ = (light + view);
-    const float3 _e8 = normalize_or(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    const float3 _e8 = normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
     return _e8;
 }
 
-float sine_squared(float3 a_1, float3 b_1)
+float sine_squared(float3 a, float3 b)
 {
-    float3 across = cross(a_1, b_1);
+    float3 across = cross(a, b);
     return min(dot(across, across), 1.0);
 }
 
@@ -393,81 +203,78 @@ Reflection reflection_of(float3 light_1, float3 normal_1, float3 view_1)
     return reflection;
 }
 
-float cosine_power(float cosine, float sine2_, float exponent_1)
+float cosine_power(float cosine, float sine2_, float exponent)
 {
     if ((cosine < 0.7)) {
-        const float _e7 = powered(max(cosine, 0.0), exponent_1);
-        return _e7;
+        return 0.0;
     }
-    const float _e14 = log1p_negative(min(sine2_, 0.6));
-    const float _e16 = exp2_stable((((0.5 * exponent_1) * LOG2_E) * _e14));
-    return _e16;
-}
-
-float width_of_roughness(float roughness)
-{
-    const float _e1 = bounded(roughness);
-    float r_1 = clamp(_e1, 0.0, 1.0);
-    return max((r_1 * r_1), 0.001);
+    const float _e12 = log1p_negative(min(sine2_, 0.6));
+    const float _e14 = exp2_stable((((0.5 * exponent) * LOG2_E) * _e12));
+    return _e14;
 }
 
 float schlick(float at_normal, float cosine_1)
 {
-    float m = clamp((1.0 - cosine_1), 0.0, 1.0);
+    float m = (1.0 - cosine_1);
     float m2_ = (m * m);
     return (at_normal + ((1.0 - at_normal) * ((m2_ * m2_) * m)));
 }
 
-float exponent_of_width(float width)
-{
-    return max(((2.0 / (width * width)) - 2.0), 0.0);
-}
-
 float interference(float path, float wavelength)
 {
-    const float2 _e5 = sin_cos_of(((PI * path) / wavelength));
-    return (_e5.x * _e5.x);
+    const float2 _e6 = sin_cos(((PI * path) / 650.0));
+    float2 half_1 = clamp(_e6, (-1.0).xx, (1.0).xx);
+    return (half_1.x * half_1.x);
+}
+
+float interference_2_(float path_1, float wavelength_1)
+{
+    const float2 _e6 = sin_cos(((PI * path_1) / 532.0));
+    float2 half_2 = clamp(_e6, (-1.0).xx, (1.0).xx);
+    return (half_2.x * half_2.x);
+}
+
+float interference_3_(float path_2, float wavelength_2)
+{
+    const float2 _e6 = sin_cos(((PI * path_2) / 450.0));
+    float2 half_3 = clamp(_e6, (-1.0).xx, (1.0).xx);
+    return (half_3.x * half_3.x);
 }
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_5 = (uint3)0;
+    uint3 v_3 = (uint3)0;
 
-    v_5 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_5;
-    uint3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_5;
+    v_3 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_3;
+    uint3 _e32 = v_3;
+    v_3 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_3;
     return _e61;
-}
-
-float3 unit_of_hash(uint3 hash)
-{
-    return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
 }
 
 uint3 lattice_hash(int3 cell, uint seed_1)
@@ -480,30 +287,31 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float gradient_dot(uint3 hash_1, float3 d)
+float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash_1.x >> 8u), 3u);
-    float a_2 = ((axis == 0u) ? d.y : d.x);
-    float b_2 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash_1.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash_1.z >> 31u) == 0u) ? b_2 : -(b_2)));
+    uint axis = naga_mod((hash.x >> 8u), 3u);
+    float a_1 = ((axis == 0u) ? d.y : d.x);
+    float b_1 = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b_1 : -(b_1)));
 }
 
-float3 fade_quintic(float3 t_1)
+float3 fade_quintic(float3 t)
 {
-    return (((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    return (((t * t) * t) * ((t * ((t * 6.0) - (15.0).xxx)) + (10.0).xxx));
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float value_noise(float3 p, uint seed_2)
+float perlin_noise(float3 p, uint seed_2)
 {
     float sum = 0.0;
     int i = int(0);
 
     float3 corner = floor(p);
-    const float3 _e4 = fade_quintic((p - corner));
+    float3 d_1 = (p - corner);
+    const float3 _e4 = fade_quintic(d_1);
     int3 cell_1 = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
@@ -511,8 +319,8 @@ float value_noise(float3 p, uint seed_2)
         if (all(loop_bound == uint2(0u, 0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e45 = i;
-            i = asint(asuint(_e45) + asuint(int(1)));
+            int _e46 = i;
+            i = asint(asuint(_e46) + asuint(int(1)));
         }
         loop_init = false;
         int _e10 = i;
@@ -528,277 +336,104 @@ float value_noise(float3 p, uint seed_2)
             float3 weight = ((at == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
             float _e32 = sum;
             const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at)), seed_2);
-            const float3 _e40 = unit_of_hash(_e39);
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e40.x));
+            const float _e42 = gradient_dot(_e39, (d_1 - float3(at)));
+            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
         }
     }
-    float _e47 = sum;
-    return _e47;
+    float _e48 = sum;
+    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
 }
 
-float perlin_noise(float3 p_1, uint seed_3)
+float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int seed_3, float w)
 {
-    float sum_1 = 0.0;
+    float octave = (float)0;
     int i_1 = int(0);
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum_1 = 0.0;
 
-    float3 corner_1 = floor(p_1);
-    float3 d_2 = (p_1 - corner_1);
-    const float3 _e4 = fade_quintic(d_2);
-    int3 cell_2 = naga_f2i32(corner_1);
     uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
     bool loop_init_1 = true;
     while(true) {
         if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e46 = i_1;
-            i_1 = asint(asuint(_e46) + asuint(int(1)));
+            int _e67 = i_1;
+            i_1 = asint(asuint(_e67) + asuint(int(1)));
         }
         loop_init_1 = false;
-        int _e10 = i_1;
-        if ((_e10 < int(8))) {
-        } else {
+        int _e17 = i_1;
+        if (!((_e17 < int(2)))) {
             break;
         }
-        {
-            int _e13 = i_1;
-            int _e16 = i_1;
-            int _e21 = i_1;
-            int3 at_1 = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight_1 = ((at_1 == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum_1;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_2) + asuint(at_1)), seed_3);
-            const float _e42 = gradient_dot(_e39, (d_2 - float3(at_1)));
-            sum_1 = (_e32 + (((weight_1.x * weight_1.y) * weight_1.z) * _e42));
+        float _e21 = frequency;
+        float visible = (1.0 - smoothstep(0.5, 1.0, (w * _e21)));
+        octave = 0.5;
+        if ((visible > 0.0)) {
+            float _e31 = frequency;
+            int _e33 = i_1;
+            float3 place = clamp(((p_1 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            int _e47 = i_1;
+            const float _e50 = perlin_noise(place, (0u + uint(_e47)));
+            octave = lerp(0.5, _e50, visible);
         }
+        float _e53 = sum_1;
+        float _e54 = strength;
+        float _e55 = octave;
+        sum_1 = (_e53 + (_e54 * _e55));
+        float _e58 = total;
+        float _e59 = strength;
+        total = (_e58 + _e59);
+        float _e61 = strength;
+        strength = (_e61 * 0.5);
+        float _e64 = frequency;
+        frequency = (_e64 * 2.0);
     }
-    float _e48 = sum_1;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    float _e70 = sum_1;
+    return min((_e70 / 1.5), 1.0);
 }
 
-float simplex_corner(float3 d_1, uint3 hash_2)
+float reflectance_blinn_phong(Light light_2, float3 normal_2, float3 view_2, float roughness_1)
 {
-    float t_3 = max((0.5 - dot(d_1, d_1)), 0.0);
-    const float _e10 = gradient_dot(hash_2, d_1);
-    return ((((t_3 * t_3) * t_3) * t_3) * _e10);
+    const Reflection _e5 = reflection_of(light_2.direction, normal_2, view_2);
+    float width = (roughness_1 * roughness_1);
+    float e = ((2.0 / (width * width)) - 2.0);
+    const float _e14 = cosine_power(_e5.n_h, _e5.sine2_, e);
+    return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
 }
 
-float simplex_noise(float3 p_2, uint seed_4)
+float4 thin_film(float thickness, float index, float3 normal_3, float3 view_3)
 {
-    float sum_2 = (float)0;
-
-    float3 corner_2 = floor((p_2 + ((((p_2.x + p_2.y) + p_2.z) / 3.0)).xxx));
-    float3 d_3 = ((p_2 - corner_2) + ((((corner_2.x + corner_2.y) + corner_2.z) / 6.0)).xxx);
-    bool3 is_first = bool3((d_3.x >= d_3.y), (d_3.y >= d_3.z), (d_3.z > d_3.x));
-    float3 g = (is_first ? (1.0).xxx : (0.0).xxx);
-    float3 l = ((1.0).xxx - g);
-    float3 second = min(g, l.zxy);
-    float3 third = max(g, l.zxy);
-    int3 cell_3 = naga_f2i32(corner_2);
-    const uint3 _e45 = lattice_hash(cell_3, seed_4);
-    const float _e46 = simplex_corner(d_3, _e45);
-    sum_2 = _e46;
-    float _e48 = sum_2;
-    const uint3 _e55 = lattice_hash(asint(asuint(cell_3) + asuint(naga_f2i32(second))), seed_4);
-    const float _e56 = simplex_corner(((d_3 - second) + (0.16666667).xxx), _e55);
-    sum_2 = (_e48 + _e56);
-    float _e58 = sum_2;
-    const uint3 _e65 = lattice_hash(asint(asuint(cell_3) + asuint(naga_f2i32(third))), seed_4);
-    const float _e66 = simplex_corner(((d_3 - third) + (0.33333334).xxx), _e65);
-    sum_2 = (_e58 + _e66);
-    float _e68 = sum_2;
-    const uint3 _e75 = lattice_hash(asint(asuint(cell_3) + asuint((int(1)).xxx)), seed_4);
-    const float _e76 = simplex_corner((d_3 - (0.5).xxx), _e75);
-    sum_2 = (_e68 + _e76);
-    float _e79 = sum_2;
-    return clamp((0.5 + (SIMPLEX_SCALE * _e79)), 0.0, 1.0);
+    float cosine_2 = clamp(dot(normal_3, view_3), 0.0, 1.0);
+    float inside = sqrt((((index - 1.0) * (index + 1.0)) + (cosine_2 * cosine_2)));
+    float path_3 = ((2.0 * thickness) * inside);
+    const float _e20 = interference(path_3, 650.0);
+    const float _e22 = interference_2_(path_3, 532.0);
+    const float _e24 = interference_3_(path_3, 450.0);
+    return float4(_e20, _e22, _e24, 1.0);
 }
 
-int naga_mod(int lhs, int rhs) {
-    int divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
-    return lhs - (lhs / divisor) * divisor;
-}
-
-float worley_noise(float3 p_3, uint seed_5)
+float noise_perlin(float3 position, float scale, int octaves_1, float roughness_2, int seed_4)
 {
-    float nearest = 1.0;
-    int i_2 = int(0);
-
-    float3 corner_3 = floor(p_3);
-    float3 d_4 = (p_3 - corner_3);
-    int3 cell_4 = naga_f2i32(corner_3);
-    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
-    bool loop_init_2 = true;
-    while(true) {
-        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e40 = i_2;
-            i_2 = asint(asuint(_e40) + asuint(int(1)));
-        }
-        loop_init_2 = false;
-        int _e9 = i_2;
-        if ((_e9 < int(27))) {
-        } else {
-            break;
-        }
-        {
-            int _e12 = i_2;
-            int _e17 = i_2;
-            int _e24 = i_2;
-            int3 at_2 = int3(asint(asuint(naga_mod(_e12, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e17, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e24, int(9))) - asuint(int(1))));
-            const uint3 _e32 = lattice_hash(asint(asuint(cell_4) + asuint(at_2)), seed_5);
-            const float3 _e33 = unit_of_hash(_e32);
-            float3 offset = ((float3(at_2) + _e33) - d_4);
-            float _e36 = nearest;
-            nearest = min(_e36, dot(offset, offset));
-        }
-    }
-    float _e42 = nearest;
-    return sqrt(_e42);
-}
-
-float noise_octave(uint kind, float3 p_4, uint seed_6)
-{
-    switch(kind) {
-        case 1u: {
-            const float _e3 = perlin_noise(p_4, seed_6);
-            return _e3;
-        }
-        case 2u: {
-            const float _e4 = simplex_noise(p_4, seed_6);
-            return _e4;
-        }
-        case 3u: {
-            const float _e5 = worley_noise(p_4, seed_6);
-            return _e5;
-        }
-        default: {
-            const float _e6 = value_noise(p_4, seed_6);
-            return _e6;
-        }
-    }
-}
-
-float fractal_noise(uint kind_1, float3 p_5, int octaves, float roughness_1, int seed_7, float w)
-{
-    float sum_3 = 0.0;
-    float total = 0.0;
-    float strength = 1.0;
-    float frequency = 1.0;
-    int i_3 = int(0);
-    float octave = (float)0;
-
-    float mean = ((kind_1 == NOISE_WORLEY) ? WORLEY_MEAN : 0.5);
-    const float _e11 = bounded(roughness_1);
-    float gain = clamp(_e11, 0.0, 1.0);
-    uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
-    bool loop_init_3 = true;
-    while(true) {
-        if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e75 = i_3;
-            i_3 = asint(asuint(_e75) + asuint(int(1)));
-        }
-        loop_init_3 = false;
-        int _e25 = i_3;
-        if ((_e25 < clamp(octaves, int(1), int(8)))) {
-        } else {
-            break;
-        }
-        {
-            float _e30 = frequency;
-            const float _e34 = eased((w * _e30), 0.5, 1.0);
-            float visible = (1.0 - _e34);
-            octave = mean;
-            if ((visible > 0.0)) {
-                float _e40 = frequency;
-                int _e42 = i_3;
-                float3 place = clamp(((p_5 * _e40) + (float(_e42) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-                int _e56 = i_3;
-                const float _e59 = noise_octave(kind_1, place, (asuint(seed_7) + uint(_e56)));
-                octave = lerp(mean, _e59, visible);
-            }
-            float _e61 = sum_3;
-            float _e62 = strength;
-            float _e63 = octave;
-            sum_3 = (_e61 + (_e62 * _e63));
-            float _e66 = total;
-            float _e67 = strength;
-            total = (_e66 + _e67);
-            float _e69 = strength;
-            strength = (_e69 * gain);
-            float _e71 = frequency;
-            frequency = (_e71 * 2.0);
-        }
-    }
-    float _e77 = sum_3;
-    float _e78 = total;
-    return clamp((_e77 / _e78), 0.0, 1.0);
-}
-
-float fresnel(float at_normal_1, float3 normal_2, float3 view_2)
-{
-    const float3 _e7 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
-    float cosine_2 = clamp(dot(_e7, view_2), 0.0, 1.0);
-    const float _e13 = factor_of(at_normal_1, true);
-    const float _e14 = schlick(_e13, cosine_2);
-    return _e14;
-}
-
-float reflectance_blinn_phong(Light light_2, float3 normal_3, float3 view_3, float roughness_2)
-{
-    const float3 _e9 = normalize_or(normal_3, float3(0.0, 0.0, 1.0));
-    const Reflection _e10 = reflection_of(light_2.direction, _e9, view_3);
-    const float _e11 = width_of_roughness(roughness_2);
-    const float _e12 = exponent_of_width(_e11);
-    const float _e15 = cosine_power(_e10.n_h, _e10.sine2_, _e12);
-    return min((((0.125 * (_e12 + 8.0)) * _e15) * max(_e10.n_l, 0.0)), 1000000.0);
-}
-
-float4 thin_film(float thickness, float index, float3 normal_4, float3 view_4)
-{
-    const float3 _e8 = normalize_or(normal_4, float3(0.0, 0.0, 1.0));
-    float cosine_3 = clamp(dot(_e8, view_4), 0.0, 1.0);
-    const float _e13 = bounded(index);
-    float n_1 = clamp(_e13, 1.0, 3.0);
-    float inside = sqrt((((n_1 - 1.0) * (n_1 + 1.0)) + (cosine_3 * cosine_3)));
-    const float _e25 = bounded(thickness);
-    float path_1 = ((2.0 * clamp(_e25, 0.0, 2000.0)) * inside);
-    const float _e33 = interference(path_1, 650.0);
-    const float _e35 = interference(path_1, 532.0);
-    const float _e37 = interference(path_1, 450.0);
-    return float4(_e33, _e35, _e37, 1.0);
-}
-
-float map_range(float value, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_4)
-{
-    const float _e6 = remapped(value, from_low_1, from_high_1, to_low_1, to_high_1, clamped_4);
-    return _e6;
-}
-
-float noise_perlin(float3 position, float scale, int octaves_1, float roughness_3, int seed_8)
-{
-    const float3 _e6 = bounded_vec3_((position * scale));
-    const float _e8 = footprint_of_vec3_(_e6);
-    const float _e9 = fractal_noise(NOISE_PERLIN, _e6, octaves_1, roughness_3, seed_8, _e8);
-    return _e9;
+    float3 p_2 = (position * scale);
+    const float _e10 = footprint_of_vec3_(p_2);
+    const float _e11 = fractal_noise(NOISE_PERLIN, p_2, int(2), 0.5, int(0), _e10);
+    return _e11;
 }
 
 float4 shade(Surface surface_1)
 {
-    const float3 _e2 = position_object(surface_1.position_object);
-    const float _e7 = noise_perlin(_e2, 1.3, int(2), 0.5, int(0));
-    const float _e13 = map_range(_e7, 0.0, 1.0, 180.0, 420.0, true);
-    const float4 _e17 = thin_film(_e13, 1.33, surface_1.normal, surface_1.view);
-    const float _e21 = fresnel(0.45, surface_1.normal, surface_1.view);
-    const float4 _e29 = blend_add(float4(0.0784, 0.0863, 0.1216, 1.0), _e17, _e21, 1.0, true);
-    Light _e32 = look.key;
-    const float _e36 = reflectance_blinn_phong(_e32, surface_1.normal, surface_1.view, 0.22);
-    const float4 _e41 = blend_add(_e29, (1.0).xxxx, _e36, 0.2, true);
-    const float4 _e42 = output(_e41);
-    return _e42;
+    float3 place_1 = surface_1.position_object;
+    const float _e6 = noise_perlin(place_1, 1.3, int(2), 0.5, int(0));
+    float thickness_1 = lerp(180.0, 420.0, (_e6 - 0.0));
+    const float4 _e15 = thin_film(thickness_1, 1.33, surface_1.normal, surface_1.view);
+    const float _e23 = schlick(0.45, clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0));
+    float4 film_2_ = min(float4((float3(0.0784, 0.0863, 0.1216) + (_e23 * _e15.xyz)), 1.0), (1.0).xxxx);
+    Light _e38 = look.key;
+    const float _e42 = reflectance_blinn_phong(_e38, surface_1.normal, surface_1.view, 0.22);
+    const float4 _e47 = blend_add(film_2_, (1.0).xxxx, _e42, 0.2, true);
+    return _e47;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -807,7 +442,7 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_5.clip_from_world;
+    float4x4 _e12 = view_4.clip_from_world;
     out_.clip_ = mul(world, _e12);
     out_.position = world.xyz;
     out_.position_object = vertex.position;
@@ -821,22 +456,18 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_3, fragmentinput_fs_main.normal_6 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_5 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_7 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_7;
-    float4 _e15 = view_5.eye;
-    float _e20 = view_5.eye.w;
-    float4 _e26 = view_5.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_6 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_6;
+    float4 _e11 = view_4.eye;
+    float _e16 = view_4.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
     surface.position_object = in_.position_object;
-    Surface _e36 = surface;
-    const float4 _e37 = shade(_e36);
-    const float4 _e38 = finite_vec4_(_e37);
-    return _e38;
+    Surface _e23 = surface;
+    const float4 _e24 = shade(_e23);
+    return _e24;
 }

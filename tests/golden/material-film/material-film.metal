@@ -1,6 +1,6 @@
 // Iridescent film: made by Chiaro 0.1.0, Metal Shading Language 2.0.
 // Draws a mesh with the look; the result is straight RGBA.
-// Arguments of both functions: view_5 buffer(0), object buffer(1), look buffer(2).
+// Arguments of both functions: view_4 buffer(0), object buffer(1), look buffer(2).
 // material-film.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of Metal Shading Language 2.0 has seen this file.
 
@@ -59,106 +59,31 @@ constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
 constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 constant uint NOISE_PERLIN = 1u;
-constant uint NOISE_SIMPLEX = 2u;
-constant uint NOISE_WORLEY = 3u;
-constant float SIMPLEX_SCALE = 38.4553;
-constant float WORLEY_MEAN = 0.5205;
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
 float exp2_stable(
-    float x_2
+    float x
 ) {
-    float clamped_5 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_5);
-    float f = (clamped_5 - whole) * LN_2_;
-    float p_6 = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p_6 * _e33) * _e37;
+    float clamped_1 = metal::max(x, -126.0);
+    float whole = metal::rint(clamped_1);
+    float f = clamped_1 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
-    float x_3
+float log2_stable(
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
-    int shift = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_2 = (shift >= 256) ? as_type<int>(as_type<uint>(shift) - as_type<uint>(512)) : shift;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_2) << 23u));
+    uint bits = as_type<uint>(x_1);
+    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_2) * LN_2_) + series;
+    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -176,14 +101,14 @@ float log1p_negative(
         float _e3 = log1p_negative_small(y_1);
         return _e3;
     }
-    float _e8 = log_stable(metal::max(1.0 - y_1, 0.000000000000000000000000000000000000011754944));
-    return _e8;
+    float _e7 = log2_stable(1.0 - y_1);
+    return LN_2_ * _e7;
 }
 
 metal::float2 sin_cos_quarter(
-    float x_4
+    float x_2
 ) {
-    float h = 0.5 * x_4;
+    float h = 0.5 * x_2;
     float h2_ = h * h;
     float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
@@ -192,194 +117,46 @@ metal::float2 sin_cos_quarter(
 }
 
 metal::float2 sin_cos(
-    float x_5
+    float x_3
 ) {
-    float turns = metal::rint(x_5 * 0.31830987);
-    float r = ((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
+    float turns = metal::rint(x_3 * 0.31830987);
+    float r = ((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
     float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
     metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
     return sign * _e27;
 }
 
-float bounded(
-    float x_6
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    uint bits_1 = as_type<uint>(x_6);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 bounded_vec3_(
-    metal::float3 v_3
+metal::float3 normalize_seen(
+    metal::float3 v_1
 ) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    return metal::float3(_e2, _e4, _e6);
-}
-
-float powered(
-    float base,
-    float exponent
-) {
-    bool local_1 = {};
-    float _e2 = bounded(base);
-    float _e3 = bounded(exponent);
-    if (_e3 == 1.0) {
-        return _e2;
-    }
-    if (_e3 == 0.0) {
-        return 1.0;
-    }
-    if (_e3 == 2.0) {
-        float _e12 = bounded(_e2 * _e2);
-        return _e12;
-    }
-    float magnitude_1 = metal::abs(_e2);
-    if (magnitude_1 < SMALLEST_NORMAL) {
-        return 0.0;
-    }
-    float _e18 = log_stable(magnitude_1);
-    float _e21 = bounded(_e3 * (LOG2_E * _e18));
-    float _e22 = exp2_stable(_e21);
-    bool is_even = metal::floor(_e3 * 0.5) == (_e3 * 0.5);
-    if (_e2 < 0.0) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return _e36 ? -(_e22) : _e22;
-}
-
-float mixed(
-    float a,
-    float b,
-    float t
-) {
-    float _e4 = bounded(b - a);
-    float _e14 = bounded((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4)));
-    return _e14;
-}
-
-float place_between(
-    float x_7,
-    float low,
-    float high
-) {
-    float span = high - low;
-    if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_7 >= high) ? 1.0 : 0.0;
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded((x_7 - low) / _e12);
-    return _e14;
-}
-
-float remapped(
-    float x_8,
-    float from_low,
-    float from_high,
-    float to_low,
-    float to_high,
-    bool clamped
-) {
-    float _e6 = bounded(x_8);
-    float _e7 = bounded(from_low);
-    float _e8 = bounded(from_high);
-    float _e9 = place_between(_e6, _e7, _e8);
-    float _e10 = bounded(to_low);
-    float _e11 = bounded(to_high);
-    float _e16 = mixed(_e10, _e11, clamped ? metal::clamp(_e9, 0.0, 1.0) : _e9);
-    return _e16;
-}
-
-float eased(
-    float x_9,
-    float low_1,
-    float high_1
-) {
-    float _e3 = bounded(x_9);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_2 = metal::clamp(_e6, 0.0, 1.0);
-    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
-}
-
-float factor_of(
-    float x_10,
-    bool clamped_1
-) {
-    float _e2 = bounded(x_10);
-    float _e3 = bounded(x_10);
-    return clamped_1 ? metal::clamp(_e3, 0.0, 1.0) : _e2;
-}
-
-metal::float2 sin_cos_of(
-    float x_11
-) {
-    float _e1 = bounded(x_11);
-    metal::float2 _e2 = sin_cos(_e1);
-    return metal::clamp(_e2, metal::float2(-1.0), metal::float2(1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float footprint_of_vec3_(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 dx = metal::dfdx(v_4);
-    metal::float3 dy = metal::dfdy(v_4);
-    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
-    return _e7;
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-metal::float3 position_object(
-    metal::float3 position_object_1
-) {
-    return position_object_1;
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped_2
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed_1 = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped_2 ? metal::clamp(mixed_1, metal::float4(0.0), metal::float4(1.0)) : mixed_1;
+    metal::float3 dx = metal::dfdx(v_2);
+    metal::float3 dy = metal::dfdy(v_2);
+    return metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy)));
 }
 
 Composite blend_add(
-    Composite below_1,
+    Composite below,
     Color color,
     float tone,
-    float opacity_1,
-    bool clamped_3
+    float opacity,
+    bool clamped
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_3);
-    return _e12;
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * metal::float3(1.0))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 metal::float3 half_of(
@@ -388,15 +165,15 @@ metal::float3 half_of(
     metal::float3 view
 ) {
     metal::float3 half_ = light + view;
-    metal::float3 _e8 = normalize_or((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
+    metal::float3 _e8 = normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
     return _e8;
 }
 
 float sine_squared(
-    metal::float3 a_1,
-    metal::float3 b_1
+    metal::float3 a,
+    metal::float3 b
 ) {
-    metal::float3 across = metal::cross(a_1, b_1);
+    metal::float3 across = metal::cross(a, b);
     return metal::min(metal::dot(across, across), 1.0);
 }
 
@@ -415,88 +192,86 @@ Reflection reflection_of(
 float cosine_power(
     float cosine,
     float sine2_,
-    float exponent_1
+    float exponent
 ) {
     if (cosine < 0.7) {
-        float _e7 = powered(metal::max(cosine, 0.0), exponent_1);
-        return _e7;
+        return 0.0;
     }
-    float _e14 = log1p_negative(metal::min(sine2_, 0.6));
-    float _e16 = exp2_stable(((0.5 * exponent_1) * LOG2_E) * _e14);
-    return _e16;
-}
-
-float width_of_roughness(
-    float roughness
-) {
-    float _e1 = bounded(roughness);
-    float r_1 = metal::clamp(_e1, 0.0, 1.0);
-    return metal::max(r_1 * r_1, 0.001);
+    float _e12 = log1p_negative(metal::min(sine2_, 0.6));
+    float _e14 = exp2_stable(((0.5 * exponent) * LOG2_E) * _e12);
+    return _e14;
 }
 
 float schlick(
     float at_normal,
     float cosine_1
 ) {
-    float m = metal::clamp(1.0 - cosine_1, 0.0, 1.0);
+    float m = 1.0 - cosine_1;
     float m2_ = m * m;
     return at_normal + ((1.0 - at_normal) * ((m2_ * m2_) * m));
-}
-
-float exponent_of_width(
-    float width
-) {
-    return metal::max((2.0 / (width * width)) - 2.0, 0.0);
 }
 
 float interference(
     float path,
     float wavelength
 ) {
-    metal::float2 _e5 = sin_cos_of((PI * path) / wavelength);
-    return _e5.x * _e5.x;
+    metal::float2 _e6 = sin_cos((PI * path) / 650.0);
+    metal::float2 half_1 = metal::clamp(_e6, metal::float2(-1.0), metal::float2(1.0));
+    return half_1.x * half_1.x;
+}
+
+float interference_2_(
+    float path_1,
+    float wavelength_1
+) {
+    metal::float2 _e6 = sin_cos((PI * path_1) / 532.0);
+    metal::float2 half_2 = metal::clamp(_e6, metal::float2(-1.0), metal::float2(1.0));
+    return half_2.x * half_2.x;
+}
+
+float interference_3_(
+    float path_2,
+    float wavelength_2
+) {
+    metal::float2 _e6 = sin_cos((PI * path_2) / 450.0);
+    metal::float2 half_3 = metal::clamp(_e6, metal::float2(-1.0), metal::float2(1.0));
+    return half_3.x * half_3.x;
 }
 
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_5 = {};
-    v_5 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_5;
-    metal::uint3 _e32 = v_5;
-    v_5 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_5;
+    metal::uint3 v_3 = {};
+    v_3 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_3;
+    metal::uint3 _e32 = v_3;
+    v_3 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_3;
     return _e61;
-}
-
-metal::float3 unit_of_hash(
-    metal::uint3 hash
-) {
-    return static_cast<metal::float3>(hash >> metal::uint3(8u)) * 0.000000059604645;
 }
 
 metal::uint3 lattice_hash(
@@ -512,33 +287,34 @@ uint naga_mod(uint lhs, uint rhs) {
 }
 
 float gradient_dot(
-    metal::uint3 hash_1,
+    metal::uint3 hash,
     metal::float3 d
 ) {
-    uint axis = naga_mod(hash_1.x >> 8u, 3u);
-    float a_2 = (axis == 0u) ? d.y : d.x;
-    float b_2 = (axis == 2u) ? d.y : d.z;
-    return (((hash_1.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash_1.z >> 31u) == 0u) ? b_2 : -(b_2));
+    uint axis = naga_mod(hash.x >> 8u, 3u);
+    float a_1 = (axis == 0u) ? d.y : d.x;
+    float b_1 = (axis == 2u) ? d.y : d.z;
+    return (((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b_1 : -(b_1));
 }
 
 metal::float3 fade_quintic(
-    metal::float3 t_1
+    metal::float3 t
 ) {
-    return ((t_1 * t_1) * t_1) * ((t_1 * ((t_1 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t * t) * t) * ((t * ((t * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float value_noise(
+float perlin_noise(
     metal::float3 p,
     uint seed_2
 ) {
     float sum = 0.0;
     int i = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 _e4 = fade_quintic(p - corner);
+    metal::float3 d_1 = p - corner;
+    metal::float3 _e4 = fade_quintic(d_1);
     metal::int3 cell_1 = naga_f2i32(corner);
     uint2 loop_bound = uint2(4294967295u);
     bool loop_init = true;
@@ -546,8 +322,8 @@ float value_noise(
         if (metal::all(loop_bound == uint2(0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e45 = i;
-            i = as_type<int>(as_type<uint>(_e45) + as_type<uint>(1));
+            int _e46 = i;
+            i = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
         }
         loop_init = false;
         int _e10 = i;
@@ -563,319 +339,129 @@ float value_noise(
             metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at == metal::int3(1));
             float _e32 = sum;
             metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at)), seed_2);
-            metal::float3 _e40 = unit_of_hash(_e39);
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e40.x);
+            float _e42 = gradient_dot(_e39, d_1 - static_cast<metal::float3>(at));
+            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
         }
     }
-    float _e47 = sum;
-    return _e47;
+    float _e48 = sum;
+    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
 }
 
-float perlin_noise(
+float fractal_noise(
+    uint kind,
     metal::float3 p_1,
-    uint seed_3
+    int octaves,
+    float roughness,
+    int seed_3,
+    float w
 ) {
-    float sum_1 = 0.0;
+    float octave = {};
     int i_1 = 0;
-    metal::float3 corner_1 = metal::floor(p_1);
-    metal::float3 d_2 = p_1 - corner_1;
-    metal::float3 _e4 = fade_quintic(d_2);
-    metal::int3 cell_2 = naga_f2i32(corner_1);
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum_1 = 0.0;
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
     while(true) {
         if (metal::all(loop_bound_1 == uint2(0u))) { break; }
         loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
         if (!loop_init_1) {
-            int _e46 = i_1;
-            i_1 = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+            int _e67 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
         }
         loop_init_1 = false;
-        int _e10 = i_1;
-        if (_e10 < 8) {
-        } else {
+        int _e17 = i_1;
+        if (!((_e17 < 2))) {
             break;
         }
-        {
-            int _e13 = i_1;
-            int _e16 = i_1;
-            int _e21 = i_1;
-            metal::int3 at_1 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight_1 = metal::select(metal::float3(1.0) - _e4, _e4, at_1 == metal::int3(1));
-            float _e32 = sum_1;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_1)), seed_3);
-            float _e42 = gradient_dot(_e39, d_2 - static_cast<metal::float3>(at_1));
-            sum_1 = _e32 + (((weight_1.x * weight_1.y) * weight_1.z) * _e42);
+        float _e21 = frequency;
+        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w * _e21);
+        octave = 0.5;
+        if (visible > 0.0) {
+            float _e31 = frequency;
+            int _e33 = i_1;
+            metal::float3 place = metal::clamp((p_1 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            int _e47 = i_1;
+            float _e50 = perlin_noise(place, 0u + static_cast<uint>(_e47));
+            octave = metal::mix(0.5, _e50, visible);
         }
+        float _e53 = sum_1;
+        float _e54 = strength;
+        float _e55 = octave;
+        sum_1 = _e53 + (_e54 * _e55);
+        float _e58 = total;
+        float _e59 = strength;
+        total = _e58 + _e59;
+        float _e61 = strength;
+        strength = _e61 * 0.5;
+        float _e64 = frequency;
+        frequency = _e64 * 2.0;
     }
-    float _e48 = sum_1;
-    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
-}
-
-float simplex_corner(
-    metal::float3 d_1,
-    metal::uint3 hash_2
-) {
-    float t_3 = metal::max(0.5 - metal::dot(d_1, d_1), 0.0);
-    float _e10 = gradient_dot(hash_2, d_1);
-    return (((t_3 * t_3) * t_3) * t_3) * _e10;
-}
-
-float simplex_noise(
-    metal::float3 p_2,
-    uint seed_4
-) {
-    float sum_2 = {};
-    metal::float3 corner_2 = metal::floor(p_2 + metal::float3(((p_2.x + p_2.y) + p_2.z) / 3.0));
-    metal::float3 d_3 = (p_2 - corner_2) + metal::float3(((corner_2.x + corner_2.y) + corner_2.z) / 6.0);
-    metal::bool3 is_first = metal::bool3(d_3.x >= d_3.y, d_3.y >= d_3.z, d_3.z > d_3.x);
-    metal::float3 g = metal::select(metal::float3(0.0), metal::float3(1.0), is_first);
-    metal::float3 l = metal::float3(1.0) - g;
-    metal::float3 second = metal::min(g, l.zxy);
-    metal::float3 third = metal::max(g, l.zxy);
-    metal::int3 cell_3 = naga_f2i32(corner_2);
-    metal::uint3 _e45 = lattice_hash(cell_3, seed_4);
-    float _e46 = simplex_corner(d_3, _e45);
-    sum_2 = _e46;
-    float _e48 = sum_2;
-    metal::uint3 _e55 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(naga_f2i32(second))), seed_4);
-    float _e56 = simplex_corner((d_3 - second) + metal::float3(0.16666667), _e55);
-    sum_2 = _e48 + _e56;
-    float _e58 = sum_2;
-    metal::uint3 _e65 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(naga_f2i32(third))), seed_4);
-    float _e66 = simplex_corner((d_3 - third) + metal::float3(0.33333334), _e65);
-    sum_2 = _e58 + _e66;
-    float _e68 = sum_2;
-    metal::uint3 _e75 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(metal::int3(1))), seed_4);
-    float _e76 = simplex_corner(d_3 - metal::float3(0.5), _e75);
-    sum_2 = _e68 + _e76;
-    float _e79 = sum_2;
-    return metal::clamp(0.5 + (SIMPLEX_SCALE * _e79), 0.0, 1.0);
-}
-
-int naga_mod(int lhs, int rhs) {
-    int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
-}
-
-float worley_noise(
-    metal::float3 p_3,
-    uint seed_5
-) {
-    float nearest = 1.0;
-    int i_2 = 0;
-    metal::float3 corner_3 = metal::floor(p_3);
-    metal::float3 d_4 = p_3 - corner_3;
-    metal::int3 cell_4 = naga_f2i32(corner_3);
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
-    while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e40 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e40) + as_type<uint>(1));
-        }
-        loop_init_2 = false;
-        int _e9 = i_2;
-        if (_e9 < 27) {
-        } else {
-            break;
-        }
-        {
-            int _e12 = i_2;
-            int _e17 = i_2;
-            int _e24 = i_2;
-            metal::int3 at_2 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e12, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e17, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e24, 9)) - as_type<uint>(1)));
-            metal::uint3 _e32 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_4) + as_type<metal::uint3>(at_2)), seed_5);
-            metal::float3 _e33 = unit_of_hash(_e32);
-            metal::float3 offset = (static_cast<metal::float3>(at_2) + _e33) - d_4;
-            float _e36 = nearest;
-            nearest = metal::min(_e36, metal::dot(offset, offset));
-        }
-    }
-    float _e42 = nearest;
-    return metal::sqrt(_e42);
-}
-
-float noise_octave(
-    uint kind,
-    metal::float3 p_4,
-    uint seed_6
-) {
-    switch(kind) {
-        case 1u: {
-            float _e3 = perlin_noise(p_4, seed_6);
-            return _e3;
-        }
-        case 2u: {
-            float _e4 = simplex_noise(p_4, seed_6);
-            return _e4;
-        }
-        case 3u: {
-            float _e5 = worley_noise(p_4, seed_6);
-            return _e5;
-        }
-        default: {
-            float _e6 = value_noise(p_4, seed_6);
-            return _e6;
-        }
-    }
-}
-
-float fractal_noise(
-    uint kind_1,
-    metal::float3 p_5,
-    int octaves,
-    float roughness_1,
-    int seed_7,
-    float w
-) {
-    float sum_3 = 0.0;
-    float total = 0.0;
-    float strength = 1.0;
-    float frequency = 1.0;
-    int i_3 = 0;
-    float octave = {};
-    float mean = (kind_1 == NOISE_WORLEY) ? WORLEY_MEAN : 0.5;
-    float _e11 = bounded(roughness_1);
-    float gain = metal::clamp(_e11, 0.0, 1.0);
-    uint2 loop_bound_3 = uint2(4294967295u);
-    bool loop_init_3 = true;
-    while(true) {
-        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e75 = i_3;
-            i_3 = as_type<int>(as_type<uint>(_e75) + as_type<uint>(1));
-        }
-        loop_init_3 = false;
-        int _e25 = i_3;
-        if (_e25 < metal::clamp(octaves, 1, 8)) {
-        } else {
-            break;
-        }
-        {
-            float _e30 = frequency;
-            float _e34 = eased(w * _e30, 0.5, 1.0);
-            float visible = 1.0 - _e34;
-            octave = mean;
-            if (visible > 0.0) {
-                float _e40 = frequency;
-                int _e42 = i_3;
-                metal::float3 place = metal::clamp((p_5 * _e40) + (static_cast<float>(_e42) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-                int _e56 = i_3;
-                float _e59 = noise_octave(kind_1, place, as_type<uint>(seed_7) + static_cast<uint>(_e56));
-                octave = metal::mix(mean, _e59, visible);
-            }
-            float _e61 = sum_3;
-            float _e62 = strength;
-            float _e63 = octave;
-            sum_3 = _e61 + (_e62 * _e63);
-            float _e66 = total;
-            float _e67 = strength;
-            total = _e66 + _e67;
-            float _e69 = strength;
-            strength = _e69 * gain;
-            float _e71 = frequency;
-            frequency = _e71 * 2.0;
-        }
-    }
-    float _e77 = sum_3;
-    float _e78 = total;
-    return metal::clamp(_e77 / _e78, 0.0, 1.0);
-}
-
-float fresnel(
-    float at_normal_1,
-    metal::float3 normal_2,
-    metal::float3 view_2
-) {
-    metal::float3 _e7 = normalize_or(normal_2, metal::float3(0.0, 0.0, 1.0));
-    float cosine_2 = metal::clamp(metal::dot(_e7, view_2), 0.0, 1.0);
-    float _e13 = factor_of(at_normal_1, true);
-    float _e14 = schlick(_e13, cosine_2);
-    return _e14;
+    float _e70 = sum_1;
+    return metal::min(_e70 / 1.5, 1.0);
 }
 
 float reflectance_blinn_phong(
     Light light_2,
-    metal::float3 normal_3,
-    metal::float3 view_3,
-    float roughness_2
+    metal::float3 normal_2,
+    metal::float3 view_2,
+    float roughness_1
 ) {
-    metal::float3 _e9 = normalize_or(normal_3, metal::float3(0.0, 0.0, 1.0));
-    Reflection _e10 = reflection_of(light_2.direction, _e9, view_3);
-    float _e11 = width_of_roughness(roughness_2);
-    float _e12 = exponent_of_width(_e11);
-    float _e15 = cosine_power(_e10.n_h, _e10.sine2_, _e12);
-    return metal::min(((0.125 * (_e12 + 8.0)) * _e15) * metal::max(_e10.n_l, 0.0), 1000000.0);
+    Reflection _e5 = reflection_of(light_2.direction, normal_2, view_2);
+    float width = roughness_1 * roughness_1;
+    float e = (2.0 / (width * width)) - 2.0;
+    float _e14 = cosine_power(_e5.n_h, _e5.sine2_, e);
+    return ((0.125 * (e + 8.0)) * _e14) * metal::max(_e5.n_l, 0.0);
 }
 
 Color thin_film(
     float thickness,
     float index,
-    metal::float3 normal_4,
-    metal::float3 view_4
+    metal::float3 normal_3,
+    metal::float3 view_3
 ) {
-    metal::float3 _e8 = normalize_or(normal_4, metal::float3(0.0, 0.0, 1.0));
-    float cosine_3 = metal::clamp(metal::dot(_e8, view_4), 0.0, 1.0);
-    float _e13 = bounded(index);
-    float n_1 = metal::clamp(_e13, 1.0, 3.0);
-    float inside = metal::sqrt(((n_1 - 1.0) * (n_1 + 1.0)) + (cosine_3 * cosine_3));
-    float _e25 = bounded(thickness);
-    float path_1 = (2.0 * metal::clamp(_e25, 0.0, 2000.0)) * inside;
-    float _e33 = interference(path_1, 650.0);
-    float _e35 = interference(path_1, 532.0);
-    float _e37 = interference(path_1, 450.0);
-    return metal::float4(_e33, _e35, _e37, 1.0);
-}
-
-float map_range(
-    float value,
-    float from_low_1,
-    float from_high_1,
-    float to_low_1,
-    float to_high_1,
-    bool clamped_4
-) {
-    float _e6 = remapped(value, from_low_1, from_high_1, to_low_1, to_high_1, clamped_4);
-    return _e6;
+    float cosine_2 = metal::clamp(metal::dot(normal_3, view_3), 0.0, 1.0);
+    float inside = metal::sqrt(((index - 1.0) * (index + 1.0)) + (cosine_2 * cosine_2));
+    float path_3 = (2.0 * thickness) * inside;
+    float _e20 = interference(path_3, 650.0);
+    float _e22 = interference_2_(path_3, 532.0);
+    float _e24 = interference_3_(path_3, 450.0);
+    return metal::float4(_e20, _e22, _e24, 1.0);
 }
 
 float noise_perlin(
     metal::float3 position,
     float scale,
     int octaves_1,
-    float roughness_3,
-    int seed_8
+    float roughness_2,
+    int seed_4
 ) {
-    metal::float3 _e6 = bounded_vec3_(position * scale);
-    float _e8 = footprint_of_vec3_(_e6);
-    float _e9 = fractal_noise(NOISE_PERLIN, _e6, octaves_1, roughness_3, seed_8, _e8);
-    return _e9;
+    metal::float3 p_2 = position * scale;
+    float _e10 = footprint_of_vec3_(p_2);
+    float _e11 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e10);
+    return _e11;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    metal::float3 _e2 = position_object(surface_1.position_object);
-    float _e7 = noise_perlin(_e2, 1.3, 2, 0.5, 0);
-    float _e13 = map_range(_e7, 0.0, 1.0, 180.0, 420.0, true);
-    Color _e17 = thin_film(_e13, 1.33, surface_1.normal, surface_1.view);
-    float _e21 = fresnel(0.45, surface_1.normal, surface_1.view);
-    Composite _e29 = blend_add(metal::float4(0.0784, 0.0863, 0.1216, 1.0), _e17, _e21, 1.0, true);
-    Light _e32 = look.key;
-    float _e36 = reflectance_blinn_phong(_e32, surface_1.normal, surface_1.view, 0.22);
-    Composite _e41 = blend_add(_e29, metal::float4(1.0), _e36, 0.2, true);
-    Color _e42 = output(_e41);
-    return _e42;
+    metal::float3 place_1 = surface_1.position_object;
+    float _e6 = noise_perlin(place_1, 1.3, 2, 0.5, 0);
+    float thickness_1 = metal::mix(180.0, 420.0, _e6 - 0.0);
+    Color _e15 = thin_film(thickness_1, 1.33, surface_1.normal, surface_1.view);
+    float _e23 = schlick(0.45, metal::clamp(metal::dot(surface_1.normal, surface_1.view), 0.0, 1.0));
+    metal::float4 film_2_ = metal::min(metal::float4(metal::float3(0.0784, 0.0863, 0.1216) + (_e23 * _e15.xyz), 1.0), metal::float4(1.0));
+    Light _e38 = look.key;
+    float _e42 = reflectance_blinn_phong(_e38, surface_1.normal, surface_1.view, 0.22);
+    Composite _e47 = blend_add(film_2_, metal::float4(1.0), _e42, 0.2, true);
+    return _e47;
 }
 
 struct vs_mainInput {
     metal::float3 position_1 [[attribute(0)]];
-    metal::float3 normal_5 [[attribute(1)]];
+    metal::float3 normal_4 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -885,14 +471,14 @@ struct vs_mainOutput {
 };
 vertex vs_mainOutput vs_main(
   vs_mainInput varyings [[stage_in]]
-, constant View& view_5 [[buffer(0)]]
+, constant View& view_4 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position_1, varyings.normal_5 };
+    const Vertex vertex_ = { varyings.position_1, varyings.normal_4 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
-    metal::float4x4 _e12 = view_5.clip_from_world;
+    metal::float4x4 _e12 = view_4.clip_from_world;
     out.clip = _e12 * world;
     out.position = world.xyz;
     out.position_object = vertex_.position;
@@ -906,8 +492,8 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position_1 [[user(loc0), center_perspective]];
-    metal::float3 position_object_2 [[user(loc1), center_perspective]];
-    metal::float3 normal_5 [[user(loc2), center_perspective]];
+    metal::float3 position_object [[user(loc1), center_perspective]];
+    metal::float3 normal_4 [[user(loc2), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -916,23 +502,19 @@ fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
 , metal::float4 clip [[position]]
 , bool is_front [[front_facing]]
-, constant View& view_5 [[buffer(0)]]
+, constant View& view_4 [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object_2, varyings_1.normal_5 };
+    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_4 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_5 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_5;
-    metal::float4 _e15 = view_5.eye;
-    float _e20 = view_5.eye.w;
-    metal::float4 _e26 = view_5.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_4 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_4;
+    metal::float4 _e11 = view_4.eye;
+    float _e16 = view_4.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
     surface.position_object = in.position_object;
-    Surface _e36 = surface;
-    metal::float4 _e37 = shade(_e36, look);
-    metal::float4 _e38 = finite_vec4_(_e37);
-    return fs_mainOutput { _e38 };
+    Surface _e23 = surface;
+    metal::float4 _e24 = shade(_e23, look);
+    return fs_mainOutput { _e24 };
 }

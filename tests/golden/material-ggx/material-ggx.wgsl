@@ -34,12 +34,6 @@ struct Surface {
 @group(0) @binding(1) var<uniform> object: Object;
 @group(0) @binding(2) var<uniform> look: Look;
 
-/// Straight RGBA.
-alias Color = vec4f;
-
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -52,86 +46,17 @@ struct Light {
     intensity: f32,
 }
 
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// Cosines between normal (n), light (l), view (v) and half-vector (h), of which all models are
@@ -163,19 +88,12 @@ fn sine_squared(a: vec3f, b: vec3f) -> f32 {
 /// The half-vector: unit, midway between the light and the eye; the normal where they are opposite.
 fn half_of(light: vec3f, normal: vec3f, view: vec3f) -> vec3f {
     let half = light + view;
-    return normalize_or(select(normal, half, dot(half, half) > 1e-12), normal);
-}
-
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
-/// mirror's is seen.
-fn width_of_roughness(roughness: f32) -> f32 {
-    let r = clamp(bounded(roughness), 0.0, 1.0);
-    return max(r * r, 0.001);
+    return normalize_moderate(select(normal, half, dot(half, half) > 1e-12), normal);
 }
 
 /// Fresnel's reflectance by Schlick's approximation (1994), for a cosine.
 fn schlick(at_normal: f32, cosine: f32) -> f32 {
-    let m = clamp(1.0 - cosine, 0.0, 1.0);
+    let m = 1.0 - cosine;
     let m2 = m * m;
     return at_normal + (1.0 - at_normal) * (m2 * m2 * m);
 }
@@ -183,7 +101,7 @@ fn schlick(at_normal: f32, cosine: f32) -> f32 {
 /// Cook and Torrance's model with the GGX distribution and Smith's height-correlated shadowing
 /// (Walter et al. 2007, Heitz 2014).
 fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
-    if r.n_l <= 0.0 || r.n_v <= 0.0 {
+    if (r.n_l <= 0.0) | (r.n_v <= 0.0) {
         return 0.0;
     }
     let a2 = width * width;
@@ -195,28 +113,14 @@ fn ggx(r: Reflection, width: f32, at_normal: f32) -> f32 {
     return min(distribution * visibility * schlick(at_normal, r.v_h) * r.n_l, 1e6);
 }
 
-/// Reflectance
-///
-/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for
-/// contrast, or as a layer's tone.
-fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
-    return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
-}
-
-fn reflectance_ggx(light: Light, normal: vec3f, view: vec3f, roughness: f32,
-    at_normal: f32) -> f32 {
-    let r = reflection_of(light.direction, normalize_or(normal, vec3f(0.0, 0.0, 1.0)), view);
-    return ggx(r, width_of_roughness(roughness), clamp(bounded(at_normal), 0.0, 1.0));
-}
-
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let lambert = reflectance_lambert(look.key, surface.normal);
-    let body = blend_add(vec4f(0.0784, 0.0863, 0.1098, 1.0), vec4f(0.2353, 0.2667, 0.3137, 1.0), lambert, 1.0, true);
-    let ggx_2 = reflectance_ggx(look.key, surface.normal, surface.view, 0.42, 0.85);
-    let highlight = blend_add(body, vec4f(0.9098, 0.9333, 0.9647, 1.0), ggx_2, 0.5, true);
-    let output_2 = output(highlight);
-    return output_2;
+    let lambert = max(dot(surface.normal, look.key.direction), 0.0);
+    let body = vec4f(vec4f(0.0784, 0.0863, 0.1098, 1.0).xyz + lambert * vec4f(0.2353, 0.2667, 0.3137, 1.0).xyz, 1.0);
+    let ggx_2 = ggx(reflection_of(look.key.direction, surface.normal, surface.view), 0.42 * 0.42, 0.85);
+    let highlight = clamp(vec4f(body.xyz + 0.5 * (body.xyz + ggx_2 * vec4f(0.9098, 0.9333, 0.9647, 1.0).xyz - body.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let output = highlight;
+    return output;
 }
 
 struct Vertex {
@@ -242,11 +146,11 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

@@ -50,99 +50,29 @@ constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
-
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
 float exp2_stable(
-    float x_2
+    float x
 ) {
-    float clamped_2 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_2);
-    float f = (clamped_2 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float clamped_1 = metal::max(x, -126.0);
+    float whole = metal::rint(clamped_1);
+    float f = clamped_1 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
-    float x_3
+float log2_stable(
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
-    int shift = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_2 = (shift >= 256) ? as_type<int>(as_type<uint>(shift) - as_type<uint>(512)) : shift;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_2) << 23u));
+    uint bits = as_type<uint>(x_1);
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_2) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -160,93 +90,43 @@ float log1p_negative(
         float _e3 = log1p_negative_small(y_1);
         return _e3;
     }
-    float _e8 = log_stable(metal::max(1.0 - y_1, 0.000000000000000000000000000000000000011754944));
-    return _e8;
+    float _e7 = log2_stable(1.0 - y_1);
+    return LN_2_ * _e7;
 }
 
-float bounded(
-    float x_4
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    uint bits_1 = as_type<uint>(x_4);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_1
+) {
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float powered(
     float base,
     float exponent
 ) {
-    bool local_1 = {};
-    float _e2 = bounded(base);
-    float _e3 = bounded(exponent);
-    if (_e3 == 1.0) {
-        return _e2;
-    }
-    if (_e3 == 0.0) {
-        return 1.0;
-    }
-    if (_e3 == 2.0) {
-        float _e12 = bounded(_e2 * _e2);
-        return _e12;
-    }
-    float magnitude_1 = metal::abs(_e2);
-    if (magnitude_1 < SMALLEST_NORMAL) {
-        return 0.0;
-    }
-    float _e18 = log_stable(magnitude_1);
-    float _e21 = bounded(_e3 * (LOG2_E * _e18));
-    float _e22 = exp2_stable(_e21);
-    bool is_even = metal::floor(_e3 * 0.5) == (_e3 * 0.5);
-    if (_e2 < 0.0) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return _e36 ? -(_e22) : _e22;
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
+    float magnitude = metal::abs(base);
+    float _e5 = log2_stable(metal::max(magnitude, SMALLEST_NORMAL));
+    float _e7 = exp2_stable(exponent * _e5);
+    return (magnitude < SMALLEST_NORMAL) ? 0.0 : _e7;
 }
 
 Composite blend_add(
-    Composite below_1,
+    Composite below,
     Color color,
     float tone,
-    float opacity_1,
-    bool clamped_1
+    float opacity,
+    bool clamped
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    return metal::clamp(metal::float4(below.xyz + (opacity * ((below.xyz + (tone * metal::float3(1.0))) - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 float sine_squared(
@@ -271,61 +151,37 @@ float cosine_power(
     return _e16;
 }
 
-float width_of_roughness(
+float reflectance_phong(
+    Light light,
+    metal::float3 normal,
+    metal::float3 view,
     float roughness
 ) {
-    float _e1 = bounded(roughness);
-    float r = metal::clamp(_e1, 0.0, 1.0);
-    return metal::max(r * r, 0.001);
-}
-
-float exponent_of_width(
-    float width
-) {
-    return metal::max((2.0 / (width * width)) - 2.0, 0.0);
-}
-
-float reflectance_lambert(
-    Light light,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    return metal::max(metal::dot(_e6, light.direction), 0.0);
-}
-
-float reflectance_phong(
-    Light light_1,
-    metal::float3 normal_1,
-    metal::float3 view,
-    float roughness_1
-) {
-    metal::float3 _e8 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    float _e9 = width_of_roughness(roughness_1);
-    float _e10 = exponent_of_width(_e9);
-    float n_l = metal::max(metal::dot(_e8, light_1.direction), 0.0);
-    metal::float3 _e20 = normalize_or(((2.0 * metal::dot(_e8, view)) * _e8) - view, _e8);
-    float _e24 = sine_squared(_e20, light_1.direction);
-    float _e25 = cosine_power(metal::dot(_e20, light_1.direction), _e24, _e10);
-    return metal::min(((0.5 * (_e10 + 2.0)) * _e25) * n_l, 1000000.0);
+    float width = roughness * roughness;
+    float e = (2.0 / (width * width)) - 2.0;
+    float n_l = metal::max(metal::dot(normal, light.direction), 0.0);
+    metal::float3 _e19 = normalize_moderate(((2.0 * metal::dot(normal, view)) * normal) - view, normal);
+    float _e23 = sine_squared(_e19, light.direction);
+    float _e24 = cosine_power(metal::dot(_e19, light.direction), _e23, e);
+    return ((0.5 * (e + 2.0)) * _e24) * n_l;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    float _e5 = reflectance_lambert(_e3, surface_1.normal);
-    Composite _e18 = blend_add(metal::float4(0.1647, 0.0706, 0.1255, 1.0), metal::float4(0.7608, 0.2314, 0.2275, 1.0), _e5, 1.0, true);
-    Light _e21 = look.key;
-    float _e25 = reflectance_phong(_e21, surface_1.normal, surface_1.view, 0.42);
-    Composite _e30 = blend_add(_e18, metal::float4(1.0), _e25, 0.32, true);
-    Color _e31 = output(_e30);
-    return _e31;
+    metal::float3 _e5 = look.key.direction;
+    float lambert = metal::max(metal::dot(surface_1.normal, _e5), 0.0);
+    metal::float4 body = metal::float4(metal::float3(0.1647, 0.0706, 0.1255) + (lambert * metal::float3(0.7608, 0.2314, 0.2275)), 1.0);
+    Light _e23 = look.key;
+    float _e27 = reflectance_phong(_e23, surface_1.normal, surface_1.view, 0.42);
+    Composite _e32 = blend_add(body, metal::float4(1.0), _e27, 0.32, true);
+    return _e32;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -337,7 +193,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -354,7 +210,7 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_2 [[user(loc1), center_perspective]];
+    metal::float3 normal_1 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -366,19 +222,15 @@ fragment fs_mainOutput fs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    metal::float4 _e35 = shade(_e34, look);
-    metal::float4 _e36 = finite_vec4_(_e35);
-    return fs_mainOutput { _e36 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    Surface _e21 = surface;
+    metal::float4 _e22 = shade(_e21, look);
+    return fs_mainOutput { _e22 };
 }

@@ -54,76 +54,28 @@ struct Light {
 
 const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = max(x, -126.0);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1): relative accuracy near 0, where 1 - y would round y away.
@@ -131,7 +83,7 @@ fn log1p_negative(y: f32) -> f32 {
     if y < 0.25 {
         return log1p_negative_small(y);
     }
-    return log_stable(max(1.0 - y, 1.17549435e-38));
+    return LN_2 * log2_stable(1.0 - y);
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -142,74 +94,35 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
+}
+
+const SMALLEST_NORMAL: f32 = 1.17549435e-38;
 /// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
 /// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
 /// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
-    let b = bounded(base);
-    let e = bounded(exponent);
-    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
-    if e == 1.0 {
-        return b;
-    }
-    if e == 0.0 {
-        return 1.0;
-    }
-    if e == 2.0 {
-        return bounded(b * b);
-    }
-    let magnitude = abs(b);
-    if magnitude < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    let raised = exp2_stable(bounded(e * (LOG2_E * log_stable(magnitude))));
-    let is_even = floor(e * 0.5) == e * 0.5;
-    return select(raised, -raised, b < 0.0 && !is_even);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
+    let magnitude = abs(base);
+    let raised = exp2_stable(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
+    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
+    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * vec3f(1.0) - below.xyz), 1.0),
+        vec4f(0.0), vec4f(1.0));
 }
 
 /// The square of the sine between two unit vectors.
@@ -227,44 +140,24 @@ fn cosine_power(cosine: f32, sine2: f32, exponent: f32) -> f32 {
     return exp2_stable(0.5 * exponent * LOG2_E * log1p_negative(min(sine2, 0.6)));
 }
 
-/// The width of a highlight from an artist's roughness: its square, at least 0.001 so that a
-/// mirror's is seen.
-fn width_of_roughness(roughness: f32) -> f32 {
-    let r = clamp(bounded(roughness), 0.0, 1.0);
-    return max(r * r, 0.001);
-}
-
-/// Phong's exponent of a width: as wide as Beckmann's distribution of that width.
-fn exponent_of_width(width: f32) -> f32 {
-    return max(2.0 / (width * width) - 2.0, 0.0);
-}
-
-/// Reflectance
-///
-/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for
-/// contrast, or as a layer's tone.
-fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
-    return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
-}
-
 fn reflectance_phong(light: Light, normal: vec3f, view: vec3f, roughness: f32) -> f32 {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let e = exponent_of_width(width_of_roughness(roughness));
-    let n_l = max(dot(n, light.direction), 0.0);
-    let mirrored = normalize_or(2.0 * dot(n, view) * n - view, n);
-    let shine = cosine_power(dot(mirrored, light.direction),
-        sine_squared(mirrored, light.direction), e);
-    return min(0.5 * (e + 2.0) * shine * n_l, 1e6);
+    let width = roughness * roughness;
+    let e = 2.0 / (width * width) - 2.0;
+    let n_l = max(dot(normal, light.direction), 0.0);
+    let mirrored = normalize_moderate(2.0 * dot(normal, view) * normal - view, normal);
+    let shine = cosine_power(dot(mirrored, light.direction), sine_squared(mirrored,
+        light.direction), e);
+    return 0.5 * (e + 2.0) * shine * n_l;
 }
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let lambert = reflectance_lambert(look.key, surface.normal);
-    let body = blend_add(vec4f(0.1647, 0.0706, 0.1255, 1.0), vec4f(0.7608, 0.2314, 0.2275, 1.0), lambert, 1.0, true);
+    let lambert = max(dot(surface.normal, look.key.direction), 0.0);
+    let body = vec4f(vec4f(0.1647, 0.0706, 0.1255, 1.0).xyz + lambert * vec4f(0.7608, 0.2314, 0.2275, 1.0).xyz, 1.0);
     let phong = reflectance_phong(look.key, surface.normal, surface.view, 0.42);
     let highlight = blend_add(body, vec4f(1.0), phong, 0.32, true);
-    let output_2 = output(highlight);
-    return output_2;
+    let output = highlight;
+    return output;
 }
 
 struct Vertex {
@@ -290,11 +183,11 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

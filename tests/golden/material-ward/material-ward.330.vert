@@ -25,9 +25,6 @@ struct Varyings {
     vec3 normal;
     vec4 tangent;
 };
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
-
 layout(std140) uniform ViewBlock { View u_view; };
 
 layout(std140) uniform ObjectBlock { Object u_object; };

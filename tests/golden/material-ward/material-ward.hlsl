@@ -55,23 +55,20 @@ struct Varyings {
     float4 tangent : LOC2;
 };
 
-static const float LN_2_ = 0.6931472;
-static const float LOG2_E = 1.442695;
-
 cbuffer view_3 : register(b0) { View view_3; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_5 : LOC1;
+    float3 normal_4 : LOC1;
     float4 tangent_2 : LOC2;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_6 : LOC1;
+    float3 normal_5 : LOC1;
     float4 tangent_3 : LOC2;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
@@ -82,195 +79,131 @@ bool is_finite(float x)
     return ((asuint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise)
+float3 normalize_or(float3 v, float3 otherwise)
 {
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if (!(((largest > 1e-30) & (largest < 1e30)))) {
+        return otherwise;
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
+    float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    const bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float power_of_two(int n)
+float3 normalize_or_2_(float3 v_1, float3 otherwise_1)
 {
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
+    float largest_1 = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
+    if (!(((largest_1 > 1e-30) & (largest_1 < 1e30)))) {
+        return (0.0).xxx;
+    }
+    float3 scaled_1 = (v_1 * (1.0 / largest_1));
+    float square_1 = dot(scaled_1, scaled_1);
+    return (((asuint(square_1) & 2139095040u) == 2139095040u) ? (0.0).xxx : (scaled_1 * (1.0 / sqrt(square_1))));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
+float3 normalize_or_3_(float3 v_2, float3 otherwise_2)
+{
+    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
+    if (!(((largest_2 > 1e-30) & (largest_2 < 1e30)))) {
+        return float3(1.0, 0.0, 0.0);
+    }
+    float3 scaled_2 = (v_2 * (1.0 / largest_2));
+    float square_2 = dot(scaled_2, scaled_2);
+    return (((asuint(square_2) & 2139095040u) == 2139095040u) ? float3(1.0, 0.0, 0.0) : (scaled_2 * (1.0 / sqrt(square_2))));
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x_1)
 {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p * _e33) * _e37);
+    float clamped = max(x_1, -126.0);
+    float whole = round(clamped);
+    float f = (clamped - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float bounded(float x_3)
+float3 normalize_moderate(float3 v_3, float3 otherwise_3)
 {
-    uint bits = asuint(x_3);
-    uint magnitude = (bits & 2147483647u);
-    float largest_1 = asfloat(((bits & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float square_3 = dot(v_3, v_3);
+    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : otherwise_3);
 }
 
-float4 straight(float4 composite)
+float3 normalize_moderate_2_(float3 v_4, float3 otherwise_4)
 {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
+    float square_4 = dot(v_4, v_4);
+    return ((square_4 > 1e-30) ? (v_4 * rsqrt(max(square_4, 1e-30))) : float3(1.0, 0.0, 0.0));
 }
 
-float3 any_orthogonal(float3 n_1)
+float3 normalize_seen(float3 v_5)
 {
-    float sign_ = ((n_1.z >= 0.0) ? 1.0 : -1.0);
-    float a = (-1.0 / (sign_ + n_1.z));
-    return float3((1.0 + (((sign_ * n_1.x) * n_1.x) * a)), (((sign_ * n_1.x) * n_1.y) * a), (-(sign_) * n_1.x));
+    const float3 _e5 = normalize_moderate(v_5, float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float3 any_orthogonal(float3 n)
+{
+    float sign_ = ((n.z >= 0.0) ? 1.0 : -1.0);
+    float a = (-1.0 / (sign_ + n.z));
+    return float3((1.0 + (((sign_ * n.x) * n.x) * a)), (((sign_ * n.x) * n.y) * a), (-(sign_) * n.x));
 }
 
 float3x3 world_from_tangent(float3 tangent, float3 bitangent, float3 normal)
 {
-    const float3 _e7 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    const float3 _e10 = normalize_or(tangent, (0.0).xxx);
-    float3 leaning = (_e10 - (dot(_e10, _e7) * _e7));
+    const float3 _e5 = normalize_or_2_(tangent, (0.0).xxx);
+    float3 leaning = (_e5 - (dot(_e5, normal) * normal));
     bool is_usable = (dot(leaning, leaning) > 1e-8);
-    const float3 _e17 = any_orthogonal(_e7);
-    const float3 _e23 = normalize_or((is_usable ? leaning : _e17), float3(1.0, 0.0, 0.0));
-    const float3 _e31 = normalize_or((_e23 - (dot(_e23, _e7) * _e7)), float3(1.0, 0.0, 0.0));
-    float3 b = cross(_e7, _e31);
-    return float3x3(_e31, ((dot(b, bitangent) < 0.0) ? -(b) : b), _e7);
-}
-
-float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
-{
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
-}
-
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
-{
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    const float3 _e12 = any_orthogonal(normal);
+    const float3 _e18 = normalize_or_3_((is_usable ? leaning : _e12), float3(1.0, 0.0, 0.0));
+    const float3 _e26 = normalize_moderate_2_((_e18 - (dot(_e18, normal) * normal)), float3(1.0, 0.0, 0.0));
+    float3 b = cross(normal, _e26);
+    return float3x3(_e26, b, normal);
 }
 
 float3 half_of(float3 light, float3 normal_1, float3 view)
 {
     float3 half_ = (light + view);
-    const float3 _e8 = normalize_or(((dot(half_, half_) > 1e-12) ? half_ : normal_1), normal_1);
+    const float3 _e8 = normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal_1), normal_1);
     return _e8;
-}
-
-float width_of_roughness(float roughness)
-{
-    const float _e1 = bounded(roughness);
-    float r = clamp(_e1, 0.0, 1.0);
-    return max((r * r), 0.001);
 }
 
 float ward(float3 light_1, float3 normal_2, float3 view_1, float3 x_axis, float3 y_axis, float2 widths)
 {
-    bool local_1 = (bool)0;
-
     float n_l = dot(normal_2, light_1);
     float n_v = dot(normal_2, view_1);
-    if (!((n_l <= 0.0))) {
-        local_1 = (n_v <= 0.0);
-    } else {
-        local_1 = true;
-    }
-    bool _e16 = local_1;
-    if (_e16) {
+    if (((n_l <= 0.0) | (n_v <= 0.0))) {
         return 0.0;
     }
-    const float3 _e18 = half_of(light_1, normal_2, view_1);
-    float n_h = max(dot(normal_2, _e18), 1e-6);
-    float2 slope = (float2(dot(_e18, x_axis), dot(_e18, y_axis)) / (widths * n_h));
-    const float _e32 = exp2_stable((-1.442695 * min(dot(slope, slope), 200.0)));
-    return min(((n_l * _e32) / (((4.0 * widths.x) * widths.y) * sqrt(max((n_l * n_v), 1e-6)))), 1000000.0);
+    const float3 _e14 = half_of(light_1, normal_2, view_1);
+    float n_h = max(dot(normal_2, _e14), 1e-6);
+    float2 slope = (float2(dot(_e14, x_axis), dot(_e14, y_axis)) / (widths * n_h));
+    const float _e28 = exp2_stable((-1.442695 * min(dot(slope, slope), 200.0)));
+    return ((n_l * _e28) / (widths.y * sqrt(max((n_l * n_v), 1e-6))));
 }
 
-float reflectance_lambert(Light light_2, float3 normal_3)
+float reflectance_ward(Light light_2, float3 normal_3, float3 view_2, float3 tangent_1, float roughness, float across)
 {
-    const float3 _e6 = normalize_or(normal_3, float3(0.0, 0.0, 1.0));
-    return max(dot(_e6, light_2.direction), 0.0);
-}
-
-float reflectance_ward(Light light_3, float3 normal_4, float3 view_2, float3 tangent_1, float roughness_1, float across)
-{
-    const float3x3 _e8 = world_from_tangent(tangent_1, (0.0).xxx, normal_4);
-    const float _e9 = width_of_roughness(roughness_1);
-    const float _e10 = width_of_roughness(across);
-    float2 widths_1 = max(float2(_e9, _e10), (0.0025).xx);
-    const float _e19 = ward(light_3.direction, _e8[2], view_2, _e8[0], _e8[1], widths_1);
-    return _e19;
+    const float3x3 _e8 = world_from_tangent(tangent_1, (0.0).xxx, normal_3);
+    float2 widths_1 = float2(0.25, (across * across));
+    const float _e16 = ward(light_2.direction, _e8[2], view_2, _e8[0], _e8[1], widths_1);
+    return _e16;
 }
 
 float4 shade(Surface surface_1)
 {
-    Light _e3 = look.key;
-    const float _e5 = reflectance_lambert(_e3, surface_1.normal);
-    const float4 _e18 = blend_add(float4(0.098, 0.1059, 0.1333, 1.0), float4(0.3529, 0.3961, 0.4392, 1.0), _e5, 1.0, true);
-    Light _e21 = look.key;
-    const float _e27 = reflectance_ward(_e21, surface_1.normal, surface_1.view, surface_1.tangent, 0.5, 0.2);
-    const float4 _e35 = blend_add(_e18, float4(0.9569, 0.9412, 0.902, 1.0), _e27, 0.55, true);
-    const float4 _e36 = output(_e35);
-    return _e36;
+    float3 _e5 = look.key.direction;
+    float lambert = max(dot(surface_1.normal, _e5), 0.0);
+    float4 body = float4((float3(0.098, 0.1059, 0.1333) + (lambert * float3(0.3529, 0.3961, 0.4392))), 1.0);
+    Light _e23 = look.key;
+    const float _e29 = reflectance_ward(_e23, surface_1.normal, surface_1.view, surface_1.tangent, 0.5, 0.2);
+    float4 output = clamp(float4((body.xyz + (0.55 * ((body.xyz + (_e29 * float3(0.9569, 0.9412, 0.902))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return output;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -295,23 +228,19 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_6, fragmentinput_fs_main.tangent_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5, fragmentinput_fs_main.tangent_3 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_7 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_7;
-    float4 _e15 = view_3.eye;
-    float _e20 = view_3.eye.w;
-    float4 _e26 = view_3.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    const float3 _e44 = normalize_or((in_.tangent.xyz - (normal_7 * dot(normal_7, in_.tangent.xyz))), in_.tangent.xyz);
-    surface.tangent = _e44;
-    Surface _e45 = surface;
-    const float4 _e46 = shade(_e45);
-    const float4 _e47 = finite_vec4_(_e46);
-    return _e47;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_6 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_6;
+    float4 _e11 = view_3.eye;
+    float _e16 = view_3.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    const float3 _e31 = normalize_or((in_.tangent.xyz - (normal_6 * dot(normal_6, in_.tangent.xyz))), in_.tangent.xyz);
+    surface.tangent = _e31;
+    Surface _e32 = surface;
+    const float4 _e33 = shade(_e32);
+    return _e33;
 }

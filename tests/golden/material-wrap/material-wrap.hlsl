@@ -69,101 +69,38 @@ cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_4 : LOC1;
+    float3 normal_3 : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_5 : LOC1;
+    float3 normal_4 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
-
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
-}
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p * _e33) * _e37);
+    float clamped = max(x, -126.0);
+    float whole = round(clamped);
+    float f = (clamped - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float log2_stable(float x_1)
 {
-    uint bits = asuint(x_3);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent_2 = ((shift >= int(256)) ? asint(asuint(shift) - asuint(int(512))) : shift);
-    float mantissa = asfloat((bits - (uint(exponent_2) << 23u)));
+    uint bits = asuint(x_1);
+    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_2) * LN_2_) + series);
+    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -179,85 +116,34 @@ float log1p_negative(float y_1)
         const float _e3 = log1p_negative_small(y_1);
         return _e3;
     }
-    const float _e8 = log_stable(max((1.0 - y_1), 1.1754944e-38));
-    return _e8;
+    const float _e7 = log2_stable((1.0 - y_1));
+    return (LN_2_ * _e7);
 }
 
-float bounded(float x_4)
+float3 normalize_moderate(float3 v, float3 otherwise)
 {
-    uint bits_1 = asuint(x_4);
-    uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_1)
+{
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float powered(float base, float exponent)
 {
-    bool local_1 = (bool)0;
-
-    const float _e2 = bounded(base);
-    const float _e3 = bounded(exponent);
-    if ((_e3 == 1.0)) {
-        return _e2;
-    }
-    if ((_e3 == 0.0)) {
-        return 1.0;
-    }
-    if ((_e3 == 2.0)) {
-        const float _e12 = bounded((_e2 * _e2));
-        return _e12;
-    }
-    float magnitude_1 = abs(_e2);
-    if ((magnitude_1 < SMALLEST_NORMAL)) {
-        return 0.0;
-    }
-    const float _e18 = log_stable(magnitude_1);
-    const float _e21 = bounded((_e3 * (LOG2_E * _e18)));
-    const float _e22 = exp2_stable(_e21);
-    bool is_even = (floor((_e3 * 0.5)) == (_e3 * 0.5));
-    if ((_e2 < 0.0)) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return (_e36 ? -(_e22) : _e22);
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
-float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
-{
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
-}
-
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
-{
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    float magnitude = abs(base);
+    const float _e5 = log2_stable(max(magnitude, SMALLEST_NORMAL));
+    const float _e7 = exp2_stable((exponent * _e5));
+    return ((magnitude < SMALLEST_NORMAL) ? 0.0 : _e7);
 }
 
 float3 half_of(float3 light, float3 normal, float3 view)
 {
     float3 half_ = (light + view);
-    const float3 _e8 = normalize_or(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
+    const float3 _e8 = normalize_moderate(((dot(half_, half_) > 1e-12) ? half_ : normal), normal);
     return _e8;
 }
 
@@ -290,55 +176,32 @@ Reflection reflection_of(float3 light_1, float3 normal_1, float3 view_1)
 float cosine_power(float cosine, float sine2_, float exponent_1)
 {
     if ((cosine < 0.7)) {
-        const float _e7 = powered(max(cosine, 0.0), exponent_1);
-        return _e7;
+        const float _e5 = powered(cosine, exponent_1);
+        return _e5;
     }
-    const float _e14 = log1p_negative(min(sine2_, 0.6));
-    const float _e16 = exp2_stable((((0.5 * exponent_1) * LOG2_E) * _e14));
-    return _e16;
+    const float _e12 = log1p_negative(min(sine2_, 0.6));
+    const float _e14 = exp2_stable((((0.5 * exponent_1) * LOG2_E) * _e12));
+    return _e14;
 }
 
-float width_of_roughness(float roughness)
+float reflectance_blinn_phong(Light light_2, float3 normal_2, float3 view_2, float roughness)
 {
-    const float _e1 = bounded(roughness);
-    float r = clamp(_e1, 0.0, 1.0);
-    return max((r * r), 0.001);
-}
-
-float exponent_of_width(float width)
-{
-    return max(((2.0 / (width * width)) - 2.0), 0.0);
-}
-
-float reflectance_wrap(Light light_2, float3 normal_2, float wrap)
-{
-    const float _e3 = bounded(wrap);
-    float w = clamp(_e3, 0.0, 1.0);
-    const float3 _e11 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
-    float cosine_1 = dot(_e11, light_2.direction);
-    return max(((cosine_1 + w) / (1.0 + w)), 0.0);
-}
-
-float reflectance_blinn_phong(Light light_3, float3 normal_3, float3 view_2, float roughness_1)
-{
-    const float3 _e9 = normalize_or(normal_3, float3(0.0, 0.0, 1.0));
-    const Reflection _e10 = reflection_of(light_3.direction, _e9, view_2);
-    const float _e11 = width_of_roughness(roughness_1);
-    const float _e12 = exponent_of_width(_e11);
-    const float _e15 = cosine_power(_e10.n_h, _e10.sine2_, _e12);
-    return min((((0.125 * (_e12 + 8.0)) * _e15) * max(_e10.n_l, 0.0)), 1000000.0);
+    const Reflection _e5 = reflection_of(light_2.direction, normal_2, view_2);
+    float width = (roughness * roughness);
+    float e = ((2.0 / (width * width)) - 2.0);
+    const float _e14 = cosine_power(_e5.n_h, _e5.sine2_, e);
+    return (((0.125 * (e + 8.0)) * _e14) * max(_e5.n_l, 0.0));
 }
 
 float4 shade(Surface surface_1)
 {
-    Light _e3 = look.key;
-    const float _e6 = reflectance_wrap(_e3, surface_1.normal, 0.7);
-    const float4 _e19 = blend_add(float4(0.2902, 0.1137, 0.1333, 1.0), float4(0.851, 0.4706, 0.3725, 1.0), _e6, 1.0, true);
-    Light _e22 = look.key;
-    const float _e26 = reflectance_blinn_phong(_e22, surface_1.normal, surface_1.view, 0.6);
-    const float4 _e34 = blend_add(_e19, float4(1.0, 0.8902, 0.8, 1.0), _e26, 0.25, true);
-    const float4 _e35 = output(_e34);
-    return _e35;
+    float3 _e5 = look.key.direction;
+    float wrap = max(((dot(surface_1.normal, _e5) + 0.7) / 1.7), 0.0);
+    float4 body = min(float4((float3(0.2902, 0.1137, 0.1333) + (wrap * float3(0.851, 0.4706, 0.3725))), 1.0), (1.0).xxxx);
+    Light _e30 = look.key;
+    const float _e34 = reflectance_blinn_phong(_e30, surface_1.normal, surface_1.view, 0.6);
+    float4 output = clamp(float4((body.xyz + (0.25 * ((body.xyz + (_e34 * float3(1.0, 0.8902, 0.8))) - body.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return output;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -360,21 +223,17 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_5 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_6 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_6;
-    float4 _e15 = view_3.eye;
-    float _e20 = view_3.eye.w;
-    float4 _e26 = view_3.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    const float4 _e35 = shade(_e34);
-    const float4 _e36 = finite_vec4_(_e35);
-    return _e36;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_5 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_5;
+    float4 _e11 = view_3.eye;
+    float _e16 = view_3.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    Surface _e21 = surface;
+    const float4 _e22 = shade(_e21);
+    return _e22;
 }

@@ -35,8 +35,6 @@ struct Surface {
     metal::float3 normal;
     metal::float3 view;
 };
-typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Reflection {
     float n_l;
     float n_v;
@@ -57,99 +55,29 @@ constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
-
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
 float exp2_stable(
-    float x_2
+    float x
 ) {
-    float clamped_2 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_2);
-    float f = (clamped_2 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float clamped = metal::max(x, -126.0);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
-    float x_3
+float log2_stable(
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
-    int shift = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_2 = (shift >= 256) ? as_type<int>(as_type<uint>(shift) - as_type<uint>(512)) : shift;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_2) << 23u));
+    uint bits = as_type<uint>(x_1);
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_2) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -167,93 +95,33 @@ float log1p_negative(
         float _e3 = log1p_negative_small(y_1);
         return _e3;
     }
-    float _e8 = log_stable(metal::max(1.0 - y_1, 0.000000000000000000000000000000000000011754944));
-    return _e8;
+    float _e7 = log2_stable(1.0 - y_1);
+    return LN_2_ * _e7;
 }
 
-float bounded(
-    float x_4
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    uint bits_1 = as_type<uint>(x_4);
-    uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_1
+) {
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float powered(
     float base,
     float exponent
 ) {
-    bool local_1 = {};
-    float _e2 = bounded(base);
-    float _e3 = bounded(exponent);
-    if (_e3 == 1.0) {
-        return _e2;
-    }
-    if (_e3 == 0.0) {
-        return 1.0;
-    }
-    if (_e3 == 2.0) {
-        float _e12 = bounded(_e2 * _e2);
-        return _e12;
-    }
-    float magnitude_1 = metal::abs(_e2);
-    if (magnitude_1 < SMALLEST_NORMAL) {
-        return 0.0;
-    }
-    float _e18 = log_stable(magnitude_1);
-    float _e21 = bounded(_e3 * (LOG2_E * _e18));
-    float _e22 = exp2_stable(_e21);
-    bool is_even = metal::floor(_e3 * 0.5) == (_e3 * 0.5);
-    if (_e2 < 0.0) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return _e36 ? -(_e22) : _e22;
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
-}
-
-Composite blend_add(
-    Composite below_1,
-    Color color,
-    float tone,
-    float opacity_1,
-    bool clamped_1
-) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    float magnitude = metal::abs(base);
+    float _e5 = log2_stable(metal::max(magnitude, SMALLEST_NORMAL));
+    float _e7 = exp2_stable(exponent * _e5);
+    return (magnitude < SMALLEST_NORMAL) ? 0.0 : _e7;
 }
 
 metal::float3 half_of(
@@ -262,7 +130,7 @@ metal::float3 half_of(
     metal::float3 view
 ) {
     metal::float3 half_ = light + view;
-    metal::float3 _e8 = normalize_or((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
+    metal::float3 _e8 = normalize_moderate((metal::dot(half_, half_) > 0.000000000001) ? half_ : normal, normal);
     return _e8;
 }
 
@@ -292,71 +160,43 @@ float cosine_power(
     float exponent_1
 ) {
     if (cosine < 0.7) {
-        float _e7 = powered(metal::max(cosine, 0.0), exponent_1);
-        return _e7;
+        float _e5 = powered(cosine, exponent_1);
+        return _e5;
     }
-    float _e14 = log1p_negative(metal::min(sine2_, 0.6));
-    float _e16 = exp2_stable(((0.5 * exponent_1) * LOG2_E) * _e14);
-    return _e16;
-}
-
-float width_of_roughness(
-    float roughness
-) {
-    float _e1 = bounded(roughness);
-    float r = metal::clamp(_e1, 0.0, 1.0);
-    return metal::max(r * r, 0.001);
-}
-
-float exponent_of_width(
-    float width
-) {
-    return metal::max((2.0 / (width * width)) - 2.0, 0.0);
-}
-
-float reflectance_wrap(
-    Light light_2,
-    metal::float3 normal_2,
-    float wrap
-) {
-    float _e3 = bounded(wrap);
-    float w = metal::clamp(_e3, 0.0, 1.0);
-    metal::float3 _e11 = normalize_or(normal_2, metal::float3(0.0, 0.0, 1.0));
-    float cosine_1 = metal::dot(_e11, light_2.direction);
-    return metal::max((cosine_1 + w) / (1.0 + w), 0.0);
+    float _e12 = log1p_negative(metal::min(sine2_, 0.6));
+    float _e14 = exp2_stable(((0.5 * exponent_1) * LOG2_E) * _e12);
+    return _e14;
 }
 
 float reflectance_blinn_phong(
-    Light light_3,
-    metal::float3 normal_3,
+    Light light_2,
+    metal::float3 normal_2,
     metal::float3 view_2,
-    float roughness_1
+    float roughness
 ) {
-    metal::float3 _e9 = normalize_or(normal_3, metal::float3(0.0, 0.0, 1.0));
-    Reflection _e10 = reflection_of(light_3.direction, _e9, view_2);
-    float _e11 = width_of_roughness(roughness_1);
-    float _e12 = exponent_of_width(_e11);
-    float _e15 = cosine_power(_e10.n_h, _e10.sine2_, _e12);
-    return metal::min(((0.125 * (_e12 + 8.0)) * _e15) * metal::max(_e10.n_l, 0.0), 1000000.0);
+    Reflection _e5 = reflection_of(light_2.direction, normal_2, view_2);
+    float width = roughness * roughness;
+    float e = (2.0 / (width * width)) - 2.0;
+    float _e14 = cosine_power(_e5.n_h, _e5.sine2_, e);
+    return ((0.125 * (e + 8.0)) * _e14) * metal::max(_e5.n_l, 0.0);
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    float _e6 = reflectance_wrap(_e3, surface_1.normal, 0.7);
-    Composite _e19 = blend_add(metal::float4(0.2902, 0.1137, 0.1333, 1.0), metal::float4(0.851, 0.4706, 0.3725, 1.0), _e6, 1.0, true);
-    Light _e22 = look.key;
-    float _e26 = reflectance_blinn_phong(_e22, surface_1.normal, surface_1.view, 0.6);
-    Composite _e34 = blend_add(_e19, metal::float4(1.0, 0.8902, 0.8, 1.0), _e26, 0.25, true);
-    Color _e35 = output(_e34);
-    return _e35;
+    metal::float3 _e5 = look.key.direction;
+    float wrap = metal::max((metal::dot(surface_1.normal, _e5) + 0.7) / 1.7, 0.0);
+    metal::float4 body = metal::min(metal::float4(metal::float3(0.2902, 0.1137, 0.1333) + (wrap * metal::float3(0.851, 0.4706, 0.3725)), 1.0), metal::float4(1.0));
+    Light _e30 = look.key;
+    float _e34 = reflectance_blinn_phong(_e30, surface_1.normal, surface_1.view, 0.6);
+    metal::float4 output = metal::clamp(metal::float4(body.xyz + (0.25 * ((body.xyz + (_e34 * metal::float3(1.0, 0.8902, 0.8))) - body.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_4 [[attribute(1)]];
+    metal::float3 normal_3 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -368,7 +208,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_3 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_4 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_3 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -385,7 +225,7 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_4 [[user(loc1), center_perspective]];
+    metal::float3 normal_3 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -397,19 +237,15 @@ fragment fs_mainOutput fs_main(
 , constant View& view_3 [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_4 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_3 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_4 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_4;
-    metal::float4 _e15 = view_3.eye;
-    float _e20 = view_3.eye.w;
-    metal::float4 _e26 = view_3.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    Surface _e34 = surface;
-    metal::float4 _e35 = shade(_e34, look);
-    metal::float4 _e36 = finite_vec4_(_e35);
-    return fs_mainOutput { _e36 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_3 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_3;
+    metal::float4 _e11 = view_3.eye;
+    float _e16 = view_3.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    Surface _e21 = surface;
+    metal::float4 _e22 = shade(_e21, look);
+    return fs_mainOutput { _e22 };
 }

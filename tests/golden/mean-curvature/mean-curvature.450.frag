@@ -32,11 +32,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp hollow_flat_ridge = Ramp(vec4[16](vec4(0.0588, 0.1294, 0.2706, 1.0), vec4(0.1843, 0.3725, 0.5412, 1.0), vec4(0.7255, 0.7647, 0.7059, 1.0), vec4(0.9255, 0.8902, 0.7961, 1.0), vec4(0.8902, 0.749, 0.502, 1.0), vec4(0.7804, 0.4627, 0.1843, 1.0), vec4(1.0, 0.9529, 0.8627, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.25, 0.44, 0.5), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
 
 layout(std140, binding = 2) uniform LookBlock { Look u_look; };
@@ -46,95 +42,45 @@ layout(binding = 0) uniform sampler2D u_curvature_map;
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+float exp2_stable(float x) {
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+float exp2_stable_2_(float x_1) {
+    float whole_1 = roundEven(x_1);
+    float f_1 = (x_1 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float exp2_stable(float x_2) {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift >= 256) ? (shift - 512) : shift);
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float bounded(float x_4) {
-    uint bits_1 = floatBitsToUint(x_4);
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+}
+
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float bounded(float x_3) {
+    uint bits_1 = floatBitsToUint(x_3);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
-}
-
-vec3 bounded_vec3_(vec3 v_3) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    return vec3(_e2, _e4, _e6);
-}
-
-vec4 bounded_vec4_(vec4 v_4) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    float _e8 = bounded(v_4.w);
-    return vec4(_e2, _e4, _e6, _e8);
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float divided(float a, float b) {
@@ -146,138 +92,46 @@ float divided(float a, float b) {
 }
 
 float powered(float base, float exponent) {
-    bool local_1 = false;
-    float _e2 = bounded(base);
-    float _e3 = bounded(exponent);
-    if ((_e3 == 1.0)) {
-        return _e2;
-    }
-    if ((_e3 == 0.0)) {
-        return 1.0;
-    }
-    if ((_e3 == 2.0)) {
-        float _e12 = bounded((_e2 * _e2));
-        return _e12;
-    }
-    float magnitude_1 = abs(_e2);
-    if ((magnitude_1 < SMALLEST_NORMAL)) {
-        return 0.0;
-    }
-    float _e18 = log_stable(magnitude_1);
-    float _e21 = bounded((_e3 * (LOG2_E * _e18)));
-    float _e22 = exp2_stable(_e21);
-    bool is_even = (floor((_e3 * 0.5)) == (_e3 * 0.5));
-    if ((_e2 < 0.0)) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return (_e36 ? -(_e22) : _e22);
-}
-
-float mixed(float a_1, float b_1, float t) {
-    float _e4 = bounded((b_1 - a_1));
-    float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
-    return _e14;
-}
-
-vec3 mixed_vec3_(vec3 a_2, vec3 b_2, float t_1) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return vec3(_e5, _e8, _e11);
-}
-
-vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
-    vec3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return vec4(_e5, _e8);
-}
-
-float place_between(float x_5, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_5 >= high) ? 1.0 : 0.0);
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_5 - low) / _e12));
-    return _e14;
-}
-
-float eased(float x_6, float low_1, float high_1) {
-    float _e3 = bounded(x_6);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_6 = clamp(_e6, 0.0, 1.0);
-    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
-}
-
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
-    vec2 d = vec2(_e1, _e2);
-    float _e6 = bounded(sqrt(dot(d, d)));
-    return _e6;
-}
-
-float step_filtered(float x_8, float edge, float w) {
-    float _e4 = bounded((x_8 - edge));
-    if ((w < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
-    }
-    float _e13 = bounded((_e4 / w));
-    return clamp((0.5 + _e13), 0.0, 1.0);
-}
-
-float linear_of_srgb(float coded) {
-    float _e1 = bounded(coded);
-    float size = abs(_e1);
-    float _e8 = powered(((size + 0.055) / 1.055), 2.4);
-    float value_2 = ((size <= 0.04045) ? (size / 12.92) : _e8);
-    return ((coded < 0.0) ? -(value_2) : value_2);
+    float magnitude_1 = abs(base);
+    float _e5 = log2_stable(max(magnitude_1, SMALLEST_NORMAL));
+    float _e7 = exp2_stable_2_((exponent * _e5));
+    return ((magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7);
 }
 
 float srgb_of_linear(float light) {
-    float _e1 = bounded(light);
-    float size_1 = abs(_e1);
-    float _e4 = powered(size_1, 0.41666666);
-    float value_3 = ((size_1 <= 0.0031308) ? (size_1 * 12.92) : ((1.055 * _e4) - 0.055));
-    float _e18 = bounded(((light < 0.0) ? -(value_3) : value_3));
-    return _e18;
-}
-
-float cube_root(float x_9) {
-    float _e3 = powered(abs(x_9), 0.33333334);
-    return ((x_9 < 0.0) ? -(_e3) : _e3);
+    float size = abs(light);
+    float _e3 = powered(size, 0.41666666);
+    float value_1 = ((size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055));
+    return ((light < 0.0) ? -(value_1) : value_1);
 }
 
 vec3 oklab_of_linear(vec3 rgb) {
-    vec3 _e1 = bounded_vec3_(rgb);
-    vec3 c = clamp(_e1, vec3(-1000000000.0), vec3(1000000000.0));
-    float _e12 = cube_root(dot(c, vec3(0.41222146, 0.53633255, 0.051445995)));
-    float _e18 = cube_root(dot(c, vec3(0.2119035, 0.6806995, 0.10739696)));
-    float _e24 = cube_root(dot(c, vec3(0.08830246, 0.28171885, 0.6299787)));
-    return vec3((((0.21045426 * _e12) + (0.7936178 * _e18)) - (0.004072047 * _e24)), (((1.9779985 * _e12) - (2.4285922 * _e18)) + (0.4505937 * _e24)), (((0.025904037 * _e12) + (0.78277177 * _e18)) - (0.80867577 * _e24)));
+    float _e6 = log2_stable(dot(rgb, vec3(0.41222146, 0.53633255, 0.051445995)));
+    float _e9 = exp2_stable_2_((0.33333334 * _e6));
+    float _e15 = log2_stable(dot(rgb, vec3(0.2119035, 0.6806995, 0.10739696)));
+    float _e18 = exp2_stable_2_((0.33333334 * _e15));
+    float _e24 = log2_stable(dot(rgb, vec3(0.08830246, 0.28171885, 0.6299787)));
+    float _e27 = exp2_stable_2_((0.33333334 * _e24));
+    return vec3((((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27)), (((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27)), (((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27)));
 }
 
 vec3 linear_of_oklab(vec3 lab) {
-    vec3 _e1 = bounded_vec3_(lab);
-    vec3 c_1 = clamp(_e1, vec3(-1000000.0), vec3(1000000.0));
-    float l = ((c_1.x + (0.39633778 * c_1.y)) + (0.21580376 * c_1.z));
-    float m = ((c_1.x - (0.105561346 * c_1.y)) - (0.06385417 * c_1.z));
-    float s = ((c_1.x - (0.08948418 * c_1.y)) - (1.2914855 * c_1.z));
+    float l = ((lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z));
+    float m = ((lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z));
+    float s = ((lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z));
     vec3 cubes = vec3(((l * l) * l), ((m * m) * m), ((s * s) * s));
     return vec3(dot(cubes, vec3(4.0767417, -3.3077116, 0.23096994)), dot(cubes, vec3(-1.268438, 2.6097574, -0.34131938)), dot(cubes, vec3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
-vec3 oklab_of_srgb(vec3 coded_1) {
-    float _e2 = linear_of_srgb(coded_1.x);
-    float _e4 = linear_of_srgb(coded_1.y);
-    float _e6 = linear_of_srgb(coded_1.z);
-    vec3 _e8 = oklab_of_linear(vec3(_e2, _e4, _e6));
-    return _e8;
+vec3 oklab_of_srgb(vec3 coded) {
+    float _e6 = log2_stable(((coded.x + 0.055) / 1.055));
+    float _e9 = exp2_stable_2_((2.4 * _e6));
+    float _e15 = log2_stable(((coded.y + 0.055) / 1.055));
+    float _e18 = exp2_stable_2_((2.4 * _e15));
+    float _e24 = log2_stable(((coded.z + 0.055) / 1.055));
+    float _e27 = exp2_stable_2_((2.4 * _e24));
+    vec3 _e29 = oklab_of_linear(vec3(_e9, _e18, _e27));
+    return _e29;
 }
 
 vec3 srgb_of_oklab(vec3 lab_1) {
@@ -288,350 +142,94 @@ vec3 srgb_of_oklab(vec3 lab_1) {
     return vec3(_e3, _e5, _e7);
 }
 
-vec4 ends_kept(vec4 a_4, vec4 b_4, float t_3, vec3 rgb_1) {
-    vec3 _e4 = bounded_vec3_(rgb_1);
-    float _e7 = mixed(a_4.w, b_4.w, t_3);
-    vec4 mixed_color = vec4(_e4, _e7);
-    vec4 _e9 = bounded_vec4_(b_4);
-    vec4 _e13 = bounded_vec4_(a_4);
-    return ((t_3 <= 0.0) ? _e13 : ((t_3 >= 1.0) ? _e9 : mixed_color));
-}
-
-vec4 mixed_in_oklab(vec4 a_5, vec4 b_5, float t_4) {
-    vec3 _e4 = oklab_of_srgb(a_5.xyz);
-    vec3 _e6 = oklab_of_srgb(b_5.xyz);
-    vec3 _e7 = mixed_vec3_(_e4, _e6, t_4);
-    vec3 _e8 = srgb_of_oklab(_e7);
-    vec4 _e9 = ends_kept(a_5, b_5, t_4, _e8);
-    return _e9;
-}
-
-vec4 hermite(vec4 a_6, vec4 b_6, vec4 from_a, vec4 to_b, float t_5) {
-    vec4 d_1 = (b_6 - a_6);
-    return (a_6 + (t_5 * (from_a + (t_5 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_5 * ((from_a + to_b) - (2.0 * d_1))))))));
-}
-
-float harmonic_slope(float before, float span_before, float after, float span_after) {
-    if (((before * after) <= 0.0)) {
-        return 0.0;
-    }
-    float weight_before = ((2.0 * span_after) + span_before);
-    float weight_after = (span_after + (2.0 * span_before));
-    float _e18 = divided((weight_before + weight_after), ((weight_before / before) + (weight_after / after)));
-    return _e18;
-}
-
-vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float span_after_1) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return vec4(_e8, _e13, _e18, _e23);
-}
-
-vec4 ramp_at(Ramp ramp, float x_10, float w_1) {
+RampPlace ramp_place(Ramp ramp, float x_4) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    vec4 color = vec4(0.0);
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_2 = false;
-    vec4 from_a_1 = vec4(0.0);
-    vec4 to_b_1 = vec4(0.0);
-    uint count = min(ramp.count, 16u);
-    if ((count == 0u)) {
-        return vec4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
-        vec4 _e18 = colors[0];
-        color = _e18;
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                uint _e47 = i;
-                i = (_e47 + 1u);
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if ((_e22 < count)) {
-            } else {
-                break;
-            }
-            {
-                vec4 _e24 = color;
-                uint _e25 = i;
-                vec4 _e27 = colors[_e25];
-                uint _e28 = i;
-                vec4 _e32 = colors[(_e28 - 1u)];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places[(_e34 / 4u)][(_e38 % 4u)];
-                float _e43 = step_filtered(x_10, _e42, w_1);
-                color = (_e24 + ((_e27 - _e32) * _e43));
-            }
-        }
-        vec4 _e49 = color;
-        vec4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = (_e71 + 1u);
+        if (!loop_init) {
+            uint _e27 = i;
+            i = (_e27 + 1u);
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if ((_e55 < count)) {
-        } else {
+        loop_init = false;
+        uint _e10 = i;
+        if (!((_e10 < 7u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places[(_e59 / 4u)][(_e63 % 4u)];
-            at = ((_e67 <= x_10) ? _e58 : _e57);
-        }
+        uint _e14 = at;
+        uint _e15 = i;
+        uint _e16 = i;
+        uint _e20 = i;
+        float _e24 = places[(_e16 / 4u)][(_e20 % 4u)];
+        at = ((_e24 <= x_4) ? _e15 : _e14);
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place = places[(_e73 / 4u)][(_e77 % 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count))) {
-        local_2 = (x_10 <= place);
-    } else {
-        local_2 = true;
-    }
-    bool _e91 = local_2;
-    if (_e91) {
-        uint _e92 = at;
-        vec4 _e94 = colors[_e92];
-        vec4 _e95 = bounded_vec4_(_e94);
-        return _e95;
-    }
-    uint _e96 = at;
-    uint after_1 = (_e96 + 1u);
-    float _e105 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span_1 = (_e105 - place);
-    float _e108 = divided((x_10 - place), span_1);
-    float t_7 = clamp(_e108, 0.0, 1.0);
-    if ((ramp.interpolation != INTERPOLATION_SMOOTH)) {
-        uint _e115 = at;
-        vec4 _e117 = colors[_e115];
-        vec4 _e119 = colors[after_1];
-        vec4 _e120 = mixed_vec4_(_e117, _e119, t_7);
-        return _e120;
-    }
-    uint _e127 = at;
-    if ((_e127 > 0u)) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places[((_e130 - 1u) / 4u)][((_e136 - 1u) % 4u)];
-        uint _e143 = at;
-        vec4 _e145 = colors[_e143];
-        uint _e146 = at;
-        vec4 _e150 = colors[(_e146 - 1u)];
-        vec4 _e154 = colors[after_1];
-        uint _e155 = at;
-        vec4 _e157 = colors[_e155];
-        vec4 _e159 = ramp_slope((_e145 - _e150), (place - before_1), (_e154 - _e157), span_1);
-        from_a_1 = _e159;
-    }
-    if (((after_1 + 1u) < count)) {
-        float _e173 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e173 - (place + span_1));
-        vec4 _e177 = colors[after_1];
-        uint _e178 = at;
-        vec4 _e180 = colors[_e178];
-        vec4 _e185 = colors[(after_1 + 1u)];
-        vec4 _e187 = colors[after_1];
-        vec4 _e189 = ramp_slope((_e177 - _e180), span_1, (_e185 - _e187), next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    vec4 _e192 = colors[_e190];
-    vec4 _e194 = colors[after_1];
-    vec4 _e195 = from_a_1;
-    vec4 _e197 = to_b_1;
-    vec4 _e199 = hermite(_e192, _e194, (span_1 * _e195), (span_1 * _e197), t_7);
-    vec4 _e200 = bounded_vec4_(_e199);
-    return _e200;
+    uint _e30 = at;
+    uint after = min((_e30 + 1u), 6u);
+    uint _e35 = at;
+    uint _e39 = at;
+    float place = places[(_e35 / 4u)][(_e39 % 4u)];
+    float _e51 = places[(after / 4u)][(after % 4u)];
+    float _e53 = divided((x_4 - place), (_e51 - place));
+    float t = clamp(_e53, 0.0, 1.0);
+    uint _e57 = at;
+    vec4 _e59 = colors[_e57];
+    vec4 _e61 = colors[after];
+    return RampPlace(_e59, _e61, t);
 }
 
-RampPlace ramp_place(Ramp ramp_1, float x_11) {
-    vec4 colors_1[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    vec4 places_1[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    uint at_1 = 0u;
-    uint i_2 = 1u;
-    uint count_1 = min(ramp_1.count, 16u);
-    if ((count_1 == 0u)) {
-        return RampPlace(vec4(0.0), vec4(0.0), 0.0);
-    }
-    colors_1 = ramp_1.colors;
-    places_1 = ramp_1.places;
-    bool loop_init_2 = true;
-    while(true) {
-        if (!loop_init_2) {
-            uint _e37 = i_2;
-            i_2 = (_e37 + 1u);
-        }
-        loop_init_2 = false;
-        uint _e21 = i_2;
-        if ((_e21 < count_1)) {
-        } else {
-            break;
-        }
-        {
-            uint _e23 = at_1;
-            uint _e24 = i_2;
-            uint _e25 = i_2;
-            uint _e29 = i_2;
-            float _e33 = places_1[(_e25 / 4u)][(_e29 % 4u)];
-            at_1 = ((_e33 <= x_11) ? _e24 : _e23);
-        }
-    }
-    uint _e39 = at_1;
-    uint after_2 = min((_e39 + 1u), (count_1 - 1u));
-    uint _e45 = at_1;
-    uint _e49 = at_1;
-    float place_1 = places_1[(_e45 / 4u)][(_e49 % 4u)];
-    float _e61 = places_1[(after_2 / 4u)][(after_2 % 4u)];
-    float _e63 = divided((x_11 - place_1), (_e61 - place_1));
-    float t_8 = clamp(_e63, 0.0, 1.0);
-    uint _e67 = at_1;
-    vec4 _e69 = colors_1[_e67];
-    vec4 _e71 = colors_1[after_2];
-    float _e74 = eased(t_8, 0.0, 1.0);
-    return RampPlace(_e69, _e71, ((ramp_1.interpolation == INTERPOLATION_SMOOTH) ? _e74 : t_8));
-}
-
-vec4 premultiplied(vec4 color_1) {
-    return vec4((color_1.xyz * color_1.w), color_1.w);
-}
-
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
-}
-
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope) {
-    float _e2 = kappa_safe(kappa_1);
-    float _e4 = finite_or(slope, 0.0);
-    float a_7 = (_e2 * clamp(_e4, -1e30, 1e30));
-    float magnitude_2 = min(abs(a_7), 50.0);
+float curvature_signed(float kappa, float slope) {
+    float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
+    float magnitude_2 = min(abs(a_1), 50.0);
     if ((magnitude_2 < 0.0625)) {
-        float a2_ = (a_7 * a_7);
-        return (a_7 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
+        float a2_ = (a_1 * a_1);
+        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    float _e28 = exp2_stable((-2.88539 * magnitude_2));
-    float t_9 = ((1.0 - _e28) / (1.0 + _e28));
-    return ((a_7 >= 0.0) ? t_9 : -(t_9));
+    float _e32 = exp2_stable((-2.88539 * magnitude_2));
+    float t_1 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_1 >= 0.0) ? t_1 : -(t_1));
 }
 
-float transition(float kappa_2, float slope_1) {
-    float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
-}
-
-float kappa_surface(float kappa_3) {
-    float _e1 = kappa_safe(kappa_3);
-    return _e1;
-}
-
-vec4 base_1(vec4 color_2) {
-    vec4 _e1 = premultiplied(color_2);
-    return _e1;
-}
-
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed_1 = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed_1, vec4(0.0), vec4(1.0)) : mixed_1);
-}
-
-vec4 blend_shade(vec4 below_1, vec4 color_3, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e14 = blend_finish(below_1, (below_1.xyz * mix(vec3(1.0), color_3.xyz, tone)), below_1.w, (opacity_1 * color_3.w), clamped_1);
-    return _e14;
-}
-
-vec4 output_(vec4 color_4) {
-    vec4 _e1 = straight(color_4);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-vec4 ramp_oklab(float value, Ramp ramp_2) {
-    float _e2 = footprint_of(value);
-    if ((ramp_2.interpolation == INTERPOLATION_STEPPED)) {
-        float _e6 = bounded(value);
-        vec4 _e7 = ramp_at(ramp_2, _e6, _e2);
-        return _e7;
-    }
-    float _e8 = bounded(value);
-    RampPlace _e9 = ramp_place(ramp_2, _e8);
-    vec4 _e13 = mixed_in_oklab(_e9.before, _e9.after, _e9.t);
-    return _e13;
+vec4 ramp_oklab(float value, Ramp ramp_1) {
+    RampPlace _e2 = ramp_place(ramp_1, value);
+    vec3 _e5 = oklab_of_srgb(_e2.before.xyz);
+    vec3 _e8 = oklab_of_srgb(_e2.after.xyz);
+    vec3 _e11 = srgb_of_oklab(mix(_e5, _e8, _e2.t));
+    return ((_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : vec4(_e11, 1.0)));
 }
 
 float reflectance_half_lambert(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    float half_ = (0.5 + (0.5 * dot(_e6, light_1.direction)));
-    return clamp((half_ * half_), 0.0, 1.0);
-}
-
-float invert(float value_1) {
-    float _e3 = bounded((1.0 - value_1));
-    return _e3;
+    float half_ = (0.5 + (0.5 * dot(normal, light_1.direction)));
+    return min((half_ * half_), 1.0);
 }
 
 vec4 shade(Surface surface_1) {
-    float _e2 = kappa_surface(surface_1.kappa);
-    float _e4 = transition(_e2, 0.045);
-    vec4 _e6 = ramp_oklab(_e4, hollow_flat_ridge);
-    vec4 _e7 = base_1(_e6);
-    Light _e10 = u_look.key;
-    float _e12 = reflectance_half_lambert(_e10, surface_1.normal);
-    float _e13 = invert(_e12);
-    vec4 _e21 = blend_shade(_e7, vec4(0.42, 0.4, 0.55, 1.0), _e13, 1.0, true);
-    vec4 _e22 = output_(_e21);
-    return _e22;
+    float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
+    float _e14 = curvature_signed(curvature, 0.045);
+    float from_hollow_to_ridge = (0.5 + (0.5 * _e14));
+    vec4 _e20 = ramp_oklab(from_hollow_to_ridge, hollow_flat_ridge);
+    Light _e23 = u_look.key;
+    float _e25 = reflectance_half_lambert(_e23, surface_1.normal);
+    float in_the_dark = (1.0 - _e25);
+    vec4 output_ = clamp(vec4((_e20.xyz * mix(vec3(1.0), vec3(0.42, 0.4, 0.55), in_the_dark)), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), 0.0);
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_1 = (is_front ? _e7 : -(_e7));
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_1 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_1;
-    vec4 _e18 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e18.x;
-    Surface _e20 = surface;
-    vec4 _e21 = shade(_e20);
-    vec4 _e22 = finite_vec4_(_e21);
-    out_color = _e22;
+    vec4 _e14 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    surface.kappa = _e14.x;
+    Surface _e16 = surface;
+    vec4 _e17 = shade(_e16);
+    out_color = _e17;
     return;
 }
 

@@ -29,11 +29,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp hollow_flat_ridge = Ramp(vec4[16](vec4(0.0588, 0.1294, 0.2706, 1.0), vec4(0.1843, 0.3725, 0.5412, 1.0), vec4(0.7255, 0.7647, 0.7059, 1.0), vec4(0.9255, 0.8902, 0.7961, 1.0), vec4(0.8902, 0.749, 0.502, 1.0), vec4(0.7804, 0.4627, 0.1843, 1.0), vec4(1.0, 0.9529, 0.8627, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.25, 0.44, 0.5), vec4(0.6, 0.8, 1.0, 0.0), vec4(0.0), vec4(0.0)), 7u, 0u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };

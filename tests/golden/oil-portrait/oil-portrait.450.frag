@@ -82,9 +82,6 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
 const uint BLUE_TILE[256] = uint[256](667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u);
 
@@ -109,86 +106,72 @@ bool is_finite(float x) {
     return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
+vec4 finite_vec4_(vec4 v) {
+    uvec4 exponent = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
+vec3 normalize_or(vec3 v_1, vec3 otherwise) {
+    float largest = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
+    if (!(((largest > 1e-30) && (largest < 1e30)))) {
+        return otherwise;
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
+    vec3 scaled = (v_1 * (1.0 / largest));
+    float square = dot(scaled, scaled);
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square_1 = dot(scaled, scaled);
-    bool _e23 = is_finite(square_1);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square_1)));
+    return (scaled * (1.0 / sqrt(square)));
 }
 
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
+float exp2_stable(float x_1) {
+    float whole = roundEven(x_1);
+    float f = (x_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable(float x_2) {
-    float clamped_3 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_3);
-    float f = ((clamped_3 - whole) * LN_2_);
-    float p_1 = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p_1 * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent = ((shift >= 256) ? (shift - 512) : shift);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_eighth(float x_3) {
+    float y = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y * (-0.16666667 + (y * (0.008333334 + (y * (-0.0001984127 + (y * 2.7557319e-6)))))))));
+    float c = (1.0 - (y * (0.5 + (y * (-0.041666668 + (y * (0.0013888889 + (y * (-2.4801588e-5 + (y * 2.755732e-7))))))))));
+    return vec2(s, c);
+}
+
+vec2 sin_cos_eighth_2_(float x_4) {
+    return vec2(0.6816388, 0.73168886);
 }
 
 vec2 sin_cos(float x_5) {
     float turns = roundEven((x_5 * 0.31830987));
     float r = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    vec2 _e13 = sin_cos_eighth(r);
+    return _e13;
+}
+
+vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
+    float square_1 = dot(v_2, v_2);
+    return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
+}
+
+vec3 normalize_moderate_2_(vec3 v_3, vec3 otherwise_2) {
+    float square_2 = dot(v_3, v_3);
+    return ((square_2 > 1e-30) ? (v_3 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
+}
+
+vec3 normalize_seen(vec3 v_4) {
+    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(float x_6) {
@@ -198,44 +181,34 @@ float bounded(float x_6) {
     return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_3) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    return vec2(_e2, _e4);
+vec2 bounded_vec2_(vec2 v_5) {
+    uvec2 bits_2 = floatBitsToUint(v_5);
+    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
+    vec2 largest_2 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
+    vec2 numbers = mix(vec2(0.0), largest_2, equal(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_5, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_4) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    return vec3(_e2, _e4, _e6);
+vec3 bounded_vec3_(vec3 v_6) {
+    uvec3 bits_3 = floatBitsToUint(v_6);
+    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
+    vec3 largest_3 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers_1 = mix(vec3(0.0), largest_3, equal(magnitude_2, uvec3(2139095040u)));
+    return mix(numbers_1, v_6, lessThan(magnitude_2, uvec3(2139095040u)));
 }
 
-vec4 bounded_vec4_(vec4 v_5) {
-    float _e2 = bounded(v_5.x);
-    float _e4 = bounded(v_5.y);
-    float _e6 = bounded(v_5.z);
-    float _e8 = bounded(v_5.w);
-    return vec4(_e2, _e4, _e6, _e8);
+vec4 bounded_vec4_(vec4 v_7) {
+    uvec4 bits_4 = floatBitsToUint(v_7);
+    uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
+    vec4 largest_4 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers_2 = mix(vec4(0.0), largest_4, equal(magnitude_3, uvec4(2139095040u)));
+    return mix(numbers_2, v_7, lessThan(magnitude_3, uvec4(2139095040u)));
 }
 
-float mixed(float a, float b, float t) {
-    float _e4 = bounded((b - a));
-    float _e14 = bounded(((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4))));
+vec4 mixed_vec4_(vec4 a, vec4 b, float t) {
+    vec4 _e4 = bounded_vec4_((b - a));
+    vec4 _e14 = bounded_vec4_(((t < 0.5) ? (a + (t * _e4)) : (b - ((1.0 - t) * _e4))));
     return _e14;
-}
-
-vec3 mixed_vec3_(vec3 a_1, vec3 b_1, float t_1) {
-    float _e5 = mixed(a_1.x, b_1.x, t_1);
-    float _e8 = mixed(a_1.y, b_1.y, t_1);
-    float _e11 = mixed(a_1.z, b_1.z, t_1);
-    return vec3(_e5, _e8, _e11);
-}
-
-vec4 mixed_vec4_(vec4 a_2, vec4 b_2, float t_2) {
-    vec3 _e5 = mixed_vec3_(a_2.xyz, b_2.xyz, t_2);
-    float _e8 = mixed(a_2.w, b_2.w, t_2);
-    return vec4(_e5, _e8);
 }
 
 float place_between(float x_7, float low, float high) {
@@ -243,63 +216,25 @@ float place_between(float x_7, float low, float high) {
     if ((abs(span) < SMALLEST_NORMAL)) {
         return ((x_7 >= high) ? 1.0 : 0.0);
     }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_7 - low) / _e12));
-    return _e14;
+    float _e13 = bounded(((x_7 - low) / span));
+    return _e13;
 }
 
-float remapped(float x_8, float from_low, float from_high, float to_low, float to_high, bool clamped) {
-    float _e6 = bounded(x_8);
-    float _e7 = bounded(from_low);
-    float _e8 = bounded(from_high);
-    float _e9 = place_between(_e6, _e7, _e8);
-    float _e10 = bounded(to_low);
-    float _e11 = bounded(to_high);
-    float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
+float eased(float x_8, float low_1, float high_1) {
+    float _e3 = place_between(x_8, low_1, high_1);
+    float t_1 = clamp(_e3, 0.0, 1.0);
+    return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float eased(float x_9, float low_1, float high_1) {
-    float _e3 = bounded(x_9);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_3 = clamp(_e6, 0.0, 1.0);
-    return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
+vec4 color_mixed(vec4 a_1, vec3 blended, float factor) {
+    vec3 _e3 = bounded_vec3_(blended);
+    vec3 _e6 = bounded_vec3_((_e3 - a_1.xyz));
+    vec3 _e10 = bounded_vec3_((_e3 - (0.0 * _e6)));
+    return vec4(_e10, 1.0);
 }
 
-float factor_of(float x_10, bool clamped_1) {
-    float _e2 = bounded(x_10);
-    float _e3 = bounded(x_10);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-vec2 sin_cos_of(float x_11) {
-    float _e1 = bounded(x_11);
-    vec2 _e2 = sin_cos(_e1);
-    return clamp(_e2, vec2(-1.0), vec2(1.0));
-}
-
-vec4 color_mixed(vec4 a_3, vec3 blended, float factor) {
-    vec3 _e4 = bounded_vec3_(a_3.xyz);
-    vec3 _e5 = bounded_vec3_(blended);
-    float _e7 = factor_of(factor, true);
-    vec3 _e8 = mixed_vec3_(_e4, _e5, _e7);
-    float _e10 = bounded(a_3.w);
-    return vec4(_e8, _e10);
-}
-
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 with_unit_alpha(vec4 color) {
-    float _e3 = unit_share(color.w);
-    return vec4(color.xyz, _e3);
-}
-
-vec4 premultiplied(vec4 color_1) {
-    return vec4((color_1.xyz * color_1.w), color_1.w);
+vec4 premultiplied(vec4 color) {
+    return vec4((color.xyz * color.w), color.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -309,77 +244,54 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 mix_colors_normal(vec4 a_4, vec4 b_3, float factor_1) {
-    vec4 _e3 = bounded_vec4_(a_4);
-    vec4 _e4 = bounded_vec4_(b_3);
-    float _e6 = factor_of(factor_1, true);
-    vec4 _e7 = mixed_vec4_(_e3, _e4, _e6);
-    return _e7;
-}
-
-vec4 mix_colors_multiply(vec4 a_5, vec4 b_4, float factor_2) {
-    vec4 _e6 = color_mixed(a_5, (a_5.xyz * b_4.xyz), factor_2);
-    return _e6;
-}
-
-float kappa_safe(float kappa) {
-    bool is_nan = ((floatBitsToUint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float kappa_surface(float kappa_1) {
-    float _e1 = kappa_safe(kappa_1);
-    return _e1;
-}
-
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_or(toward, vec3(0.0, 0.0, 1.0));
-    vec3 _e11 = normalize_or(up, vec3(0.0, 1.0, 0.0));
-    vec3 leaning = cross(_e11, _e6);
-    float square_2 = dot(leaning, leaning);
-    vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
-    vec3 _e38 = normalize_or((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e38, cross(_e6, _e38), _e6);
+    vec3 z_1 = (toward * inversesqrt(dot(toward, toward)));
+    vec3 y_1 = vec3(0.0, 1.0, 0.0);
+    vec3 leaning = cross(y_1, z_1);
+    float square_3 = dot(leaning, leaning);
+    vec3 aside = ((abs(z_1.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
+    vec3 across_3 = ((square_3 > 1e-8) ? leaning : cross(aside, z_1));
+    vec3 _e35 = normalize_moderate_2_((across_3 - (dot(across_3, z_1) * z_1)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e35, cross(z_1, _e35), z_1);
 }
 
-vec4 output_(vec4 color_2) {
-    vec4 _e1 = straight(color_2);
+vec4 output_(vec4 color_1) {
+    vec4 _e1 = straight(color_1);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
+    uvec3 v_8 = uvec3(0u);
+    v_8 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_8.x;
+    uint _e10 = v_8.y;
+    uint _e12 = v_8.z;
+    v_8.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_8.y;
+    uint _e18 = v_8.z;
+    uint _e20 = v_8.x;
+    v_8.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_8.z;
+    uint _e26 = v_8.x;
+    uint _e28 = v_8.y;
+    v_8.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_8;
+    uvec3 _e32 = v_8;
+    v_8 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_8.x;
+    uint _e40 = v_8.y;
+    uint _e42 = v_8.z;
+    v_8.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_8.y;
+    uint _e48 = v_8.z;
+    uint _e50 = v_8.x;
+    v_8.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_8.z;
+    uint _e56 = v_8.x;
+    uint _e58 = v_8.y;
+    v_8.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_8;
     return _e61;
 }
 
@@ -410,24 +322,30 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 }
 
 uint blue_index(ivec2 cell_1) {
-    uvec2 at_1 = (uvec2(cell_1) & uvec2(31u));
-    return ((8u * at_1.y) + (at_1.x >> 2u));
-}
-
-float blue_part(uint four, ivec2 cell_2) {
-    return ((float(((four >> (8u * (uint(cell_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625);
+    uvec2 at_6 = (uvec2(cell_1) & uvec2(31u));
+    return ((8u * at_6.y) + (at_6.x >> 2u));
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 _e4 = sin_cos_of(angle);
-    vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
-    vec3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
-    vec2 _e17 = bounded_vec2_(place);
-    vec2 turned = vec2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
+    vec2 turn_6 = vec2(0.0, 1.0);
+    vec3 _e12 = bounded_vec3_(((turn_6.y * along) + (turn_6.x * across)));
+    vec3 _e18 = bounded_vec3_(((turn_6.y * across) - (turn_6.x * along)));
+    vec2 turned = vec2(((turn_6.y * place.x) + (turn_6.x * place.y)), ((turn_6.y * place.y) - (turn_6.x * place.x)));
     vec3 most = vec3(1000000000000000.0);
-    vec3 stretch_3 = clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
-    vec2 _e41 = bounded_vec2_(turned);
-    return StretchedPlace(_e41, stretch_3);
+    vec3 stretch_12 = clamp(vec3(dot(_e12, _e12), dot(_e12, _e18), dot(_e18, _e18)), -(most), most);
+    return StretchedPlace(turned, stretch_12);
+}
+
+StretchedPlace mark_place_of_2_(vec2 place_1, vec3 along_1, vec3 across_1, float angle_1) {
+    vec2 _e5 = sin_cos_eighth_2_(0.75);
+    vec2 turn_7 = clamp(_e5, vec2(-1.0), vec2(1.0));
+    vec3 x_9 = ((turn_7.y * along_1) + (turn_7.x * across_1));
+    vec3 y_2 = ((turn_7.y * across_1) - (turn_7.x * along_1));
+    vec2 _e21 = bounded_vec2_(place_1);
+    vec2 turned_1 = vec2(((turn_7.y * _e21.x) + (turn_7.x * _e21.y)), ((turn_7.y * _e21.y) - (turn_7.x * _e21.x)));
+    vec3 stretch_13 = vec3(dot(x_9, x_9), dot(x_9, y_2), dot(y_2, y_2));
+    vec2 _e41 = bounded_vec2_(turned_1);
+    return StretchedPlace(_e41, stretch_13);
 }
 
 vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
@@ -435,345 +353,855 @@ vec3 gradient_on_picture(vec3 g, vec3 normal, vec3 view) {
     return (g - (normal * (dot(g, view) / ((facing >= 0.0) ? max(facing, 0.125) : min(facing, -0.125)))));
 }
 
-StretchedPlace place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 normal_1, vec3 view_1, float magnification, float angle_1) {
-    vec3 _e11 = normalize_or(normal_1, vec3(0.0, 0.0, 1.0));
-    vec3 _e16 = normalize_or(view_1, vec3(0.0, 0.0, 1.0));
-    float _e17 = bounded(magnification);
-    float height = (1.0 / clamp(_e17, 1e-15, 1000000000000000.0));
-    vec3 _e23 = gradient_on_picture(along_1, _e11, _e16);
-    vec3 _e25 = bounded_vec3_((_e23 * height));
-    vec3 _e26 = gradient_on_picture(across_1, _e11, _e16);
-    vec3 _e28 = bounded_vec3_((_e26 * height));
-    vec2 _e29 = bounded_vec2_(place_1);
-    StretchedPlace _e30 = mark_place_of(_e29, _e25, _e28, angle_1);
-    return _e30;
+StretchedPlace place_on_surface(vec2 place_2, vec3 along_2, vec3 across_2, vec3 normal_1, vec3 view_1, float magnification, float angle_2) {
+    float _e7 = bounded(magnification);
+    float height = (1.0 / clamp(_e7, 1e-15, 1000000000000000.0));
+    vec3 _e13 = gradient_on_picture(along_2, normal_1, view_1);
+    vec3 _e15 = bounded_vec3_((_e13 * height));
+    vec3 _e16 = gradient_on_picture(across_2, normal_1, view_1);
+    vec3 _e18 = bounded_vec3_((_e16 * height));
+    StretchedPlace _e20 = mark_place_of(place_2, _e15, _e18, 0.0);
+    return _e20;
 }
 
-StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_2) {
+StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_3) {
     mat3x3 _e11 = axes_around(axis, vec3(0.0, 1.0, 0.0));
-    vec3 _e12 = bounded_vec3_(position);
-    vec2 place_4 = vec2(dot(_e12, _e11[0]), dot(_e12, _e11[2]));
-    vec3 _e20 = bounded_vec3_((world_from_normal * _e11[0]));
-    vec3 _e23 = bounded_vec3_((world_from_normal * _e11[2]));
-    StretchedPlace _e24 = place_on_surface(place_4, _e20, _e23, normal_2, view_2, magnification_1, angle_2);
+    vec2 place_14 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
+    vec3 _e19 = bounded_vec3_((world_from_normal * _e11[0]));
+    vec3 _e22 = bounded_vec3_((world_from_normal * _e11[2]));
+    StretchedPlace _e24 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
     return _e24;
 }
 
-SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport_1, float count) {
-    float _e4 = bounded(count);
-    float number = clamp(_e4, 0.0, 100000.0);
+SpacedPlace spaced(vec2 place_3, vec3 stretch, vec2 viewport_1, float count) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (number / max(viewport_1.y, 1.0)) : number);
-    vec2 _e19 = bounded_vec2_(place_2);
-    vec2 _e21 = bounded_vec2_((_e19 * scale_2));
-    vec2 p_2 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e27 = bounded_vec3_(stretch);
-    vec3 s_1 = clamp(_e27, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_2, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    float scale_2 = (is_pixel ? (14.0 / max(viewport_1.y, 1.0)) : 14.0);
+    vec2 p_6 = clamp((place_3 * scale_2), vec2(-4194304.0), vec2(4194304.0));
+    vec3 _e23 = bounded_vec3_(stretch);
+    vec3 s_1 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
-float area_square(vec3 stretch_1) {
-    float sum = (stretch_1.x + stretch_1.z);
-    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum * sum) / 66.0));
+SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count_1) {
+    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
+    float scale_3 = (is_pixel_1 ? (18.0 / max(viewport_2.y, 1.0)) : 18.0);
+    vec2 p_7 = clamp((place_4 * scale_3), vec2(-4194304.0), vec2(4194304.0));
+    vec3 _e23 = bounded_vec3_(stretch_1);
+    vec3 s_2 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : s_2));
 }
 
-float octave_of(float square) {
-    float _e5 = log_stable(clamp(square, 1e-30, 1e30));
-    return clamp((-0.7213475 * _e5), -16.0, 16.0);
+SpacedPlace spaced_3_(vec2 place_5, vec3 stretch_2, vec2 viewport_3, float count_2) {
+    bool is_pixel_2 = !(((stretch_2.x + stretch_2.z) > 0.0));
+    float scale_4 = (is_pixel_2 ? (24.0 / max(viewport_3.y, 1.0)) : 24.0);
+    vec2 _e17 = bounded_vec2_(place_5);
+    vec2 _e19 = bounded_vec2_((_e17 * scale_4));
+    vec2 p_8 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p_8, (is_pixel_2 ? vec3(1.0, 0.0, 1.0) : stretch_2));
 }
 
-Brush brush_of(float aspect, float size, float scatter, float turn, int seed_2, bool is_dark) {
-    float _e6 = bounded(aspect);
-    float _e10 = bounded(size);
-    float _e14 = bounded(scatter);
-    float _e18 = bounded(turn);
-    return Brush(clamp(_e6, 1.0, 16.0), clamp(_e10, 0.1, 2.0), clamp(_e14, 0.0, 1.0), clamp(_e18, 0.0, 6.2831855), uint(seed_2), is_dark);
+SpacedPlace spaced_4_(vec2 place_6, vec3 stretch_3, vec2 viewport_4, float count_3) {
+    bool is_pixel_3 = !(((stretch_3.x + stretch_3.z) > 0.0));
+    float scale_5 = (is_pixel_3 ? (32.0 / max(viewport_4.y, 1.0)) : 32.0);
+    vec2 _e17 = bounded_vec2_(place_6);
+    vec2 _e19 = bounded_vec2_((_e17 * scale_5));
+    vec2 p_9 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p_9, (is_pixel_3 ? vec3(1.0, 0.0, 1.0) : stretch_3));
+}
+
+SpacedPlace spaced_5_(vec2 place_7, vec3 stretch_4, vec2 viewport_5, float count_4) {
+    bool is_pixel_4 = !(((stretch_4.x + stretch_4.z) > 0.0));
+    float scale_6 = (is_pixel_4 ? (44.0 / max(viewport_5.y, 1.0)) : 44.0);
+    vec2 p_10 = clamp((place_7 * scale_6), vec2(-4194304.0), vec2(4194304.0));
+    vec3 _e23 = bounded_vec3_(stretch_4);
+    vec3 s_3 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_10, (is_pixel_4 ? vec3(1.0, 0.0, 1.0) : s_3));
+}
+
+float area_square(vec3 stretch_5) {
+    float sum = (stretch_5.x + stretch_5.z);
+    return max(((stretch_5.x * stretch_5.z) - (stretch_5.y * stretch_5.y)), ((sum * sum) / 66.0));
 }
 
 vec2 brush_turned(vec2 step_, Brushstroke stroke, Brush style) {
-    vec2 turned_1 = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
-    return (turned_1 * vec2((stroke.way / (style.size * style.aspect)), (-1.0 / style.size)));
+    vec2 turned_2 = vec2(((stroke.turn.y * step_.x) + (stroke.turn.x * step_.y)), ((stroke.turn.y * step_.y) - (stroke.turn.x * step_.x)));
+    return (turned_2 * vec2((stroke.way / (style.size * style.aspect)), (-1.0 / style.size)));
 }
 
-Brushstroke brush_stroke(vec2 p, ivec2 cell_3, int zoom, float drawn, Brush style_1) {
-    uvec3 _e7 = lattice_hash(ivec3(cell_3, zoom), style_1.seed);
-    vec3 _e8 = unit_of_hash(_e7);
-    vec2 offset = (p - ((vec2(cell_3) + vec2(0.5)) + (style_1.scatter * (_e8.xy - vec2(0.5)))));
-    vec2 _e26 = sin_cos_of((style_1.turn * (_e8.z - 0.5)));
-    uvec3 _e31 = lattice_hash(ivec3(cell_3, zoom), (style_1.seed + 1u));
-    vec3 _e32 = unit_of_hash(_e31);
-    float way = ((_e32.x < 0.5) ? 1.0 : -1.0);
-    Brushstroke stroke_1 = Brushstroke(vec2(0.5), _e26, way, 0.0);
-    vec2 _e47 = brush_turned((offset * vec2(style_1.aspect, 1.0)), stroke_1, style_1);
-    vec2 uv_1 = (vec2(0.5) + _e47);
+Brushstroke brush_stroke(vec2 p, ivec2 cell_2, int zoom, float drawn, Brush style_1) {
+    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(2654435769u, 2246822507u, 3266489909u)));
+    vec3 chance = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset = (p - ((vec2(cell_2) + vec2(0.5)) + (style_1.scatter * (chance.xy - vec2(0.5)))));
+    vec2 _e36 = sin_cos((0.5 * (chance.z - 0.5)));
+    vec2 turn_8 = clamp(_e36, vec2(-1.0), vec2(1.0));
+    uvec3 _e49 = hash_pcg3d((uvec3(ivec3(cell_2, zoom)) + uvec3(1013904242u, 198677718u, 2238012522u)));
+    float way = (((vec3((_e49 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke_3 = Brushstroke(vec2(0.5), turn_8, way, 0.0);
+    vec2 _e70 = brush_turned((offset * vec2(style_1.aspect, 1.0)), stroke_3, style_1);
+    vec2 uv_1 = (vec2(0.5) + _e70);
     vec2 from_edge = min(uv_1, (vec2(1.0) - uv_1));
     float inside = clamp((64.0 * min(from_edge.x, from_edge.y)), 0.0, 1.0);
     float far = (max(abs(offset.x), abs(offset.y)) / (1.0 - (0.5 * style_1.scatter)));
-    float _e77 = eased(far, 0.85, 1.0);
-    float share_1 = ((drawn * inside) * (1.0 - _e77));
-    return Brushstroke(uv_1, _e26, way, share_1);
+    float share = ((drawn * inside) * (1.0 - smoothstep(0.85, 1.0, far)));
+    return Brushstroke(uv_1, turn_8, way, share);
 }
 
-vec3 bristle(float row, uint seed_3) {
+vec3 bristle(float row, uint seed_2) {
     float first = floor(row);
-    float t_4 = (row - first);
-    uvec3 _e8 = lattice_hash(ivec3(int(first), 0, 0), seed_3);
+    float t_2 = (row - first);
+    uvec3 _e8 = lattice_hash(ivec3(int(first), 0, 0), seed_2);
     vec3 _e9 = unit_of_hash(_e8);
-    uvec3 _e16 = lattice_hash(ivec3((int(first) + 1), 0, 0), seed_3);
+    uvec3 _e16 = lattice_hash(ivec3((int(first) + 1), 0, 0), seed_2);
     vec3 _e17 = unit_of_hash(_e16);
-    return mix(_e9, _e17, ((t_4 * t_4) * (3.0 - (2.0 * t_4))));
+    return mix(_e9, _e17, ((t_2 * t_2) * (3.0 - (2.0 * t_2))));
 }
 
-vec2 bristles(vec2 uv, float width, uint seed_4) {
-    float across_3 = ((2.0 * uv.y) - 1.0);
-    uvec3 _e12 = lattice_hash(ivec3(0, 1, 0), seed_4);
-    vec3 _e13 = unit_of_hash(_e12);
+vec2 bristles(vec2 uv, float width, uint seed_3) {
+    float across_4 = ((2.0 * uv.y) - 1.0);
+    uvec3 _e19 = hash_pcg3d((uvec3(ivec3(0, 1, 0)) + (seed_3 * uvec3(2654435769u, 2246822507u, 3266489909u))));
+    vec3 own = (vec3((_e19 >> uvec3(8u))) * 5.9604645e-8);
     float seen = clamp((1.75 - (11.0 * width)), 0.0, 1.0);
-    vec3 _e26 = bristle((11.0 * uv.y), seed_4);
-    vec3 chance = mix(vec3(0.5), _e26, seen);
-    float start = ((0.03 + (0.12 * chance.x)) + ((0.09 * across_3) * across_3));
-    float end = ((0.97 - ((0.1 + (0.25 * _e13.y)) * chance.y)) - ((0.12 * across_3) * across_3));
-    float _e53 = eased(uv.x, start, (start + 0.05));
-    float _e57 = eased(uv.x, (end - 0.1), end);
-    float along_2 = (_e53 * (1.0 - _e57));
-    float _e64 = eased(abs(across_3), 0.78, 0.95);
-    float side = (1.0 - _e64);
-    float _e74 = eased((uv.x + (0.55 * chance.z)), 0.85, 1.25);
-    float shade_1 = (((0.8 + (0.16 * _e13.z)) + (0.208 * (chance.z - 0.5))) - (0.05 * uv.x));
-    return vec2(clamp(shade_1, 0.0, 1.0), ((along_2 * side) * (1.0 - (0.9 * _e74))));
+    vec3 _e38 = bristle((11.0 * uv.y), seed_3);
+    vec3 chance_1 = mix(vec3(0.5), _e38, seen);
+    float start = ((0.03 + (0.12 * chance_1.x)) + ((0.09 * across_4) * across_4));
+    float end = ((0.97 - ((0.1 + (0.25 * own.y)) * chance_1.y)) - ((0.12 * across_4) * across_4));
+    float _e65 = eased(uv.x, start, (start + 0.05));
+    float _e69 = eased(uv.x, (end - 0.1), end);
+    float along_3 = (_e65 * (1.0 - _e69));
+    float side = (1.0 - smoothstep(0.78, 0.95, abs(across_4)));
+    float dry = smoothstep(0.85, 1.25, (uv.x + (0.55 * chance_1.z)));
+    float shade_1 = (((0.8 + (0.16 * own.z)) + (0.208 * (chance_1.z - 0.5))) - (0.05 * uv.x));
+    return vec2(clamp(shade_1, 0.0, 1.0), ((along_3 * side) * (1.0 - (0.9 * dry))));
 }
 
 vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
-    uint tile[256] = BLUE_TILE;
-    vec2 paint = vec2(0.0);
-    int octave = 0;
     int i = 0;
+    int octave = 0;
+    vec2 paint = vec2(0.0);
+    uint tile[256] = BLUE_TILE;
     vec2 dx = dFdx(at.place);
     vec2 dy = dFdy(at.place);
     float _e8 = area_square(at.stretch);
-    float _e10 = octave_of(sqrt(_e8));
-    float zoom_1 = floor(_e10);
-    float f_1 = (_e10 - zoom_1);
-    float _e15 = exp2_stable((-2.0 * f_1));
-    float fine = ((1.0 - ((1.0 - f_1) * _e15)) / (4.0 * _e15));
+    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
+    float level = clamp((-0.5 * _e12), -16.0, 16.0);
+    float zoom_6 = floor(level);
+    float f_1 = (level - zoom_6);
+    float _e22 = exp2_stable((-2.0 * f_1));
+    float fine = ((1.0 - ((1.0 - f_1) * _e22)) / (4.0 * _e22));
     bool loop_init = true;
     while(true) {
         if (!loop_init) {
-            int _e156 = octave;
-            octave = (_e156 + 1);
+            int _e182 = octave;
+            octave = (_e182 + 1);
         }
         loop_init = false;
-        int _e31 = octave;
-        if ((_e31 < 2)) {
-        } else {
+        int _e39 = octave;
+        if (!((_e39 < 2))) {
             break;
         }
-        {
-            int _e36 = octave;
-            float amount = (ink * ((_e36 == 1) ? fine : (1.0 - f_1)));
-            int _e42 = octave;
-            float _e44 = power_of_two((int(zoom_1) + _e42));
-            vec2 p_3 = (clamp((at.place * _e44), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
-            ivec2 corner = ivec2(floor(p_3));
-            ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
-            i = 0;
-            bool loop_init_1 = true;
-            while(true) {
-                if (!loop_init_1) {
-                    int _e153 = i;
-                    i = (_e153 + 1);
-                }
-                loop_init_1 = false;
-                int _e69 = i;
-                if ((_e69 < 9)) {
-                } else {
-                    break;
-                }
-                {
-                    int _e72 = i;
-                    int _e75 = i;
-                    ivec2 cell_4 = ((corner + (((ivec2((_e72 % 3), (_e75 / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-                    int _e95 = octave;
-                    ivec2 turning = (cell_4 + ivec2(int((style_2.seed & 31u)), (7 * (int(zoom_1) + _e95))));
-                    uint _e101 = blue_index(turning);
-                    uint _e103 = tile[_e101];
-                    float _e104 = blue_part(_e103, turning);
-                    float late = (0.96875 * _e104);
-                    float share_2 = clamp(((amount - late) * 32.0), 0.0, 1.0);
-                    if ((share_2 <= 0.0)) {
-                        continue;
-                    }
-                    int _e116 = octave;
-                    Brushstroke _e118 = brush_stroke(p_3, cell_4, (int(zoom_1) + _e116), share_2, style_2);
-                    if ((_e118.share > 0.0)) {
-                        vec2 _e123 = brush_turned((dx * _e44), _e118, style_2);
-                        vec2 _e125 = brush_turned((dy * _e44), _e118, style_2);
-                        int _e127 = octave;
-                        uvec3 _e133 = lattice_hash(ivec3(cell_4, (int(zoom_1) + _e127)), (style_2.seed + 2u));
-                        uint own = _e133.x;
-                        vec2 _e140 = bristles(_e118.uv, length(vec2(_e123.y, _e125.y)), own);
-                        float cover = (_e118.share * _e140.y);
-                        vec2 _e147 = paint;
-                        paint = (vec2((_e140.x * cover), cover) + (_e147 * (1.0 - cover)));
-                    }
-                }
+        int _e45 = octave;
+        float amount = (ink * ((_e45 == 1) ? fine : (1.0 - f_1)));
+        int _e51 = octave;
+        float scale_7 = uintBitsToFloat((uint(((int(zoom_6) + _e51) + 127)) << 23u));
+        vec2 p_11 = (clamp((at.place * scale_7), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_2.aspect, 1.0));
+        ivec2 corner = ivec2(floor(p_11));
+        ivec2 phase = (((corner % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i = 0;
+        bool loop_init_1 = true;
+        while(true) {
+            if (!loop_init_1) {
+                int _e179 = i;
+                i = (_e179 + 1);
+            }
+            loop_init_1 = false;
+            int _e82 = i;
+            if (!((_e82 < 9))) {
+                break;
+            }
+            int _e86 = i;
+            int _e89 = i;
+            ivec2 cell_8 = ((corner + (((ivec2((_e86 % 3), (_e89 / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            int _e105 = octave;
+            ivec2 turning = (cell_8 + ivec2(1, (7 * (int(zoom_6) + _e105))));
+            uint _e112 = blue_index(turning);
+            uint _e114 = tile[_e112];
+            float late = (0.96875 * ((float(((_e114 >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share_1 = clamp(((amount - late) * 32.0), 0.0, 1.0);
+            if ((share_1 <= 0.0)) {
+                continue;
+            }
+            int _e140 = octave;
+            Brushstroke _e142 = brush_stroke(p_11, cell_8, (int(zoom_6) + _e140), share_1, style_2);
+            if ((_e142.share > 0.0)) {
+                vec2 _e147 = brush_turned((dx * scale_7), _e142, style_2);
+                vec2 _e149 = brush_turned((dy * scale_7), _e142, style_2);
+                int _e151 = octave;
+                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_8, (int(zoom_6) + _e151))) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+                uint own_1 = _e160.x;
+                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_1);
+                float cover = (_e142.share * _e167.y);
+                vec2 _e174 = paint;
+                paint = (vec2((_e167.x * cover), cover) + (_e174 * (1.0 - cover)));
             }
         }
     }
-    vec2 _e158 = paint;
-    return _e158;
+    vec2 _e185 = paint;
+    return _e185;
 }
 
-BrushStrokes brush_strokes_bristles(float value, vec2 place_3, vec3 stretch_2, float count_1, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_2) {
-    SpacedPlace _e10 = spaced(place_3, stretch_2, viewport_2, count_1);
-    Brush _e12 = brush_of(aspect_1, size_1, scatter_1, turn_1, seed_5, false);
-    float _e14 = factor_of(value, true);
-    vec2 _e17 = bristles_laid(_e10, (1.0 - _e14), _e12);
-    float shade_2 = (_e17.x / max(_e17.y, 0.001));
-    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e17.y);
+vec2 brush_turned_2_(vec2 step_1, Brushstroke stroke_1, Brush style_3) {
+    vec2 turned_3 = vec2(((stroke_1.turn.y * step_1.x) + (stroke_1.turn.x * step_1.y)), ((stroke_1.turn.y * step_1.y) - (stroke_1.turn.x * step_1.x)));
+    return (turned_3 * vec2((stroke_1.way / (1.5 * style_3.aspect)), -0.6666667));
 }
 
-MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_3, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
-    StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
-    return MarkPlace(_e7.place, _e7.stretch);
+Brushstroke brush_stroke_2_(vec2 p_1, ivec2 cell_3, int zoom_1, float drawn_1, Brush style_4) {
+    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(3041712726u, 596033154u, 2419070270u)));
+    vec3 chance_2 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset_1 = (p_1 - ((vec2(cell_3) + vec2(0.5)) + (style_4.scatter * (chance_2.xy - vec2(0.5)))));
+    vec2 _e36 = sin_cos((0.5 * (chance_2.z - 0.5)));
+    vec2 turn_9 = clamp(_e36, vec2(-1.0), vec2(1.0));
+    uvec3 _e49 = hash_pcg3d((uvec3(ivec3(cell_3, zoom_1)) + uvec3(1401181199u, 2842855661u, 1390592883u)));
+    float way_1 = (((vec3((_e49 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke_4 = Brushstroke(vec2(0.5), turn_9, way_1, 0.0);
+    vec2 _e70 = brush_turned_2_((offset_1 * vec2(style_4.aspect, 1.0)), stroke_4, style_4);
+    vec2 uv_2 = (vec2(0.5) + _e70);
+    vec2 from_edge_1 = min(uv_2, (vec2(1.0) - uv_2));
+    float inside_1 = clamp((64.0 * min(from_edge_1.x, from_edge_1.y)), 0.0, 1.0);
+    float far_1 = (max(abs(offset_1.x), abs(offset_1.y)) / (1.0 - (0.5 * style_4.scatter)));
+    float share_2 = ((drawn_1 * inside_1) * (1.0 - smoothstep(0.85, 1.0, far_1)));
+    return Brushstroke(uv_2, turn_9, way_1, share_2);
 }
 
-MarkPlace mark_place_object(float angle_4, vec3 anchor, vec2 pixel_1, vec2 viewport_3) {
+vec2 bristles_laid_2_(SpacedPlace at_1, float ink_1, Brush style_5) {
+    int i_1 = 0;
+    int octave_1 = 0;
+    vec2 paint_1 = vec2(0.0);
+    uint tile_1[256] = BLUE_TILE;
+    vec2 dx_1 = dFdx(at_1.place);
+    vec2 dy_1 = dFdy(at_1.place);
+    float _e8 = area_square(at_1.stretch);
+    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
+    float level_1 = clamp((-0.5 * _e12), -16.0, 16.0);
+    float zoom_7 = floor(level_1);
+    float f_2 = (level_1 - zoom_7);
+    float _e22 = exp2_stable((-2.0 * f_2));
+    float fine_1 = ((1.0 - ((1.0 - f_2) * _e22)) / (4.0 * _e22));
+    bool loop_init_2 = true;
+    while(true) {
+        if (!loop_init_2) {
+            int _e182 = octave_1;
+            octave_1 = (_e182 + 1);
+        }
+        loop_init_2 = false;
+        int _e39 = octave_1;
+        if (!((_e39 < 2))) {
+            break;
+        }
+        int _e45 = octave_1;
+        float amount_1 = (ink_1 * ((_e45 == 1) ? fine_1 : (1.0 - f_2)));
+        int _e51 = octave_1;
+        float scale_8 = uintBitsToFloat((uint(((int(zoom_7) + _e51) + 127)) << 23u));
+        vec2 p_12 = (clamp((at_1.place * scale_8), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_5.aspect, 1.0));
+        ivec2 corner_1 = ivec2(floor(p_12));
+        ivec2 phase_1 = (((corner_1 % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i_1 = 0;
+        bool loop_init_3 = true;
+        while(true) {
+            if (!loop_init_3) {
+                int _e179 = i_1;
+                i_1 = (_e179 + 1);
+            }
+            loop_init_3 = false;
+            int _e82 = i_1;
+            if (!((_e82 < 9))) {
+                break;
+            }
+            int _e86 = i_1;
+            int _e89 = i_1;
+            ivec2 cell_9 = ((corner_1 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_1) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            int _e105 = octave_1;
+            ivec2 turning_1 = (cell_9 + ivec2(6, (7 * (int(zoom_7) + _e105))));
+            uint _e112 = blue_index(turning_1);
+            uint _e114 = tile_1[_e112];
+            float late_1 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share_3 = clamp(((amount_1 - late_1) * 32.0), 0.0, 1.0);
+            if ((share_3 <= 0.0)) {
+                continue;
+            }
+            int _e140 = octave_1;
+            Brushstroke _e142 = brush_stroke_2_(p_12, cell_9, (int(zoom_7) + _e140), share_3, style_5);
+            if ((_e142.share > 0.0)) {
+                vec2 _e147 = brush_turned_2_((dx_1 * scale_8), _e142, style_5);
+                vec2 _e149 = brush_turned_2_((dy_1 * scale_8), _e142, style_5);
+                int _e151 = octave_1;
+                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_9, (int(zoom_7) + _e151))) + uvec3(4055616968u, 794710872u, 362115496u)));
+                uint own_2 = _e160.x;
+                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_2);
+                float cover_1 = (_e142.share * _e167.y);
+                vec2 _e174 = paint_1;
+                paint_1 = (vec2((_e167.x * cover_1), cover_1) + (_e174 * (1.0 - cover_1)));
+            }
+        }
+    }
+    vec2 _e185 = paint_1;
+    return _e185;
+}
+
+Brushstroke brush_stroke_3_(vec2 p_2, ivec2 cell_4, int zoom_2, float drawn_2, Brush style_6) {
+    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(1013904242u, 198677718u, 2238012522u)));
+    vec3 chance_3 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset_2 = (p_2 - ((vec2(cell_4) + vec2(0.5)) + (style_6.scatter * (chance_3.xy - vec2(0.5)))));
+    vec2 _e36 = sin_cos((0.5 * (chance_3.z - 0.5)));
+    vec2 turn_10 = clamp(_e36, vec2(-1.0), vec2(1.0));
+    uvec3 _e49 = hash_pcg3d((uvec3(ivec3(cell_4, zoom_2)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+    float way_2 = (((vec3((_e49 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke_5 = Brushstroke(vec2(0.5), turn_10, way_2, 0.0);
+    vec2 _e70 = brush_turned((offset_2 * vec2(style_6.aspect, 1.0)), stroke_5, style_6);
+    vec2 uv_3 = (vec2(0.5) + _e70);
+    vec2 from_edge_2 = min(uv_3, (vec2(1.0) - uv_3));
+    float inside_2 = clamp((64.0 * min(from_edge_2.x, from_edge_2.y)), 0.0, 1.0);
+    float far_2 = (max(abs(offset_2.x), abs(offset_2.y)) / (1.0 - (0.5 * style_6.scatter)));
+    float share_4 = ((drawn_2 * inside_2) * (1.0 - smoothstep(0.85, 1.0, far_2)));
+    return Brushstroke(uv_3, turn_10, way_2, share_4);
+}
+
+vec2 bristles_laid_3_(SpacedPlace at_2, float ink_2, Brush style_7) {
+    int i_2 = 0;
+    int octave_2 = 0;
+    vec2 paint_2 = vec2(0.0);
+    uint tile_2[256] = BLUE_TILE;
+    vec2 dx_2 = dFdx(at_2.place);
+    vec2 dy_2 = dFdy(at_2.place);
+    float _e8 = area_square(at_2.stretch);
+    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
+    float level_2 = clamp((-0.5 * _e12), -16.0, 16.0);
+    float zoom_8 = floor(level_2);
+    float f_3 = (level_2 - zoom_8);
+    float _e22 = exp2_stable((-2.0 * f_3));
+    float fine_2 = ((1.0 - ((1.0 - f_3) * _e22)) / (4.0 * _e22));
+    bool loop_init_4 = true;
+    while(true) {
+        if (!loop_init_4) {
+            int _e182 = octave_2;
+            octave_2 = (_e182 + 1);
+        }
+        loop_init_4 = false;
+        int _e39 = octave_2;
+        if (!((_e39 < 2))) {
+            break;
+        }
+        int _e45 = octave_2;
+        float amount_2 = (ink_2 * ((_e45 == 1) ? fine_2 : (1.0 - f_3)));
+        int _e51 = octave_2;
+        float scale_9 = uintBitsToFloat((uint(((int(zoom_8) + _e51) + 127)) << 23u));
+        vec2 p_13 = (clamp((at_2.place * scale_9), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_7.aspect, 1.0));
+        ivec2 corner_2 = ivec2(floor(p_13));
+        ivec2 phase_2 = (((corner_2 % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i_2 = 0;
+        bool loop_init_5 = true;
+        while(true) {
+            if (!loop_init_5) {
+                int _e179 = i_2;
+                i_2 = (_e179 + 1);
+            }
+            loop_init_5 = false;
+            int _e82 = i_2;
+            if (!((_e82 < 9))) {
+                break;
+            }
+            int _e86 = i_2;
+            int _e89 = i_2;
+            ivec2 cell_10 = ((corner_2 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_2) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            int _e105 = octave_2;
+            ivec2 turning_2 = (cell_10 + ivec2(2, (7 * (int(zoom_8) + _e105))));
+            uint _e112 = blue_index(turning_2);
+            uint _e114 = tile_2[_e112];
+            float late_2 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share_5 = clamp(((amount_2 - late_2) * 32.0), 0.0, 1.0);
+            if ((share_5 <= 0.0)) {
+                continue;
+            }
+            int _e140 = octave_2;
+            Brushstroke _e142 = brush_stroke_3_(p_13, cell_10, (int(zoom_8) + _e140), share_5, style_7);
+            if ((_e142.share > 0.0)) {
+                vec2 _e147 = brush_turned((dx_2 * scale_9), _e142, style_7);
+                vec2 _e149 = brush_turned((dy_2 * scale_9), _e142, style_7);
+                int _e151 = octave_2;
+                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_10, (int(zoom_8) + _e151))) + uvec3(2027808484u, 397355436u, 181057748u)));
+                uint own_3 = _e160.x;
+                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_3);
+                float cover_2 = (_e142.share * _e167.y);
+                vec2 _e174 = paint_2;
+                paint_2 = (vec2((_e167.x * cover_2), cover_2) + (_e174 * (1.0 - cover_2)));
+            }
+        }
+    }
+    vec2 _e185 = paint_2;
+    return _e185;
+}
+
+vec2 brush_turned_3_(vec2 step_2, Brushstroke stroke_2, Brush style_8) {
+    vec2 turned_4 = vec2(((stroke_2.turn.y * step_2.x) + (stroke_2.turn.x * step_2.y)), ((stroke_2.turn.y * step_2.y) - (stroke_2.turn.x * step_2.x)));
+    return (turned_4 * vec2((stroke_2.way / 4.5), -0.6666667));
+}
+
+Brushstroke brush_stroke_4_(vec2 p_3, ivec2 cell_5, int zoom_3, float drawn_3, Brush style_9) {
+    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(3668340011u, 2445500225u, 1209535135u)));
+    vec3 chance_4 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset_3 = (p_3 - ((vec2(cell_5) + vec2(0.5)) + (style_9.scatter * (chance_4.xy - vec2(0.5)))));
+    vec2 _e36 = sin_cos((0.5 * (chance_4.z - 0.5)));
+    vec2 turn_11 = clamp(_e36, vec2(-1.0), vec2(1.0));
+    uvec3 _e49 = hash_pcg3d((uvec3(ivec3(cell_5, zoom_3)) + uvec3(2027808484u, 397355436u, 181057748u)));
+    float way_3 = (((vec3((_e49 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke_6 = Brushstroke(vec2(0.5), turn_11, way_3, 0.0);
+    vec2 _e70 = brush_turned_3_((offset_3 * vec2(3.0, 1.0)), stroke_6, style_9);
+    vec2 uv_4 = (vec2(0.5) + _e70);
+    vec2 from_edge_3 = min(uv_4, (vec2(1.0) - uv_4));
+    float inside_3 = clamp((64.0 * min(from_edge_3.x, from_edge_3.y)), 0.0, 1.0);
+    float far_3 = (max(abs(offset_3.x), abs(offset_3.y)) / (1.0 - (0.5 * style_9.scatter)));
+    float share_6 = ((drawn_3 * inside_3) * (1.0 - smoothstep(0.85, 1.0, far_3)));
+    return Brushstroke(uv_4, turn_11, way_3, share_6);
+}
+
+vec2 bristles_laid_4_(SpacedPlace at_3, float ink_3, Brush style_10) {
+    int i_3 = 0;
+    int octave_3 = 0;
+    vec2 paint_3 = vec2(0.0);
+    uint tile_3[256] = BLUE_TILE;
+    vec2 dx_3 = dFdx(at_3.place);
+    vec2 dy_3 = dFdy(at_3.place);
+    float _e8 = area_square(at_3.stretch);
+    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
+    float level_3 = clamp((-0.5 * _e12), -16.0, 16.0);
+    float zoom_9 = floor(level_3);
+    float f_4 = (level_3 - zoom_9);
+    float _e22 = exp2_stable((-2.0 * f_4));
+    float fine_3 = ((1.0 - ((1.0 - f_4) * _e22)) / (4.0 * _e22));
+    bool loop_init_6 = true;
+    while(true) {
+        if (!loop_init_6) {
+            int _e182 = octave_3;
+            octave_3 = (_e182 + 1);
+        }
+        loop_init_6 = false;
+        int _e39 = octave_3;
+        if (!((_e39 < 2))) {
+            break;
+        }
+        int _e45 = octave_3;
+        float amount_3 = (ink_3 * ((_e45 == 1) ? fine_3 : (1.0 - f_4)));
+        int _e51 = octave_3;
+        float scale_10 = uintBitsToFloat((uint(((int(zoom_9) + _e51) + 127)) << 23u));
+        vec2 p_14 = (clamp((at_3.place * scale_10), vec2(-4194304.0), vec2(4194304.0)) / vec2(3.0, 1.0));
+        ivec2 corner_3 = ivec2(floor(p_14));
+        ivec2 phase_3 = (((corner_3 % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i_3 = 0;
+        bool loop_init_7 = true;
+        while(true) {
+            if (!loop_init_7) {
+                int _e179 = i_3;
+                i_3 = (_e179 + 1);
+            }
+            loop_init_7 = false;
+            int _e82 = i_3;
+            if (!((_e82 < 9))) {
+                break;
+            }
+            int _e86 = i_3;
+            int _e89 = i_3;
+            ivec2 cell_11 = ((corner_3 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_3) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            int _e105 = octave_3;
+            ivec2 turning_3 = (cell_11 + ivec2(3, (7 * (int(zoom_9) + _e105))));
+            uint _e112 = blue_index(turning_3);
+            uint _e114 = tile_3[_e112];
+            float late_3 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_3.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share_7 = clamp(((amount_3 - late_3) * 32.0), 0.0, 1.0);
+            if ((share_7 <= 0.0)) {
+                continue;
+            }
+            int _e140 = octave_3;
+            Brushstroke _e142 = brush_stroke_4_(p_14, cell_11, (int(zoom_9) + _e140), share_7, style_10);
+            if ((_e142.share > 0.0)) {
+                vec2 _e147 = brush_turned_3_((dx_3 * scale_10), _e142, style_10);
+                vec2 _e149 = brush_turned_3_((dy_3 * scale_10), _e142, style_10);
+                int _e151 = octave_3;
+                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_11, (int(zoom_9) + _e151))) + uvec3(387276957u, 2644177943u, 3447547657u)));
+                uint own_4 = _e160.x;
+                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_4);
+                float cover_3 = (_e142.share * _e167.y);
+                vec2 _e174 = paint_3;
+                paint_3 = (vec2((_e167.x * cover_3), cover_3) + (_e174 * (1.0 - cover_3)));
+            }
+        }
+    }
+    vec2 _e185 = paint_3;
+    return _e185;
+}
+
+Brushstroke brush_stroke_5_(vec2 p_4, ivec2 cell_6, int zoom_4, float drawn_4, Brush style_11) {
+    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(2027808484u, 397355436u, 181057748u)));
+    vec3 chance_5 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset_4 = (p_4 - ((vec2(cell_6) + vec2(0.5)) + (style_11.scatter * (chance_5.xy - vec2(0.5)))));
+    vec2 _e36 = sin_cos((style_11.turn * (chance_5.z - 0.5)));
+    vec2 turn_12 = clamp(_e36, vec2(-1.0), vec2(1.0));
+    uvec3 _e49 = hash_pcg3d((uvec3(ivec3(cell_6, zoom_4)) + uvec3(387276957u, 2644177943u, 3447547657u)));
+    float way_4 = (((vec3((_e49 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke_7 = Brushstroke(vec2(0.5), turn_12, way_4, 0.0);
+    vec2 _e70 = brush_turned((offset_4 * vec2(style_11.aspect, 1.0)), stroke_7, style_11);
+    vec2 uv_5 = (vec2(0.5) + _e70);
+    vec2 from_edge_4 = min(uv_5, (vec2(1.0) - uv_5));
+    float inside_4 = clamp((64.0 * min(from_edge_4.x, from_edge_4.y)), 0.0, 1.0);
+    float far_4 = (max(abs(offset_4.x), abs(offset_4.y)) / (1.0 - (0.5 * style_11.scatter)));
+    float share_8 = ((drawn_4 * inside_4) * (1.0 - smoothstep(0.85, 1.0, far_4)));
+    return Brushstroke(uv_5, turn_12, way_4, share_8);
+}
+
+vec2 bristles_laid_5_(SpacedPlace at_4, float ink_4, Brush style_12) {
+    int i_4 = 0;
+    int octave_4 = 0;
+    vec2 paint_4 = vec2(0.0);
+    uint tile_4[256] = BLUE_TILE;
+    vec2 dx_4 = dFdx(at_4.place);
+    vec2 dy_4 = dFdy(at_4.place);
+    float _e8 = area_square(at_4.stretch);
+    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
+    float level_4 = clamp((-0.5 * _e12), -16.0, 16.0);
+    float zoom_10 = floor(level_4);
+    float f_5 = (level_4 - zoom_10);
+    float _e22 = exp2_stable((-2.0 * f_5));
+    float fine_4 = ((1.0 - ((1.0 - f_5) * _e22)) / (4.0 * _e22));
+    bool loop_init_8 = true;
+    while(true) {
+        if (!loop_init_8) {
+            int _e182 = octave_4;
+            octave_4 = (_e182 + 1);
+        }
+        loop_init_8 = false;
+        int _e39 = octave_4;
+        if (!((_e39 < 2))) {
+            break;
+        }
+        int _e45 = octave_4;
+        float amount_4 = (ink_4 * ((_e45 == 1) ? fine_4 : (1.0 - f_5)));
+        int _e51 = octave_4;
+        float scale_11 = uintBitsToFloat((uint(((int(zoom_10) + _e51) + 127)) << 23u));
+        vec2 p_15 = (clamp((at_4.place * scale_11), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_12.aspect, 1.0));
+        ivec2 corner_4 = ivec2(floor(p_15));
+        ivec2 phase_4 = (((corner_4 % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i_4 = 0;
+        bool loop_init_9 = true;
+        while(true) {
+            if (!loop_init_9) {
+                int _e179 = i_4;
+                i_4 = (_e179 + 1);
+            }
+            loop_init_9 = false;
+            int _e82 = i_4;
+            if (!((_e82 < 9))) {
+                break;
+            }
+            int _e86 = i_4;
+            int _e89 = i_4;
+            ivec2 cell_12 = ((corner_4 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_4) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            int _e105 = octave_4;
+            ivec2 turning_4 = (cell_12 + ivec2(4, (7 * (int(zoom_10) + _e105))));
+            uint _e112 = blue_index(turning_4);
+            uint _e114 = tile_4[_e112];
+            float late_4 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_4.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share_9 = clamp(((amount_4 - late_4) * 32.0), 0.0, 1.0);
+            if ((share_9 <= 0.0)) {
+                continue;
+            }
+            int _e140 = octave_4;
+            Brushstroke _e142 = brush_stroke_5_(p_15, cell_12, (int(zoom_10) + _e140), share_9, style_12);
+            if ((_e142.share > 0.0)) {
+                vec2 _e147 = brush_turned((dx_4 * scale_11), _e142, style_12);
+                vec2 _e149 = brush_turned((dy_4 * scale_11), _e142, style_12);
+                int _e151 = octave_4;
+                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_12, (int(zoom_10) + _e151))) + uvec3(3041712726u, 596033154u, 2419070270u)));
+                uint own_5 = _e160.x;
+                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_5);
+                float cover_4 = (_e142.share * _e167.y);
+                vec2 _e174 = paint_4;
+                paint_4 = (vec2((_e167.x * cover_4), cover_4) + (_e174 * (1.0 - cover_4)));
+            }
+        }
+    }
+    vec2 _e185 = paint_4;
+    return _e185;
+}
+
+Brushstroke brush_stroke_6_(vec2 p_5, ivec2 cell_7, int zoom_5, float drawn_5, Brush style_13) {
+    uvec3 _e12 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(4055616968u, 794710872u, 362115496u)));
+    vec3 chance_6 = (vec3((_e12 >> uvec3(8u))) * 5.9604645e-8);
+    vec2 offset_5 = (p_5 - ((vec2(cell_7) + vec2(0.5)) + (style_13.scatter * (chance_6.xy - vec2(0.5)))));
+    vec2 _e36 = sin_cos((style_13.turn * (chance_6.z - 0.5)));
+    vec2 turn_13 = clamp(_e36, vec2(-1.0), vec2(1.0));
+    uvec3 _e49 = hash_pcg3d((uvec3(ivec3(cell_7, zoom_5)) + uvec3(2415085441u, 3041533379u, 3628605405u)));
+    float way_5 = (((vec3((_e49 >> uvec3(8u))) * 5.9604645e-8).x < 0.5) ? 1.0 : -1.0);
+    Brushstroke stroke_8 = Brushstroke(vec2(0.5), turn_13, way_5, 0.0);
+    vec2 _e70 = brush_turned_2_((offset_5 * vec2(style_13.aspect, 1.0)), stroke_8, style_13);
+    vec2 uv_6 = (vec2(0.5) + _e70);
+    vec2 from_edge_5 = min(uv_6, (vec2(1.0) - uv_6));
+    float inside_5 = clamp((64.0 * min(from_edge_5.x, from_edge_5.y)), 0.0, 1.0);
+    float far_5 = (max(abs(offset_5.x), abs(offset_5.y)) / (1.0 - (0.5 * style_13.scatter)));
+    float share_10 = ((drawn_5 * inside_5) * (1.0 - smoothstep(0.85, 1.0, far_5)));
+    return Brushstroke(uv_6, turn_13, way_5, share_10);
+}
+
+vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
+    int i_5 = 0;
+    int octave_5 = 0;
+    vec2 paint_5 = vec2(0.0);
+    uint tile_5[256] = BLUE_TILE;
+    vec2 dx_5 = dFdx(at_5.place);
+    vec2 dy_5 = dFdy(at_5.place);
+    float _e8 = area_square(at_5.stretch);
+    float _e12 = log2_stable(max(sqrt(_e8), 1e-30));
+    float level_5 = clamp((-0.5 * _e12), -16.0, 16.0);
+    float zoom_11 = floor(level_5);
+    float f_6 = (level_5 - zoom_11);
+    float _e22 = exp2_stable((-2.0 * f_6));
+    float fine_5 = ((1.0 - ((1.0 - f_6) * _e22)) / (4.0 * _e22));
+    bool loop_init_10 = true;
+    while(true) {
+        if (!loop_init_10) {
+            int _e182 = octave_5;
+            octave_5 = (_e182 + 1);
+        }
+        loop_init_10 = false;
+        int _e39 = octave_5;
+        if (!((_e39 < 2))) {
+            break;
+        }
+        int _e45 = octave_5;
+        float amount_5 = (ink_5 * ((_e45 == 1) ? fine_5 : (1.0 - f_6)));
+        int _e51 = octave_5;
+        float scale_12 = uintBitsToFloat((uint(((int(zoom_11) + _e51) + 127)) << 23u));
+        vec2 p_16 = (clamp((at_5.place * scale_12), vec2(-4194304.0), vec2(4194304.0)) / vec2(style_14.aspect, 1.0));
+        ivec2 corner_5 = ivec2(floor(p_16));
+        ivec2 phase_5 = (((corner_5 % ivec2(3)) + ivec2(3)) % ivec2(3));
+        i_5 = 0;
+        bool loop_init_11 = true;
+        while(true) {
+            if (!loop_init_11) {
+                int _e179 = i_5;
+                i_5 = (_e179 + 1);
+            }
+            loop_init_11 = false;
+            int _e82 = i_5;
+            if (!((_e82 < 9))) {
+                break;
+            }
+            int _e86 = i_5;
+            int _e89 = i_5;
+            ivec2 cell_13 = ((corner_5 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_5) + ivec2(4)) % ivec2(3))) - ivec2(1));
+            int _e105 = octave_5;
+            ivec2 turning_5 = (cell_13 + ivec2(8, (7 * (int(zoom_11) + _e105))));
+            uint _e112 = blue_index(turning_5);
+            uint _e114 = tile_5[_e112];
+            float late_5 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_5.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
+            float share_11 = clamp(((amount_5 - late_5) * 32.0), 0.0, 1.0);
+            if ((share_11 <= 0.0)) {
+                continue;
+            }
+            int _e140 = octave_5;
+            Brushstroke _e142 = brush_stroke_6_(p_16, cell_13, (int(zoom_11) + _e140), share_11, style_14);
+            if ((_e142.share > 0.0)) {
+                vec2 _e147 = brush_turned_2_((dx_5 * scale_12), _e142, style_14);
+                vec2 _e149 = brush_turned_2_((dy_5 * scale_12), _e142, style_14);
+                int _e151 = octave_5;
+                uvec3 _e160 = hash_pcg3d((uvec3(ivec3(cell_13, (int(zoom_11) + _e151))) + uvec3(774553914u, 993388590u, 2600128018u)));
+                uint own_6 = _e160.x;
+                vec2 _e167 = bristles(_e142.uv, length(vec2(_e147.y, _e149.y)), own_6);
+                float cover_5 = (_e142.share * _e167.y);
+                vec2 _e174 = paint_5;
+                paint_5 = (vec2((_e167.x * cover_5), cover_5) + (_e174 * (1.0 - cover_5)));
+            }
+        }
+    }
+    vec2 _e185 = paint_5;
+    return _e185;
+}
+
+BrushStrokes brush_strokes_bristles(float value, vec2 place_8, vec3 stretch_6, float count_5, float aspect, float size, float scatter, float turn, int seed_4, vec2 viewport_6) {
+    SpacedPlace _e11 = spaced(place_8, stretch_6, viewport_6, 14.0);
+    Brush style_15 = Brush(aspect, size, scatter, 0.5, 1u, false);
+    vec2 _e18 = bristles_laid(_e11, (1.0 - value), style_15);
+    float shade_2 = (_e18.x / max(_e18.y, 0.001));
+    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e18.y);
+}
+
+BrushStrokes brush_strokes_bristles_2_(float value_1, vec2 place_9, vec3 stretch_7, float count_6, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_7) {
+    SpacedPlace _e11 = spaced_2_(place_9, stretch_7, viewport_7, 18.0);
+    Brush style_16 = Brush(aspect_1, 1.5, scatter_1, 0.5, 6u, false);
+    vec2 _e19 = bristles_laid_2_(_e11, (1.0 - value_1), style_16);
+    float shade_3 = (_e19.x / max(_e19.y, 0.001));
+    return BrushStrokes(vec4(shade_3, shade_3, shade_3, 1.0), _e19.y);
+}
+
+BrushStrokes brush_strokes_bristles_3_(float value_2, vec2 place_10, vec3 stretch_8, float count_7, float aspect_2, float size_2, float scatter_2, float turn_2, int seed_6, vec2 viewport_8) {
+    SpacedPlace _e11 = spaced_2_(place_10, stretch_8, viewport_8, 18.0);
+    Brush style_17 = Brush(aspect_2, size_2, scatter_2, 0.5, 2u, false);
+    vec2 _e18 = bristles_laid_3_(_e11, (1.0 - value_2), style_17);
+    float shade_4 = (_e18.x / max(_e18.y, 0.001));
+    return BrushStrokes(vec4(shade_4, shade_4, shade_4, 1.0), _e18.y);
+}
+
+BrushStrokes brush_strokes_bristles_4_(float value_3, vec2 place_11, vec3 stretch_9, float count_8, float aspect_3, float size_3, float scatter_3, float turn_3, int seed_7, vec2 viewport_9) {
+    SpacedPlace _e11 = spaced_3_(place_11, stretch_9, viewport_9, 24.0);
+    Brush style_18 = Brush(3.0, 1.5, scatter_3, 0.5, 3u, false);
+    vec2 _e20 = bristles_laid_4_(_e11, (1.0 - value_3), style_18);
+    float shade_5 = (_e20.x / max(_e20.y, 0.001));
+    return BrushStrokes(vec4(shade_5, shade_5, shade_5, 1.0), _e20.y);
+}
+
+BrushStrokes brush_strokes_bristles_5_(float value_4, vec2 place_12, vec3 stretch_10, float count_9, float aspect_4, float size_4, float scatter_4, float turn_4, int seed_8, vec2 viewport_10) {
+    SpacedPlace _e11 = spaced_4_(place_12, stretch_10, viewport_10, 32.0);
+    Brush style_19 = Brush(aspect_4, size_4, scatter_4, turn_4, 4u, false);
+    vec2 _e17 = bristles_laid_5_(_e11, (1.0 - value_4), style_19);
+    float shade_6 = (_e17.x / max(_e17.y, 0.001));
+    return BrushStrokes(vec4(shade_6, shade_6, shade_6, 1.0), _e17.y);
+}
+
+BrushStrokes brush_strokes_bristles_6_(float value_5, vec2 place_13, vec3 stretch_11, float count_10, float aspect_5, float size_5, float scatter_5, float turn_5, int seed_9, vec2 viewport_11) {
+    SpacedPlace _e11 = spaced_5_(place_13, stretch_11, viewport_11, 44.0);
+    Brush style_20 = Brush(aspect_5, 1.5, scatter_5, turn_5, 8u, false);
+    vec2 _e18 = bristles_laid_6_(_e11, (1.0 - value_5), style_20);
+    float shade_7 = (_e18.x / max(_e18.y, 0.001));
+    return BrushStrokes(vec4(shade_7, shade_7, shade_7, 1.0), _e18.y);
+}
+
+MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_4, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
+    StretchedPlace _e8 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
+    return MarkPlace(_e8.place, _e8.stretch);
+}
+
+MarkPlace mark_place_object(float angle_5, vec3 anchor, vec2 pixel_1, vec2 viewport_12) {
     float _e5 = bounded(anchor.z);
-    float size_2 = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_3);
+    float size_6 = clamp(_e5, 1e-6, 1000000.0);
+    vec2 _e9 = place_in_picture(pixel_1, viewport_12);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_5 = (_e15 / vec2(size_2));
-    StretchedPlace _e28 = mark_place_of(place_5, vec3((1.0 / size_2), 0.0, 0.0), vec3(0.0, (1.0 / size_2), 0.0), angle_4);
-    return MarkPlace(_e28.place, _e28.stretch);
+    vec2 place_15 = (_e15 / vec2(size_6));
+    StretchedPlace _e29 = mark_place_of_2_(place_15, vec3((1.0 / size_6), 0.0, 0.0), vec3(0.0, (1.0 / size_6), 0.0), 0.75);
+    return MarkPlace(_e29.place, _e29.stretch);
 }
 
-float reflectance_lambert(Light light, vec3 normal_4) {
-    vec3 _e6 = normalize_or(normal_4, vec3(0.0, 0.0, 1.0));
-    return max(dot(_e6, light.direction), 0.0);
-}
-
-float reflectance_half_lambert(Light light_1, vec3 normal_5) {
-    vec3 _e6 = normalize_or(normal_5, vec3(0.0, 0.0, 1.0));
-    float half_ = (0.5 + (0.5 * dot(_e6, light_1.direction)));
-    return clamp((half_ * half_), 0.0, 1.0);
-}
-
-float map_range(float value_1, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2) {
-    float _e6 = remapped(value_1, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
-}
-
-vec3 smooth_normal_fine(vec3 normal_6, vec3 smooth_1_) {
-    vec3 _e2 = normalize_or(smooth_1_, normal_6);
-    return _e2;
-}
-
-vec3 smooth_normal_medium(vec3 normal_7, vec3 smooth_3_) {
-    vec3 _e2 = normalize_or(smooth_3_, normal_7);
-    return _e2;
+float reflectance_half_lambert(Light light, vec3 normal_4) {
+    float half_ = (0.5 + (0.5 * dot(normal_4, light.direction)));
+    return min((half_ * half_), 1.0);
 }
 
 vec4 shade(Surface surface_1) {
-    vec3 _e3 = smooth_normal_fine(surface_1.normal, surface_1.smooth_normal_1_);
+    vec3 _e3 = normalize_or(surface_1.smooth_normal_1_, surface_1.normal);
     Light _e6 = u_look.key;
     float _e7 = reflectance_half_lambert(_e6, _e3);
-    float _e13 = map_range(_e7, 0.02, 0.2, 1.0, 0.0, true);
-    vec3 _e16 = smooth_normal_medium(surface_1.normal, surface_1.smooth_normal_3_);
-    MarkPlace _e26 = mark_place_axis(vec3(0.35, 1.0, 0.25), _e16, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
-    vec2 _e37 = u_look.viewport;
-    BrushStrokes _e38 = brush_strokes_bristles(_e13, _e26.place, _e26.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e37);
-    vec4 _e42 = u_look.umber_as_paint_b;
-    vec4 _e44 = mix_colors_multiply(_e38.color, _e42, 1.0);
-    vec4 _e47 = u_look.toned_canvas;
-    vec4 _e49 = mix_colors_normal(_e47, _e44, _e38.ink);
-    Light _e52 = u_look.sky;
-    float _e53 = reflectance_lambert(_e52, _e3);
-    float _e59 = map_range(_e53, 0.25, 0.75, 1.0, 0.0, true);
-    vec2 _e70 = u_look.viewport;
-    BrushStrokes _e71 = brush_strokes_bristles(_e59, _e26.place, _e26.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e70);
-    vec4 _e75 = u_look.cool_reflections_as_paint_b;
-    vec4 _e77 = mix_colors_multiply(_e71.color, _e75, 1.0);
-    vec4 _e79 = mix_colors_normal(_e49, _e77, _e71.ink);
-    float _e85 = map_range(_e7, 0.24, 0.42, 1.0, 0.0, true);
-    vec2 _e96 = u_look.viewport;
-    BrushStrokes _e97 = brush_strokes_bristles(_e85, _e26.place, _e26.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e96);
-    vec4 _e101 = u_look.half_tones_as_paint_b;
-    vec4 _e103 = mix_colors_multiply(_e97.color, _e101, 1.0);
-    vec4 _e105 = mix_colors_normal(_e79, _e103, _e97.ink);
-    float _e111 = map_range(_e7, 0.46, 0.66, 1.0, 0.0, true);
-    vec2 _e117 = u_look.viewport;
-    MarkPlace _e118 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e117);
+    float where_umber_goes = mix(1.0, 0.0, clamp(((_e7 - 0.02) / 0.18), 0.0, 1.0));
+    vec3 _e20 = normalize_or(surface_1.smooth_normal_3_, surface_1.normal);
+    MarkPlace _e30 = mark_place_axis(vec3(0.35, 1.0, 0.25), _e20, 0.0, surface_1.view, surface_1.position_object, surface_1.world_from_normal, surface_1.magnification);
+    vec2 _e41 = u_look.viewport;
+    BrushStrokes _e42 = brush_strokes_bristles(where_umber_goes, _e30.place, _e30.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1, _e41);
+    vec4 _e48 = u_look.umber_as_paint_b;
+    vec4 _e52 = color_mixed(_e42.color, (_e42.color.xyz * _e48.xyz), 1.0);
+    vec4 _e55 = u_look.toned_canvas;
+    vec4 _e56 = bounded_vec4_(_e55);
+    vec4 _e57 = bounded_vec4_(_e52);
+    vec4 _e62 = mixed_vec4_(_e56, _e57, clamp(_e42.ink, 0.0, 1.0));
+    vec3 _e66 = u_look.sky.direction;
+    float reflected_light = max(dot(_e3, _e66), 0.0);
+    float where_cool_reflections_go = mix(1.0, 0.0, clamp(((reflected_light - 0.25) / 0.5), 0.0, 1.0));
+    vec2 _e90 = u_look.viewport;
+    BrushStrokes _e91 = brush_strokes_bristles_2_(where_cool_reflections_go, _e30.place, _e30.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6, _e90);
+    vec4 _e97 = u_look.cool_reflections_as_paint_b;
+    vec4 _e101 = color_mixed(_e91.color, (_e91.color.xyz * _e97.xyz), 1.0);
+    vec4 _e102 = bounded_vec4_(_e62);
+    vec4 _e103 = bounded_vec4_(_e101);
+    vec4 _e108 = mixed_vec4_(_e102, _e103, clamp(_e91.ink, 0.0, 1.0));
+    float where_half_tones_go = mix(1.0, 0.0, clamp(((_e7 - 0.24) / 0.18), 0.0, 1.0));
     vec2 _e129 = u_look.viewport;
-    BrushStrokes _e130 = brush_strokes_bristles(_e111, _e118.place, _e118.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e129);
-    vec4 _e134 = u_look.light_as_paint_b;
-    vec4 _e136 = mix_colors_multiply(_e130.color, _e134, 1.0);
-    vec4 _e138 = mix_colors_normal(_e105, _e136, _e130.ink);
-    float _e144 = map_range(_e7, 0.76, 0.95, 1.0, 0.0, true);
-    vec2 _e155 = u_look.viewport;
-    BrushStrokes _e156 = brush_strokes_bristles(_e144, _e118.place, _e118.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e155);
-    vec4 _e160 = u_look.thick_lights_as_paint_b;
-    vec4 _e162 = mix_colors_multiply(_e156.color, _e160, 1.0);
-    vec4 _e164 = mix_colors_normal(_e138, _e162, _e156.ink);
-    float _e166 = kappa_surface(surface_1.kappa);
-    float _e172 = map_range(_e166, -6.0, -20.0, 1.0, 0.0, true);
-    vec2 _e183 = u_look.viewport;
-    BrushStrokes _e184 = brush_strokes_bristles(_e172, _e26.place, _e26.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e183);
-    vec4 _e188 = u_look.accents_as_paint_b;
-    vec4 _e190 = mix_colors_multiply(_e184.color, _e188, 1.0);
-    vec4 _e192 = mix_colors_normal(_e164, _e190, _e184.ink);
-    vec4 _e193 = with_unit_alpha(_e192);
-    vec4 _e194 = premultiplied(_e193);
-    vec4 _e195 = output_(_e194);
-    return _e195;
+    BrushStrokes _e130 = brush_strokes_bristles_3_(where_half_tones_go, _e30.place, _e30.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2, _e129);
+    vec4 _e136 = u_look.half_tones_as_paint_b;
+    vec4 _e140 = color_mixed(_e130.color, (_e130.color.xyz * _e136.xyz), 1.0);
+    vec4 _e141 = bounded_vec4_(_e108);
+    vec4 _e142 = bounded_vec4_(_e140);
+    vec4 _e147 = mixed_vec4_(_e141, _e142, clamp(_e130.ink, 0.0, 1.0));
+    float where_light_goes = mix(1.0, 0.0, clamp(((_e7 - 0.46) / 0.2), 0.0, 1.0));
+    vec2 _e163 = u_look.viewport;
+    MarkPlace _e164 = mark_place_object(0.75, surface_1.anchor, surface_1.pixel, _e163);
+    vec2 _e175 = u_look.viewport;
+    BrushStrokes _e176 = brush_strokes_bristles_4_(where_light_goes, _e164.place, _e164.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3, _e175);
+    vec4 _e182 = u_look.light_as_paint_b;
+    vec4 _e186 = color_mixed(_e176.color, (_e176.color.xyz * _e182.xyz), 1.0);
+    vec4 _e187 = bounded_vec4_(_e147);
+    vec4 _e188 = bounded_vec4_(_e186);
+    vec4 _e193 = mixed_vec4_(_e187, _e188, clamp(_e176.ink, 0.0, 1.0));
+    float where_thick_lights_go = mix(1.0, 0.0, clamp(((_e7 - 0.76) / 0.19), 0.0, 1.0));
+    vec2 _e214 = u_look.viewport;
+    BrushStrokes _e215 = brush_strokes_bristles_5_(where_thick_lights_go, _e164.place, _e164.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4, _e214);
+    vec4 _e221 = u_look.thick_lights_as_paint_b;
+    vec4 _e225 = color_mixed(_e215.color, (_e215.color.xyz * _e221.xyz), 1.0);
+    vec4 _e226 = bounded_vec4_(_e193);
+    vec4 _e227 = bounded_vec4_(_e225);
+    vec4 _e232 = mixed_vec4_(_e226, _e227, clamp(_e215.ink, 0.0, 1.0));
+    float hollows = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
+    float _e245 = bounded(hollows);
+    float where_accents_go = mix(1.0, 0.0, clamp(((_e245 + 6.0) / -14.0), 0.0, 1.0));
+    vec2 _e266 = u_look.viewport;
+    BrushStrokes _e267 = brush_strokes_bristles_6_(where_accents_go, _e30.place, _e30.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8, _e266);
+    vec4 _e273 = u_look.accents_as_paint_b;
+    vec4 _e277 = color_mixed(_e267.color, (_e267.color.xyz * _e273.xyz), 1.0);
+    vec4 _e278 = bounded_vec4_(_e232);
+    vec4 _e279 = bounded_vec4_(_e277);
+    vec4 _e284 = mixed_vec4_(_e278, _e279, clamp(_e267.ink, 0.0, 1.0));
+    vec4 output_alpha = vec4(_e284.xyz, clamp(_e284.w, 0.0, 1.0));
+    vec4 _e291 = premultiplied(output_alpha);
+    vec4 _e292 = output_(_e291);
+    return _e292;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_position, v_position_object, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, vec3(0.0), vec3(0.0), vec2(0.0), vec3(0.0), 0.0, mat3x3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_8 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_8;
-    vec4 _e15 = u_view.eye;
-    float _e20 = u_view.eye.w;
-    vec4 _e26 = u_view.eye;
-    vec3 _e32 = normalize_or(_e26.xyz, vec3(0.0, 0.0, 1.0));
-    vec3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal_5 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_5;
+    vec4 _e11 = u_view.eye;
+    float _e16 = u_view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
     surface.position_object = in_.position_object;
-    vec4 _e42 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
-    surface.kappa = _e42.x;
-    vec4 _e50 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e56 = u_view.camera_from_world;
-    surface.smooth_normal_1_ = (vec4(_e50.xyz, 0.0) * _e56).xyz;
-    vec4 _e65 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
-    mat4x4 _e71 = u_view.camera_from_world;
-    surface.smooth_normal_3_ = (vec4(_e65.xyz, 0.0) * _e71).xyz;
-    vec4 _e79 = u_view.screen;
-    vec4 _e84 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e79.xy) + _e84.zw);
-    mat4x4 _e90 = u_view.camera_from_world;
-    vec4 _e94 = u_object.world_from_object[3];
-    float _e103 = u_view.eye.w;
-    float _e108 = u_view.clip_from_world[0][1];
-    float _e113 = u_view.clip_from_world[1][1];
-    float _e118 = u_view.clip_from_world[2][1];
-    vec3 _e121 = anchor_on_screen((_e90 * vec4(_e94.xyz, 1.0)).xyz, _e103, length(vec3(_e108, _e113, _e118)));
-    surface.anchor = _e121;
-    mat4x4 _e125 = u_view.camera_from_world;
-    float _e135 = u_view.eye.w;
-    float _e140 = u_view.clip_from_world[0][1];
-    float _e145 = u_view.clip_from_world[1][1];
-    float _e150 = u_view.clip_from_world[2][1];
-    float _e153 = size_on_screen(-((_e125 * vec4(in_.position, 1.0)).z), _e135, length(vec3(_e140, _e145, _e150)));
-    surface.magnification = _e153;
-    mat3x3 _e157 = u_object.world_from_normal;
-    surface.world_from_normal = _e157;
-    Surface _e158 = surface;
-    vec4 _e159 = shade(_e158);
-    vec4 _e160 = finite_vec4_(_e159);
-    out_color = _e160;
+    vec4 _e29 = texelFetch(u_curvature_map, ivec2(in_.clip.xy), 0);
+    surface.kappa = _e29.x;
+    vec4 _e37 = texelFetch(u_smooth_normal_1_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e43 = u_view.camera_from_world;
+    surface.smooth_normal_1_ = (vec4(_e37.xyz, 0.0) * _e43).xyz;
+    vec4 _e52 = texelFetch(u_smooth_normal_3_map, ivec2(in_.clip.xy), 0);
+    mat4x4 _e58 = u_view.camera_from_world;
+    surface.smooth_normal_3_ = (vec4(_e52.xyz, 0.0) * _e58).xyz;
+    vec4 _e66 = u_view.screen;
+    vec4 _e71 = u_view.screen;
+    surface.pixel = ((in_.clip.xy * _e66.xy) + _e71.zw);
+    mat4x4 _e77 = u_view.camera_from_world;
+    vec4 _e81 = u_object.world_from_object[3];
+    float _e90 = u_view.eye.w;
+    float _e95 = u_view.clip_from_world[0][1];
+    float _e100 = u_view.clip_from_world[1][1];
+    float _e105 = u_view.clip_from_world[2][1];
+    vec3 _e108 = anchor_on_screen((_e77 * vec4(_e81.xyz, 1.0)).xyz, _e90, length(vec3(_e95, _e100, _e105)));
+    surface.anchor = _e108;
+    mat4x4 _e112 = u_view.camera_from_world;
+    float _e122 = u_view.eye.w;
+    float _e127 = u_view.clip_from_world[0][1];
+    float _e132 = u_view.clip_from_world[1][1];
+    float _e137 = u_view.clip_from_world[2][1];
+    float _e140 = size_on_screen(-((_e112 * vec4(in_.position, 1.0)).z), _e122, length(vec3(_e127, _e132, _e137)));
+    surface.magnification = _e140;
+    mat3x3 _e144 = u_object.world_from_normal;
+    surface.world_from_normal = _e144;
+    Surface _e145 = surface;
+    vec4 _e146 = shade(_e145);
+    vec4 _e147 = finite_vec4_(_e146);
+    out_color = _e147;
     return;
 }
 

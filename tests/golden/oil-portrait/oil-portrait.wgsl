@@ -74,28 +74,16 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
-const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
 fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+    let exponent = vec4u(0x7f800000u);
+    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
@@ -103,7 +91,7 @@ fn finite_vec4(v: vec4f) -> vec4f {
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
+    if !((largest > 1e-30) & (largest < 1e30)) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -115,67 +103,74 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
-    let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+fn sin_cos_eighth(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * (0.00833333333333333333
+        + y * (-0.000198412698412698413 + y * 0.00000275573192239858907))));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * (0.00138888888888888889
+        + y * (-0.0000248015873015873016 + y * 2.75573192239858907e-7))));
+    return vec2f(s, c);
+}
+
+/// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
+fn sin_cos_eighth_2(x: f32) -> vec2f {
+    let s = 0.75 * (1.0 + 0.5625 * (-0.16666667 + 0.5625 * (0.00833333333333333333 + 0.5625
+        * (-0.0001984127 + 0.5625 * 0.00000275573192239858907))));
+    let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666668 + 0.5625 * (0.00138888888888888889
+        + 0.5625 * (-2.4801588e-5 + 0.5625 * 2.75573192239858907e-7))));
+    return vec2f(s, c);
 }
 
 /// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
 /// quarter turn.
 fn sin_cos(x: f32) -> vec2f {
     let turns = round(x * 0.318309886183790672);
-    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
-        - turns * 6.27832957300962643e-7;
-    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
-    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
+    let r = x - turns * 3.140625 - turns * 0.0009670257568359375 - turns * 6.27832957300962643e-7;
+    return sin_cos_eighth(r);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
+}
+
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
@@ -190,33 +185,35 @@ fn bounded(x: f32) -> f32 {
 
 /// [`bounded`], component by component.
 fn bounded_vec2(v: vec2f) -> vec2f {
-    return vec2f(bounded(v.x), bounded(v.y));
+    let bits = bitcast<vec2u>(v);
+    let magnitude = bits & vec2u(0x7fffffffu);
+    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
+    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
+    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
 fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
+    let bits = bitcast<vec3u>(v);
+    let magnitude = bits & vec3u(0x7fffffffu);
+    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
+    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
+    return select(numbers, v, magnitude < vec3u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
 fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
+    let bits = bitcast<vec4u>(v);
+    let magnitude = bits & vec4u(0x7fffffffu);
+    let largest = bitcast<vec4f>((bits & vec4u(0x80000000u)) | vec4u(0x7f7fffffu));
+    let numbers = select(vec4f(0.0), largest, magnitude == vec4u(0x7f800000u));
+    return select(numbers, v, magnitude < vec4u(0x7f800000u));
 }
 
 /// [`mixed`], component by component.
 fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
+    let d = bounded_vec4(b - a);
+    return bounded_vec4(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
@@ -226,49 +223,20 @@ fn place_between(x: f32, low: f32, high: f32) -> f32 {
     if abs(span) < SMALLEST_NORMAL {
         return select(0.0, 1.0, x >= high);
     }
-    return bounded((x - low) / bounded(span));
-}
-
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
-/// makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
-    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+    return bounded((x - low) / span);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    let t = clamp(place_between(x, low, high), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
-}
-
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
-/// result lies in [-1, 1].
-fn sin_cos_of(x: f32) -> vec2f {
-    return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
-        bounded(a.w));
-}
-
-/// A share (an opacity, a mask) clamped to [0, 1]: beyond, a mix would go past what it mixes.
-fn unit_share(share: f32) -> f32 {
-    return clamp(share, 0.0, 1.0);
-}
-
-/// `color` with its alpha clamped to [0, 1].
-fn with_unit_alpha(color: Color) -> Color {
-    return vec4f(color.xyz, unit_share(color.w));
+    let b = bounded_vec3(blended);
+    return vec4f(bounded_vec3(b - 0.0 * bounded_vec3(b - a.xyz)), 1.0);
 }
 
 /// Premultiplied RGBA of a straight color.
@@ -285,46 +253,16 @@ fn straight(composite: Composite) -> Color {
     return vec4f(composite.xyz / composite.w, composite.w);
 }
 
-/// Mix colors
-///
-/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
-/// knows tones and transparency.
-fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
-    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
-}
-
-fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, a.xyz * b.xyz, factor);
-}
-
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
-/// Curvature
-///
-/// How much the surface bulges (above 0) or is hollow (below 0), as it is seen. It is measured
-/// against the picture's height, so that detail comes forward as the camera does.
-fn kappa_surface(kappa: f32) -> f32 {
-    return kappa_safe(kappa);
-}
-
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
-    let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
-    let y = normalize_or(up, vec3f(0.0, 1.0, 0.0));
+    let z = toward * inverseSqrt(dot(toward, toward));
+    let y = vec3f(0.0, 1.0, 0.0);
     let leaning = cross(y, z);
     let square = dot(leaning, leaning);
-    // Where `toward` is nearly along `up` no direction is upright; a fixed one is better than
-    // rounding's.
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    // The part along z that rounding left in `across`, short as that may be, would tilt x.
-    let x = normalize_or(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
+    let x = normalize_moderate_2(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -453,11 +391,6 @@ fn blue_index(cell: vec2i) -> u32 {
     return 8u * at.y + (at.x >> 2u);
 }
 
-/// Threshold of a cell within its number of the tile, between 0 and 1.
-fn blue_part(four: u32, cell: vec2i) -> f32 {
-    return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;
-}
-
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -470,13 +403,24 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = sin_cos_of(angle);
+    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
     let x = bounded_vec3(turn.y * along + turn.x * across);
     let y = bounded_vec3(turn.y * across - turn.x * along);
-    let at = bounded_vec2(place);
-    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let turned = vec2f(turn.y * place.x + turn.x * place.y, turn.y * place.y - turn.x * place.x);
     let most = vec3f(1e15);
     let stretch = clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most);
+    return StretchedPlace(turned, stretch);
+}
+
+/// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
+/// by an angle in radians.
+fn mark_place_of_2(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
+    let turn = clamp(sin_cos_eighth_2(0.75), vec2f(-1.0), vec2f(1.0));
+    let x = turn.y * along + turn.x * across;
+    let y = turn.y * across - turn.x * along;
+    let at = bounded_vec2(place);
+    let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
+    let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
     return StretchedPlace(bounded_vec2(turned), stretch);
 }
 
@@ -490,39 +434,22 @@ fn gradient_on_picture(g: vec3f, normal: vec3f, view: vec3f) -> vec3f {
 }
 
 /// A place on a surface for strokes across an axis of the object.
-fn place_across(
-    axis: vec3f,
-    position: vec3f,
-    world_from_normal: mat3x3f,
-    normal: vec3f,
-    view: vec3f,
-    magnification: f32,
-    angle: f32,
-) -> StretchedPlace {
+fn place_across(axis: vec3f, position: vec3f, world_from_normal: mat3x3f, normal: vec3f,
+    view: vec3f, magnification: f32, angle: f32) -> StretchedPlace {
     let axes = axes_around(axis, vec3f(0.0, 1.0, 0.0));
-    let p = bounded_vec3(position);
-    let place = vec2f(dot(p, axes[0]), dot(p, axes[2]));
+    let place = vec2f(dot(position, axes[0]), dot(position, axes[2]));
     let along = bounded_vec3(world_from_normal * axes[0]);
     let across = bounded_vec3(world_from_normal * axes[2]);
-    return place_on_surface(place, along, across, normal, view, magnification, angle);
+    return place_on_surface(place, along, across, normal, view, magnification, 0.0);
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
-fn place_on_surface(
-    place: vec2f,
-    along: vec3f,
-    across: vec3f,
-    normal: vec3f,
-    view: vec3f,
-    magnification: f32,
-    angle: f32,
-) -> StretchedPlace {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let v = normalize_or(view, vec3f(0.0, 0.0, 1.0));
+fn place_on_surface(place: vec2f, along: vec3f, across: vec3f, normal: vec3f, view: vec3f,
+    magnification: f32, angle: f32) -> StretchedPlace {
     let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
-    let x = bounded_vec3(gradient_on_picture(along, n, v) * height);
-    let y = bounded_vec3(gradient_on_picture(across, n, v) * height);
-    return mark_place_of(bounded_vec2(place), x, y, angle);
+    let x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
+    let y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
+    return mark_place_of(place, x, y, 0.0);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -534,12 +461,48 @@ struct SpacedPlace {
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 a float has nothing left between whole numbers.
+    let scale = select(14.0, 14.0 / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
+    let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
+    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
+}
+
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+fn spaced_2(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
+    let is_pixel = !(stretch.x + stretch.z > 0.0);
+    let scale = select(18.0, 18.0 / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
+    let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
+    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
+}
+
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+fn spaced_3(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
+    let is_pixel = !(stretch.x + stretch.z > 0.0);
+    let scale = select(24.0, 24.0 / max(viewport.y, 1.0), is_pixel);
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
+    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
+}
+
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+fn spaced_4(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
+    let is_pixel = !(stretch.x + stretch.z > 0.0);
+    let scale = select(32.0, 32.0 / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
+    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
+}
+
+/// The place in spacings, `count` of them to the picture's height where it is not stretched. A
+/// place without a stretch is one in pixels.
+fn spaced_5(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
+    let is_pixel = !(stretch.x + stretch.z > 0.0);
+    let scale = select(44.0, 44.0 / max(viewport.y, 1.0), is_pixel);
+    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
+    let s = clamp(bounded_vec3(stretch), vec3f(-1000000000000000.0), vec3f(1e15));
     return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
@@ -549,12 +512,6 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPl
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
-}
-
-/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
-/// must lie, for a squared stretch; within +-16.
-fn octave_of(square: f32) -> f32 {
-    return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
 /// Style of brush strokes.
@@ -572,39 +529,38 @@ struct Brush {
     is_dark: bool,
 }
 
-fn brush_of(aspect: f32, size: f32, scatter: f32, turn: f32, seed: i32, is_dark: bool) -> Brush {
-    return Brush(
-        clamp(bounded(aspect), 1.0, 16.0),
-        clamp(bounded(size), 0.1, 2.0),
-        clamp(bounded(scatter), 0.0, 1.0),
-        clamp(bounded(turn), 0.0, 6.28318531),
-        bitcast<u32>(seed),
-        is_dark,
-    );
-}
-
 /// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
 fn bristles_laid(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
-    let level = octave_of(sqrt(area_square(at.stretch)));
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
     let coarse_cells = exp2_stable(-2.0 * f);
     let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
-    var tile = BLUE_TILE;
+    var i: i32;
+    var octave = 0;
     var paint = vec2f(0.0);
-    for (var octave = 0; octave < 2; octave++) {
+    var tile = BLUE_TILE;
+    loop {
+        if !(octave < 2) {
+            break;
+        }
         let amount = ink * select(1.0 - f, fine, octave == 1);
-        let scale = power_of_two(i32(zoom) + octave);
-        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0))
-            / vec2f(style.aspect, 1.0);
+        let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
+            1.0);
         let corner = vec2i(floor(p));
-        let phase = ((corner % vec2i(3)) + vec2i(3)) % vec2i(3);
-        for (var i = 0; i < 9; i++) {
-            let cell = corner + (vec2i(i % 3, i / 3) - phase + vec2i(4)) % vec2i(3) - vec2i(1);
-            let turning = cell + vec2i(i32(style.seed & 31u), 7 * (i32(zoom) + octave));
-            let late = 0.96875 * blue_part(tile[blue_index(turning)], turning);
+        let phase = (corner % 3 + 3) % 3;
+        i = 0;
+        loop {
+            if !(i < 9) {
+                break;
+            }
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
+            let turning = cell + vec2i(1, 7 * (i32(zoom) + octave));
+            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
+                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
             if share <= 0.0 {
                 continue;
@@ -613,11 +569,302 @@ fn bristles_laid(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
             if stroke.share > 0.0 {
                 let gx = brush_turned(dx * scale, stroke, style);
                 let gy = brush_turned(dy * scale, stroke, style);
-                let own = lattice_hash(vec3i(cell, i32(zoom) + octave), style.seed + 2u).x;
+                let own = hash_pcg3d(bitcast<vec3u>(vec3i(cell, i32(zoom) + octave)) + 3u
+                    * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)).x;
                 let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
                 let cover = stroke.share * drawn.y;
                 paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
             }
+            continuing {
+                i = i + 1;
+            }
+        }
+        continuing {
+            octave = octave + 1;
+        }
+    }
+    return paint;
+}
+
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+fn bristles_laid_2(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var i: i32;
+    var octave = 0;
+    var paint = vec2f(0.0);
+    var tile = BLUE_TILE;
+    loop {
+        if !(octave < 2) {
+            break;
+        }
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
+            1.0);
+        let corner = vec2i(floor(p));
+        let phase = (corner % 3 + 3) % 3;
+        i = 0;
+        loop {
+            if !(i < 9) {
+                break;
+            }
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
+            let turning = cell + vec2i(6, 7 * (i32(zoom) + octave));
+            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
+                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke_2(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned_2(dx * scale, stroke, style);
+                let gy = brush_turned_2(dy * scale, stroke, style);
+                let own = hash_pcg3d(bitcast<vec3u>(vec3i(cell, i32(zoom) + octave)) + 8u
+                    * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+            continuing {
+                i = i + 1;
+            }
+        }
+        continuing {
+            octave = octave + 1;
+        }
+    }
+    return paint;
+}
+
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+fn bristles_laid_3(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var i: i32;
+    var octave = 0;
+    var paint = vec2f(0.0);
+    var tile = BLUE_TILE;
+    loop {
+        if !(octave < 2) {
+            break;
+        }
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
+            1.0);
+        let corner = vec2i(floor(p));
+        let phase = (corner % 3 + 3) % 3;
+        i = 0;
+        loop {
+            if !(i < 9) {
+                break;
+            }
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
+            let turning = cell + vec2i(2, 7 * (i32(zoom) + octave));
+            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
+                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke_3(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned(dx * scale, stroke, style);
+                let gy = brush_turned(dy * scale, stroke, style);
+                let own = hash_pcg3d(bitcast<vec3u>(vec3i(cell, i32(zoom) + octave)) + 4u
+                    * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+            continuing {
+                i = i + 1;
+            }
+        }
+        continuing {
+            octave = octave + 1;
+        }
+    }
+    return paint;
+}
+
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+fn bristles_laid_4(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var i: i32;
+    var octave = 0;
+    var paint = vec2f(0.0);
+    var tile = BLUE_TILE;
+    loop {
+        if !(octave < 2) {
+            break;
+        }
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(3.0, 1.0);
+        let corner = vec2i(floor(p));
+        let phase = (corner % 3 + 3) % 3;
+        i = 0;
+        loop {
+            if !(i < 9) {
+                break;
+            }
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
+            let turning = cell + vec2i(3, 7 * (i32(zoom) + octave));
+            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
+                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke_4(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned_3(dx * scale, stroke, style);
+                let gy = brush_turned_3(dy * scale, stroke, style);
+                let own = hash_pcg3d(bitcast<vec3u>(vec3i(cell, i32(zoom) + octave)) + 5u
+                    * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+            continuing {
+                i = i + 1;
+            }
+        }
+        continuing {
+            octave = octave + 1;
+        }
+    }
+    return paint;
+}
+
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+fn bristles_laid_5(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var i: i32;
+    var octave = 0;
+    var paint = vec2f(0.0);
+    var tile = BLUE_TILE;
+    loop {
+        if !(octave < 2) {
+            break;
+        }
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
+            1.0);
+        let corner = vec2i(floor(p));
+        let phase = (corner % 3 + 3) % 3;
+        i = 0;
+        loop {
+            if !(i < 9) {
+                break;
+            }
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
+            let turning = cell + vec2i(4, 7 * (i32(zoom) + octave));
+            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
+                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke_5(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned(dx * scale, stroke, style);
+                let gy = brush_turned(dy * scale, stroke, style);
+                let own = hash_pcg3d(bitcast<vec3u>(vec3i(cell, i32(zoom) + octave)) + 6u
+                    * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+            continuing {
+                i = i + 1;
+            }
+        }
+        continuing {
+            octave = octave + 1;
+        }
+    }
+    return paint;
+}
+
+/// [`brushed`] by bristles, without a picture: premultiplied lightness in x, coverage in y.
+fn bristles_laid_6(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
+    let dx = dpdx(at.place);
+    let dy = dpdy(at.place);
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
+    let zoom = floor(level);
+    let f = level - zoom;
+    let coarse_cells = exp2_stable(-2.0 * f);
+    let fine = (1.0 - (1.0 - f) * coarse_cells) / (4.0 * coarse_cells);
+    var i: i32;
+    var octave = 0;
+    var paint = vec2f(0.0);
+    var tile = BLUE_TILE;
+    loop {
+        if !(octave < 2) {
+            break;
+        }
+        let amount = ink * select(1.0 - f, fine, octave == 1);
+        let scale = bitcast<f32>(u32(i32(zoom) + octave + 127) << 23u);
+        let p = clamp(at.place * scale, vec2f(-4194304.0), vec2f(4194304.0)) / vec2f(style.aspect,
+            1.0);
+        let corner = vec2i(floor(p));
+        let phase = (corner % 3 + 3) % 3;
+        i = 0;
+        loop {
+            if !(i < 9) {
+                break;
+            }
+            let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
+            let turning = cell + vec2i(8, 7 * (i32(zoom) + octave));
+            let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
+                * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
+            let share = clamp((amount - late) * 32.0, 0.0, 1.0);
+            if share <= 0.0 {
+                continue;
+            }
+            let stroke = brush_stroke_6(p, cell, i32(zoom) + octave, share, style);
+            if stroke.share > 0.0 {
+                let gx = brush_turned_2(dx * scale, stroke, style);
+                let gy = brush_turned_2(dy * scale, stroke, style);
+                let own = hash_pcg3d(bitcast<vec3u>(vec3i(cell, i32(zoom) + octave)) + 10u
+                    * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)).x;
+                let drawn = bristles(stroke.uv, length(vec2f(gx.y, gy.y)), own);
+                let cover = stroke.share * drawn.y;
+                paint = vec2f(drawn.x * cover, cover) + paint * (1.0 - cover);
+            }
+            continuing {
+                i = i + 1;
+            }
+        }
+        continuing {
+            octave = octave + 1;
         }
     }
     return paint;
@@ -637,16 +884,15 @@ fn bristle(row: f32, seed: u32) -> vec3f {
 /// `width` is a pixel's share of the stroke's width.
 fn bristles(uv: vec2f, width: f32, seed: u32) -> vec2f {
     let across = 2.0 * uv.y - 1.0;
-    let own = unit_of_hash(lattice_hash(vec3i(0, 1, 0), seed));
-    // Bristles finer than a pixel become their average.
+    let own = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(0, 1, 0)) + seed * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let seen = clamp(1.75 - 11.0 * width, 0.0, 1.0);
     let chance = mix(vec3f(0.5), bristle(11.0 * uv.y, seed), seen);
-    // The tip is round, and every bristle begins and leaves off at its own place.
     let start = 0.03 + 0.12 * chance.x + 0.09 * across * across;
     let end = 0.97 - (0.1 + 0.25 * own.y) * chance.y - 0.12 * across * across;
     let along = eased(uv.x, start, start + 0.05) * (1.0 - eased(uv.x, end - 0.1, end));
-    let side = 1.0 - eased(abs(across), 0.78, 0.95);
-    let dry = eased(uv.x + 0.55 * chance.z, 0.85, 1.25);
+    let side = 1.0 - smoothstep(0.78, 0.95, abs(across));
+    let dry = smoothstep(0.85, 1.25, uv.x + 0.55 * chance.z);
     let shade = 0.8 + 0.16 * own.z + 0.208 * (chance.z - 0.5) - 0.05 * uv.x;
     return vec2f(clamp(shade, 0.0, 1.0), along * side * (1.0 - 0.9 * dry));
 }
@@ -665,19 +911,109 @@ struct Brushstroke {
 
 /// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
 fn brush_stroke(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
-    let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 1u * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
     let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
-    let turn = sin_cos_of(style.turn * (chance.z - 0.5));
-    let way = select(-1.0, 1.0, unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed
-        + 1u)).x < 0.5);
+    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 2u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
+        < 0.5);
     let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
     let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
-    // The picture's outermost 64th fades, so that no stroke is cut off.
-    let from_edge = min(uv, vec2f(1.0) - uv);
+    let from_edge = min(uv, 1.0 - uv);
     let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
-    // A stroke must not reach beyond the cells around its own: a pixel looks at no others.
     let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
-    let share = drawn * inside * (1.0 - eased(far, 0.85, 1.0));
+    let share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+fn brush_stroke_2(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 6u * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 7u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
+        < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned_2(offset * vec2f(style.aspect, 1.0), stroke, style);
+    let from_edge = min(uv, 1.0 - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+fn brush_stroke_3(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 2u * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 3u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
+        < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
+    let from_edge = min(uv, 1.0 - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+fn brush_stroke_4(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 3u * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = clamp(sin_cos(0.5 * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 4u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
+        < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned_3(offset * vec2f(3.0, 1.0), stroke, style);
+    let from_edge = min(uv, 1.0 - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+fn brush_stroke_5(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 4u * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = clamp(sin_cos(style.turn * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 5u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
+        < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned(offset * vec2f(style.aspect, 1.0), stroke, style);
+    let from_edge = min(uv, 1.0 - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
+    return Brushstroke(uv, turn, way, share);
+}
+
+/// The stroke of `cell` at the place `p`, in cells; `drawn` is the share of it that is there.
+fn brush_stroke_6(p: vec2f, cell: vec2i, zoom: i32, drawn: f32, style: Brush) -> Brushstroke {
+    let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 8u * vec3u(0x9e3779b9u,
+        0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
+    let offset = p - (vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5));
+    let turn = clamp(sin_cos(style.turn * (chance.z - 0.5)), vec2f(-1.0), vec2f(1.0));
+    let way = select(-1.0, 1.0, (vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 9u
+        * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8).x
+        < 0.5);
+    let stroke = Brushstroke(vec2f(0.5), turn, way, 0.0);
+    let uv = 0.5 + brush_turned_2(offset * vec2f(style.aspect, 1.0), stroke, style);
+    let from_edge = min(uv, 1.0 - uv);
+    let inside = clamp(64.0 * min(from_edge.x, from_edge.y), 0.0, 1.0);
+    let far = max(abs(offset.x), abs(offset.y)) / (1.0 - 0.5 * style.scatter);
+    let share = drawn * inside * (1.0 - smoothstep(0.85, 1.0, far));
     return Brushstroke(uv, turn, way, share);
 }
 
@@ -690,21 +1026,70 @@ fn brush_turned(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
     return turned * vec2f(stroke.way / (style.size * style.aspect), -1.0 / style.size);
 }
 
-fn brush_strokes_bristles(
-    value: f32,
-    place: vec2f,
-    stretch: vec3f,
-    count: f32,
-    aspect: f32,
-    size: f32,
-    scatter: f32,
-    turn: f32,
-    seed: i32,
-    viewport: vec2f,
-) -> BrushStrokes {
-    let at = spaced(place, stretch, viewport, count);
-    let style = brush_of(aspect, size, scatter, turn, seed, false);
-    let paint = bristles_laid(at, 1.0 - factor_of(value, true), style);
+/// A step on the canvas as a step in a stroke's picture.
+fn brush_turned_2(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
+    let turned = vec2f(stroke.turn.y * step.x + stroke.turn.x * step.y, stroke.turn.y * step.y
+        - stroke.turn.x * step.x);
+    return turned * vec2f(stroke.way / (1.5 * style.aspect), -1.0 / 1.5);
+}
+
+/// A step on the canvas as a step in a stroke's picture.
+fn brush_turned_3(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
+    let turned = vec2f(stroke.turn.y * step.x + stroke.turn.x * step.y, stroke.turn.y * step.y
+        - stroke.turn.x * step.x);
+    return turned * vec2f(stroke.way / 4.5, -1.0 / 1.5);
+}
+
+fn brush_strokes_bristles(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
+    size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
+    let at = spaced(place, stretch, viewport, 14.0);
+    let style = Brush(aspect, size, scatter, 0.5, 1u, false);
+    let paint = bristles_laid(at, 1.0 - value, style);
+    let shade = paint.x / max(paint.y, 1e-3);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
+fn brush_strokes_bristles_2(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
+    size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
+    let at = spaced_2(place, stretch, viewport, 18.0);
+    let style = Brush(aspect, 1.5, scatter, 0.5, 6u, false);
+    let paint = bristles_laid_2(at, 1.0 - value, style);
+    let shade = paint.x / max(paint.y, 1e-3);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
+fn brush_strokes_bristles_3(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
+    size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
+    let at = spaced_2(place, stretch, viewport, 18.0);
+    let style = Brush(aspect, size, scatter, 0.5, 2u, false);
+    let paint = bristles_laid_3(at, 1.0 - value, style);
+    let shade = paint.x / max(paint.y, 1e-3);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
+fn brush_strokes_bristles_4(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
+    size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
+    let at = spaced_3(place, stretch, viewport, 24.0);
+    let style = Brush(3.0, 1.5, scatter, 0.5, 3u, false);
+    let paint = bristles_laid_4(at, 1.0 - value, style);
+    let shade = paint.x / max(paint.y, 1e-3);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
+fn brush_strokes_bristles_5(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
+    size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
+    let at = spaced_4(place, stretch, viewport, 32.0);
+    let style = Brush(aspect, size, scatter, turn, 4u, false);
+    let paint = bristles_laid_5(at, 1.0 - value, style);
+    let shade = paint.x / max(paint.y, 1e-3);
+    return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
+}
+
+fn brush_strokes_bristles_6(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
+    size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
+    let at = spaced_5(place, stretch, viewport, 44.0);
+    let style = Brush(aspect, 1.5, scatter, turn, 8u, false);
+    let paint = bristles_laid_6(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
     return BrushStrokes(vec4f(shade, shade, shade, 1.0), paint.y);
 }
@@ -717,24 +1102,17 @@ struct BrushStrokes {
     ink: f32,
 }
 
-fn mark_place_axis(
-    axis: vec3f,
-    normal: vec3f,
-    angle: f32,
-    view: vec3f,
-    position_object: vec3f,
-    world_from_normal: mat3x3f,
-    magnification: f32,
-) -> MarkPlace {
+fn mark_place_axis(axis: vec3f, normal: vec3f, angle: f32, view: vec3f, position_object: vec3f,
+    world_from_normal: mat3x3f, magnification: f32) -> MarkPlace {
     let m = place_across(axis, position_object, world_from_normal, normal, view, magnification,
-        angle);
+        0.0);
     return MarkPlace(m.place, m.stretch);
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
+    let m = mark_place_of_2(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.75);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -745,76 +1123,45 @@ struct MarkPlace {
     stretch: vec3f,
 }
 
-/// Reflectance
-///
-/// How strongly a realistic surface shines toward the eye: to be laid beside drawn shading, for
-/// contrast, or as a layer's tone.
-fn reflectance_lambert(light: Light, normal: vec3f) -> f32 {
-    return max(dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction), 0.0);
-}
-
 fn reflectance_half_lambert(light: Light, normal: vec3f) -> f32 {
-    let half = 0.5 + 0.5 * dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-    return clamp(half * half, 0.0, 1.0);
-}
-
-/// Map range
-///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
-/// range is empty, all that is below it becomes the new low and the rest the new high. A color
-/// keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    return remapped(value, from_low, from_high, to_low, to_high, clamped);
-}
-
-/// Smooth normal
-///
-/// The surface's normal without its fine detail, as if it had been sanded down: for broad, calm
-/// shading of busy models, or to hold detail against. Nothing is mixed across outlines or from one
-/// object to another.
-fn smooth_normal_fine(normal: vec3f, smooth_1: vec3f) -> vec3f {
-    return normalize_or(smooth_1, normal);
-}
-
-fn smooth_normal_medium(normal: vec3f, smooth_3: vec3f) -> vec3f {
-    return normalize_or(smooth_3, normal);
+    let half = 0.5 + 0.5 * dot(normal, light.direction);
+    return min(half * half, 1.0);
 }
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let planes = smooth_normal_fine(surface.normal, surface.smooth_normal_1);
+    let planes = normalize_or(surface.smooth_normal_1, surface.normal);
     let light_and_shade = reflectance_half_lambert(look.key, planes);
-    let where_umber_goes = map_range(light_and_shade, 0.02, 0.2, 1.0, 0.0, true);
-    let large_forms = smooth_normal_medium(surface.normal, surface.smooth_normal_3);
+    let where_umber_goes = mix(1.0, 0.0, clamp((light_and_shade - 0.02) / (0.2 - 0.02), 0.0, 1.0));
+    let large_forms = normalize_or(surface.smooth_normal_3, surface.normal);
     let strokes_round_the_form = mark_place_axis(vec3f(0.35, 1.0, 0.25), large_forms, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
     let umber = brush_strokes_bristles(where_umber_goes, strokes_round_the_form.place, strokes_round_the_form.stretch, 14.0, 3.4, 1.8, 0.6, 0.5, 1i, look.viewport);
-    let umber_as_paint = mix_colors_multiply(umber.color, look.umber_as_paint_b, 1.0);
-    let umber_laid_on = mix_colors_normal(look.toned_canvas, umber_as_paint, umber.ink);
-    let reflected_light = reflectance_lambert(look.sky, planes);
-    let where_cool_reflections_go = map_range(reflected_light, 0.25, 0.75, 1.0, 0.0, true);
-    let cool_reflections = brush_strokes_bristles(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6i, look.viewport);
-    let cool_reflections_as_paint = mix_colors_multiply(cool_reflections.color, look.cool_reflections_as_paint_b, 1.0);
-    let cool_reflections_laid_on = mix_colors_normal(umber_laid_on, cool_reflections_as_paint, cool_reflections.ink);
-    let where_half_tones_go = map_range(light_and_shade, 0.24, 0.42, 1.0, 0.0, true);
-    let half_tones = brush_strokes_bristles(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2i, look.viewport);
-    let half_tones_as_paint = mix_colors_multiply(half_tones.color, look.half_tones_as_paint_b, 1.0);
-    let half_tones_laid_on = mix_colors_normal(cool_reflections_laid_on, half_tones_as_paint, half_tones.ink);
-    let where_light_goes = map_range(light_and_shade, 0.46, 0.66, 1.0, 0.0, true);
+    let umber_as_paint = color_mixed(umber.color, umber.color.xyz * look.umber_as_paint_b.xyz, 1.0);
+    let umber_laid_on = mixed_vec4(bounded_vec4(look.toned_canvas), bounded_vec4(umber_as_paint), clamp(umber.ink, 0.0, 1.0));
+    let reflected_light = max(dot(planes, look.sky.direction), 0.0);
+    let where_cool_reflections_go = mix(1.0, 0.0, clamp((reflected_light - 0.25) / 0.5, 0.0, 1.0));
+    let cool_reflections = brush_strokes_bristles_2(where_cool_reflections_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.5, 0.6, 0.5, 6i, look.viewport);
+    let cool_reflections_as_paint = color_mixed(cool_reflections.color, cool_reflections.color.xyz * look.cool_reflections_as_paint_b.xyz, 1.0);
+    let cool_reflections_laid_on = mixed_vec4(bounded_vec4(umber_laid_on), bounded_vec4(cool_reflections_as_paint), clamp(cool_reflections.ink, 0.0, 1.0));
+    let where_half_tones_go = mix(1.0, 0.0, clamp((light_and_shade - 0.24) / (0.42 - 0.24), 0.0, 1.0));
+    let half_tones = brush_strokes_bristles_3(where_half_tones_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 18.0, 3.2, 1.6, 0.6, 0.5, 2i, look.viewport);
+    let half_tones_as_paint = color_mixed(half_tones.color, half_tones.color.xyz * look.half_tones_as_paint_b.xyz, 1.0);
+    let half_tones_laid_on = mixed_vec4(bounded_vec4(cool_reflections_laid_on), bounded_vec4(half_tones_as_paint), clamp(half_tones.ink, 0.0, 1.0));
+    let where_light_goes = mix(1.0, 0.0, clamp((light_and_shade - 0.46) / (0.66 - 0.46), 0.0, 1.0));
     let strokes_of_the_wrist = mark_place_object(0.75, surface.anchor, surface.pixel, look.viewport);
-    let light = brush_strokes_bristles(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3i, look.viewport);
-    let light_as_paint = mix_colors_multiply(light.color, look.light_as_paint_b, 1.0);
-    let light_laid_on = mix_colors_normal(half_tones_laid_on, light_as_paint, light.ink);
-    let where_thick_lights_go = map_range(light_and_shade, 0.76, 0.95, 1.0, 0.0, true);
-    let thick_lights = brush_strokes_bristles(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4i, look.viewport);
-    let thick_lights_as_paint = mix_colors_multiply(thick_lights.color, look.thick_lights_as_paint_b, 1.0);
-    let thick_lights_laid_on = mix_colors_normal(light_laid_on, thick_lights_as_paint, thick_lights.ink);
-    let hollows = kappa_surface(surface.kappa);
-    let where_accents_go = map_range(hollows, -6.0, -20.0, 1.0, 0.0, true);
-    let accents = brush_strokes_bristles(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
-    let accents_as_paint = mix_colors_multiply(accents.color, look.accents_as_paint_b, 1.0);
-    let accents_laid_on = mix_colors_normal(thick_lights_laid_on, accents_as_paint, accents.ink);
-    let output_alpha = with_unit_alpha(accents_laid_on);
+    let light = brush_strokes_bristles_4(where_light_goes, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 24.0, 3.0, 1.5, 0.6, 0.5, 3i, look.viewport);
+    let light_as_paint = color_mixed(light.color, light.color.xyz * look.light_as_paint_b.xyz, 1.0);
+    let light_laid_on = mixed_vec4(bounded_vec4(half_tones_laid_on), bounded_vec4(light_as_paint), clamp(light.ink, 0.0, 1.0));
+    let where_thick_lights_go = mix(1.0, 0.0, clamp((light_and_shade - 0.76) / (0.95 - 0.76), 0.0, 1.0));
+    let thick_lights = brush_strokes_bristles_5(where_thick_lights_go, strokes_of_the_wrist.place, strokes_of_the_wrist.stretch, 32.0, 2.6, 1.3, 0.6, 0.4, 4i, look.viewport);
+    let thick_lights_as_paint = color_mixed(thick_lights.color, thick_lights.color.xyz * look.thick_lights_as_paint_b.xyz, 1.0);
+    let thick_lights_laid_on = mixed_vec4(bounded_vec4(light_laid_on), bounded_vec4(thick_lights_as_paint), clamp(thick_lights.ink, 0.0, 1.0));
+    let hollows = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
+    let where_accents_go = mix(1.0, 0.0, clamp((bounded(hollows) + 6.0) / -14.0, 0.0, 1.0));
+    let accents = brush_strokes_bristles_6(where_accents_go, strokes_round_the_form.place, strokes_round_the_form.stretch, 44.0, 3.4, 1.5, 0.6, 0.4, 8i, look.viewport);
+    let accents_as_paint = color_mixed(accents.color, accents.color.xyz * look.accents_as_paint_b.xyz, 1.0);
+    let accents_laid_on = mixed_vec4(bounded_vec4(thick_lights_laid_on), bounded_vec4(accents_as_paint), clamp(accents.ink, 0.0, 1.0));
+    let output_alpha = vec4f(accents_laid_on.xyz, clamp(accents_laid_on.w, 0.0, 1.0));
     let output_2 = output(premultiplied(output_alpha));
     return output_2;
 }
@@ -844,11 +1191,11 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.position_object = in.position_object;
     surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
     surface.smooth_normal_1 = (vec4f(textureLoad(smooth_normal_1_map, vec2i(in.clip.xy), 0).xyz, 0.0) * view.camera_from_world).xyz;

@@ -2,14 +2,11 @@
 // One bit: made by Chiaro 0.1.0, GLSL ES 3.00.
 // The vertex shader. Finds curvature by direction from normals and depth.
 // Uniform blocks (std140): CurvatureBlock 0.
-// Textures: u_normals 0, u_depths 1.
+// Textures: u_surface 0.
 // one-bit.json says what to put there and how to draw.
 
 precision highp float;
 precision highp int;
-
-const ivec2 RING[8] = ivec2[8](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1), ivec2(1, 1), ivec2(-1, 1), ivec2(1, -1), ivec2(-1, -1));
-const float WEIGHTS[3] = float[3](1.0, 0.85, 0.5);
 
 
 vec4 whole_picture(uint index_1) {

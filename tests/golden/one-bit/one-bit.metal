@@ -60,7 +60,7 @@ struct ProfileShape {
     float edge_deviation;
     uint kind;
 };
-struct type_11 {
+struct type_10 {
     uint inner[256];
 };
 struct Vertex {
@@ -72,109 +72,32 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
-constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
-constant type_11 BLUE_TILE = type_11 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
+constant type_10 BLUE_TILE = type_10 {{667461202u, 222158680u, 3599544829u, 3400820132u, 1960937795u, 3151603007u, 3761895051u, 3016954793u, 3028509185u, 1370102158u, 1462902626u, 3847357677u, 3003882522u, 276701840u, 231368623u, 2006207090u, 1155071538u, 3687541486u, 3161497478u, 679646994u, 1446404781u, 3813141710u, 2689801524u, 3286574331u, 259137950u, 2016058421u, 3494113793u, 4072945787u, 3187332206u, 1537109014u, 2146407874u, 2252103613u, 3518847723u, 3259693184u, 649323030u, 1163634939u, 1266356881u, 99953797u, 759419764u, 349023492u, 2911980200u, 2478200582u, 1284463928u, 534579558u, 3925975738u, 2990393258u, 1759908999u, 1834015888u, 490397740u, 3894597990u, 450210671u, 780651677u, 3630055399u, 3680670750u, 3097971750u, 200505374u, 3329882762u, 1118013679u, 880871624u, 1370517989u, 882493816u, 4279260018u, 4166634395u, 3063496755u, 2617859282u, 2098278479u, 4082379517u, 4262674112u, 3035961957u, 2092688515u, 2198433333u, 459523542u, 1864745286u, 3764170964u, 2360777576u, 3583509087u, 1208519335u, 1141296937u, 412283055u, 2162906274u, 2397675830u, 3154310974u, 568005963u, 662629447u, 1824806967u, 1737401583u, 3209287968u, 2919246195u, 1689588085u, 2508440857u, 2759315255u, 1320339052u, 2531113449u, 3897891643u, 3881906118u, 3734238779u, 3779853656u, 594649900u, 4195069169u, 2400968242u, 2048396402u, 2142884959u, 2810905498u, 3446256911u, 2030405680u, 1407926991u, 1497467748u, 2741044869u, 2902213326u, 940438317u, 3497589837u, 558138450u, 2562381738u, 3624513114u, 3454479296u, 4047290265u, 1268613673u, 1839237321u, 706533552u, 2635391933u, 473590768u, 2132249590u, 1974537886u, 1809994019u, 131816119u, 367010917u, 1816157632u, 3311532182u, 693207050u, 1030670564u, 359026175u, 243050998u, 3996488734u, 4114970559u, 2783809586u, 1199125766u, 2697125778u, 548751459u, 987862474u, 3593571538u, 376555508u, 2824442290u, 3699183309u, 668184405u, 1962677596u, 3718656769u, 3095473755u, 1453017346u, 1384726958u, 2164275940u, 3259639657u, 3119089951u, 2259435674u, 2373710293u, 1906634250u, 652919904u, 3517252966u, 3583833888u, 4288133099u, 1779514224u, 1461859275u, 1766899984u, 625196569u, 1988368634u, 2117074619u, 1311621987u, 73415959u, 4082016718u, 3102530169u, 4215154833u, 3662992026u, 3476795794u, 2564442129u, 2326557451u, 866745058u, 129139429u, 1867080845u, 2882332575u, 143226423u, 2689655089u, 1488293862u, 263931372u, 2432027222u, 3240843546u, 3490490398u, 58744344u, 3345278498u, 1577938342u, 422996513u, 1811621323u, 3158777762u, 4181778023u, 2096118101u, 2411480113u, 4094931789u, 3388571206u, 1990652296u, 2453243103u, 175452119u, 2541015454u, 3028731363u, 3563649246u, 3210452975u, 766941219u, 1308999746u, 39689649u, 4001738984u, 11478607u, 1335569003u, 254321927u, 1015492467u, 3595895001u, 4183849746u, 1288836910u, 3325977534u, 3129078806u, 492895508u, 3360986485u, 1763434305u, 2844554986u, 2396691176u, 2096263111u, 2497450024u, 1211522983u, 1070377692u, 2192501207u, 3432446392u, 474559661u, 1176713325u, 2721888012u, 827588237u, 2379146864u, 3106697228u, 1580667530u, 240165635u, 3506421341u, 2884483674u, 484660868u, 2109975402u, 1470046212u, 1290966655u, 3508860775u, 4034538350u, 143860869u, 1695776161u, 3375405011u, 3611626218u, 3242325943u, 132266269u, 2478733985u, 398739172u, 812899647u, 734220276u, 1298203644u, 1553540471u, 3983027847u}};
 constant ProfileShape tone_shape = ProfileShape {0.99875027, 0.04997917, 1.229384, 1.5428282, 0.1, 1.0145569, 0.43140125, 0u};
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
 float exp2_stable(
-    float x_2
+    float x
 ) {
-    float clamped_3 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = (clamped_3 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float whole = metal::rint(x);
+    float f = x - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
-    float x_3
+float log2_stable(
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x_1);
+    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -185,191 +108,106 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
-    float x_4
+metal::float2 sin_cos_tiny(
+    float x_2
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_1 = x_2 * x_2;
+    float s = x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334))));
+    float c = 1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889)))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-float atan2_positive(
-    float y_1,
-    float x_5
+metal::float3 normalize_moderate_2_(
+    metal::float3 v_1,
+    metal::float3 otherwise_1
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
-    if (large <= 0.0) {
-        return 0.0;
-    }
-    float t_2 = small / large;
-    bool is_wide = t_2 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_2;
-    float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_3 = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a_3) : a_3;
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0);
 }
 
-float angle_radians(
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_1, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_shifted(
+Angle angle_turned_2_(
     Angle u_2,
-    float shift
+    metal::float2 t_1
 ) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_3, 0.5);
-    return metal::min(_e13, 0.5);
+    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
+    return Angle {turned_1.x, turned_1.y};
 }
 
 float bounded(
-    float x_6
+    float x_3
 ) {
-    uint bits_1 = as_type<uint>(x_6);
+    uint bits_1 = as_type<uint>(x_3);
     uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
     metal::float2 v_3
 ) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    return metal::float2(_e2, _e4);
-}
-
-float mixed(
-    float a,
-    float b,
-    float t_1
-) {
-    float _e4 = bounded(b - a);
-    float _e14 = bounded((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4)));
-    return _e14;
-}
-
-float place_between(
-    float x_7,
-    float low,
-    float high
-) {
-    float span = high - low;
-    if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_7 >= high) ? 1.0 : 0.0;
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded((x_7 - low) / _e12);
-    return _e14;
-}
-
-float eased(
-    float x_8,
-    float low_1,
-    float high_1
-) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_3 = metal::clamp(_e6, 0.0, 1.0);
-    return (t_3 * t_3) * (3.0 - (2.0 * t_3));
-}
-
-float factor_of(
-    float x_9,
-    bool clamped
-) {
-    float _e2 = bounded(x_9);
-    float _e3 = bounded(x_9);
-    return clamped ? metal::clamp(_e3, 0.0, 1.0) : _e2;
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
+    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
+    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
+    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float footprint_of(
-    float x_10
+    float x_4
 ) {
-    float _e1 = metal::dfdx(x_10);
-    float _e2 = metal::dfdy(x_10);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d_1, d_1)));
+    float _e1 = metal::dfdx(x_4);
+    float _e2 = metal::dfdy(x_4);
+    metal::float2 d = metal::float2(_e1, _e2);
+    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
     return _e6;
 }
 
-float edge_width(
-    float w,
-    float softness
+float footprint_of_2_(
+    float x_5
 ) {
-    float _e4 = bounded(softness);
-    return metal::length(metal::float2(metal::min(w, 1000000000000000.0), metal::clamp(_e4, 0.0, 1000000000000000.0)));
-}
-
-float step_filtered(
-    float x_11,
-    float edge,
-    float w_1
-) {
-    float _e4 = bounded(x_11 - edge);
-    if (w_1 < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w_1);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+    float _e1 = metal::dfdx(x_5);
+    float _e2 = metal::dfdy(x_5);
+    metal::float2 d_1 = metal::float2(_e1, _e2);
+    return metal::sqrt(metal::dot(d_1, d_1));
 }
 
 float kappa_safe(
@@ -388,66 +226,14 @@ metal::float3 tensor_safe(
     return metal::float3(_e2, _e4, _e6);
 }
 
-float combine_tones_union(
-    float a_1,
-    float b_1
-) {
-    float _e3 = factor_of(a_1, true);
-    float _e5 = factor_of(b_1, true);
-    return metal::max(_e3, _e5);
-}
-
-float combine_tones_difference(
-    float a_2,
-    float b_2
-) {
-    float _e3 = factor_of(a_2, true);
-    float _e5 = factor_of(b_2, true);
-    return metal::min(_e3, 1.0 - _e5);
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped_1
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed_1 = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped_1 ? metal::clamp(mixed_1, metal::float4(0.0), metal::float4(1.0)) : mixed_1;
-}
-
 Composite blend_alpha(
-    Composite below_1,
+    Composite below,
     Color color,
     float tone,
-    float opacity_1,
-    bool clamped_2
+    float opacity,
+    bool clamped
 ) {
-    float a_4 = opacity_1 * color.w;
-    float alpha_1 = below_1.w + ((tone * a_4) * (1.0 - below_1.w));
-    Composite _e20 = blend_finish(below_1, below_1.xyz + (tone * (color.xyz - below_1.xyz)), alpha_1, a_4, clamped_2);
-    return _e20;
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-Angle parametrization_diffuse(
-    Light light,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light.direction);
-    return _e8;
+    return metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0);
 }
 
 float profile_power(
@@ -459,118 +245,57 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable(exponent * _e19);
+    return metal::min(_e21, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_3,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
+    if ((s_3 <= 0.0) | false) {
         return 1.0;
     }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
-    }
     float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
 float profile_filtered(
-    Angle u_5,
-    float w_2,
+    Angle u_4,
+    float w,
     ProfileShape shape_1
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_4, shape_1);
+    bool is_wide = w < (0.1 * shape_1.edge_deviation);
+    if ((is_wide | (w <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w_2 >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width_3 = metal::sqrt((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width_3), 0.0, 1.0);
-    }
-    if (w_2 < (0.1 * shape_1.edge_deviation)) {
-        return _e3;
-    }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w_2);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w);
+    Angle _e16 = angle_turned(u_4, _e15);
+    float _e17 = profile_point(_e16, shape_1);
+    Angle _e22 = angle_turned(u_4, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_1);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
+    float shift,
     ProfileShape shape_2
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
-}
-
-metal::int2 naga_f2i32(metal::float2 value) {
-    return static_cast<metal::int2>(metal::clamp(value, -2147483600.0, 2147483500.0));
-}
-
-metal::int2 dither_cell(
-    metal::float2 place,
-    float size
-) {
-    float _e2 = bounded(size);
-    float least = metal::max(_e2, 0.001);
-    metal::float2 _e5 = bounded_vec2_(place);
-    return naga_f2i32(metal::floor(metal::clamp(_e5 / metal::float2(least), metal::float2(-4194304.0), metal::float2(4194304.0))));
-}
-
-float dithered(
-    float tone_1,
-    int levels,
-    float spread,
-    float threshold
-) {
-    float steps = static_cast<float>(as_type<int>(as_type<uint>(metal::clamp(levels, 2, 256)) - as_type<uint>(1)));
-    float _e10 = bounded(tone_1);
-    float x_13 = metal::clamp(_e10, 0.0, 1.0) * steps;
-    float low_2 = metal::min(metal::floor(x_13), steps - 1.0);
-    float _e19 = bounded(spread);
-    float soft = metal::clamp(_e19, 0.0, 1.0);
-    bool is_upper = ((x_13 - low_2) - 0.5) >= ((threshold - 0.5) * soft);
-    return (low_2 + (is_upper ? 1.0 : 0.0)) / steps;
+    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    return _e8;
 }
 
 uint blue_index(
@@ -580,145 +305,107 @@ uint blue_index(
     return (8u * at.y) + (at.x >> 2u);
 }
 
-float blue_part(
-    uint four,
-    metal::int2 cell_1
-) {
-    return (static_cast<float>((four >> (8u * (as_type<uint>(cell_1.x) & 3u))) & 255u) + 0.5) * 0.00390625;
-}
-
-float blue_threshold(
-    metal::int2 cell_2
-) {
-    uint _e2 = blue_index(cell_2);
-    float _e4 = blue_part(BLUE_TILE.inner[_e2], cell_2);
-    return _e4;
-}
-
 float rim(
-    Light light_1,
-    metal::float3 normal_1,
+    Light light,
+    metal::float3 normal,
     metal::float3 view,
     float width,
-    float softness_1,
+    float softness,
     float follow
 ) {
-    metal::float3 _e10 = normalize_or(normal_1, metal::float3(0.0, 0.0, 1.0));
-    float facing_1 = metal::clamp(metal::dot(_e10, view), 0.0, 1.0);
-    float _e16 = factor_of(width, true);
-    float _e18 = factor_of(softness_1, true);
-    float _e20 = footprint_of(facing_1);
-    float edge_1 = metal::max(_e16 * _e18, metal::min(_e20, 1.0));
-    metal::float3 aside = _e10 - view;
-    float further = (facing_1 > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - _e16)) : (_e16 - facing_1);
-    float within = (further / metal::max(edge_1, 0.000001)) + ((softness_1 > 0.0) ? 0.0 : 0.5);
-    float inside = (_e16 <= 0.0) ? 0.0 : metal::clamp(within, 0.0, 1.0);
-    metal::float3 across = light_1.direction - (metal::dot(light_1.direction, view) * view);
-    metal::float3 _e61 = normalize_or(across, metal::float3(0.0));
-    float side = metal::dot(_e10 - (metal::dot(_e10, view) * view), _e61);
-    float _e66 = eased(side, 0.0, 0.5);
-    float _e68 = factor_of(follow, true);
-    float _e69 = mixed(1.0, _e66, _e68);
-    return inside * _e69;
+    float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
+    float _e10 = footprint_of_2_(facing);
+    float edge = metal::min(_e10, 1.0);
+    metal::float3 aside = normal - view;
+    float further = (facing > 0.5) ? ((0.5 * metal::dot(aside, aside)) - (1.0 - width)) : (width - facing);
+    float within = (further / metal::max(edge, 0.000001)) + 0.5;
+    float inside = metal::clamp(within, 0.0, 1.0);
+    metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
+    metal::float3 _e42 = normalize_moderate_2_(across, metal::float3(0.0));
+    float side = metal::dot(normal - (metal::dot(normal, view) * view), _e42);
+    return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
+}
+
+metal::int2 naga_f2i32(metal::float2 value) {
+    return static_cast<metal::int2>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
 float dither_blue(
     float value,
-    metal::float2 place_1,
-    int levels_1,
-    float spread_1,
-    float size_1
+    metal::float2 place,
+    int levels,
+    float spread,
+    float size
 ) {
-    metal::int2 _e5 = dither_cell(place_1, size_1);
-    float _e6 = blue_threshold(_e5);
-    float _e7 = dithered(value, levels_1, spread_1, _e6);
-    return _e7;
-}
-
-float line_covers(
-    float distance,
-    float width_1
-) {
-    return metal::clamp((width_1 + 0.5) - distance, 0.0, metal::min(width_1, 1.0));
-}
-
-float seen_well(
-    float facing
-) {
-    float _e3 = eased(facing, 0.05, 0.3);
-    return _e3;
+    metal::float2 _e5 = bounded_vec2_(place);
+    metal::int2 cell_1 = naga_f2i32(metal::floor(metal::clamp(_e5 / metal::float2(2.0), metal::float2(-4194304.0), metal::float2(4194304.0))));
+    uint _e21 = blue_index(cell_1);
+    return (((value - 0.0) - 0.5) >= (((static_cast<float>((BLUE_TILE.inner[_e21] >> (8u * (as_type<uint>(cell_1.x) & 3u))) & 255u) + 0.5) * 0.00390625) - 0.5)) ? 1.0 : 0.0;
 }
 
 float faded_in(
-    float x_12,
+    float x_6,
     float limit,
-    float softness_2
+    float softness_1
 ) {
-    float _e3 = bounded(limit);
-    float at_1 = metal::max(_e3, 0.0);
-    float _e6 = footprint_of(x_12);
-    float _e10 = factor_of(softness_2, true);
-    float _e12 = edge_width(_e6, metal::min(at_1, 1000000000.0) * _e10);
-    float _e13 = bounded(x_12);
-    float _e14 = step_filtered(_e13, at_1, _e12);
-    return _e14;
+    float _e3 = footprint_of(x_6);
+    float width_2 = metal::length(metal::float2(metal::min(_e3, 1000000000000000.0), 20.0 * softness_1));
+    float _e10 = bounded(x_6);
+    return metal::clamp(0.5 + ((_e10 - 20.0) / width_2), 0.0, 1.0);
 }
 
 float inner_contour_suggestive(
-    float width_2,
+    float width_1,
     float limit_1,
-    float softness_3,
+    float softness_2,
     metal::float3 tensor_1,
-    metal::float3 normal_2,
+    metal::float3 normal_1,
     metal::float3 view_1,
     metal::float3x3 camera_from_world,
-    metal::float3 place_2,
+    metal::float3 place_1,
     metal::float2 viewport
 ) {
-    metal::float3 n_1 = camera_from_world * normal_2;
+    metal::float3 n = camera_from_world * normal_1;
     metal::float3 _e10 = tensor_safe(tensor_1);
-    float square_1 = metal::dot(n_1.xy, n_1.xy);
-    float radial = ((((_e10.x * n_1.x) * n_1.x) + (((2.0 * _e10.y) * n_1.x) * n_1.y)) + ((_e10.z * n_1.y) * n_1.y)) / metal::max(square_1, 0.000001);
+    float square_2 = metal::dot(n.xy, n.xy);
+    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_2, 0.000001);
     float _e36 = metal::dfdx(radial);
     float _e37 = metal::dfdy(radial);
     metal::float2 change = metal::float2(_e36, _e37);
     metal::float3 v_4 = camera_from_world * view_1;
-    metal::float3 row = metal::dfdy(place_2);
+    metal::float3 row = metal::dfdy(place_1);
     float up = ((row - (metal::dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n_1.x) + ((up * change.y) * n_1.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
-    float _e67 = bounded(width_2);
-    float pixels = ((0.5 * metal::clamp(_e67, 0.0, 10000.0)) * height) / 1000.0;
-    float distance_1 = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float _e84 = faded_in((toward_eye * height) * 0.05, limit_1, softness_3);
-    float _e85 = line_covers(distance_1, pixels);
-    float _e88 = seen_well(metal::dot(normal_2, view_1));
-    return (_e85 * _e84) * _e88;
+    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_2, 0.000001));
+    float pixels = (1.5 * height) / 1000.0;
+    float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
+    float _e80 = faded_in((toward_eye * height) * 0.05, 20.0, softness_2);
+    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * _e80) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, tone_shape);
-    float _e13 = dither_blue(_e8, surface_1.pixel, 2, 1.0, 2.0);
-    Light _e16 = look.back;
-    float _e22 = rim(_e16, surface_1.normal, surface_1.view, 0.34, 0.0, 1.0);
-    float _e23 = combine_tones_union(_e13, _e22);
-    metal::float3x3 _e32 = look.camera_from_world;
-    metal::float2 _e36 = look.viewport;
-    float _e37 = inner_contour_suggestive(3.0, 20.0, 0.1, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e32, surface_1.position_camera, _e36);
-    float _e38 = combine_tones_difference(_e23, _e37);
-    Composite _e51 = blend_alpha(metal::float4(0.1333, 0.1216, 0.2, 1.0), metal::float4(0.9373, 0.902, 0.8118, 1.0), _e38, 1.0, true);
-    Color _e52 = output(_e51);
-    return _e52;
+    metal::float3 _e5 = look.key.direction;
+    metal::float3 _e14 = look.key.direction;
+    Angle turned_from_the_key = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    float _e22 = profile(turned_from_the_key, 0.0, tone_shape);
+    float _e27 = dither_blue(_e22, surface_1.pixel, 2, 1.0, 2.0);
+    Light _e30 = look.back;
+    float _e36 = rim(_e30, surface_1.normal, surface_1.view, 0.34, 0.0, 1.0);
+    float both_lights = metal::max(_e27, _e36);
+    metal::float3x3 _e46 = look.camera_from_world;
+    metal::float2 _e50 = look.viewport;
+    float _e51 = inner_contour_suggestive(3.0, 20.0, 0.1, surface_1.curvature_tensor, surface_1.normal, surface_1.view, _e46, surface_1.position_camera, _e50);
+    float lines_cut_out = metal::min(both_lights, 1.0 - _e51);
+    Composite _e67 = blend_alpha(metal::float4(0.1333, 0.1216, 0.2, 1.0), metal::float4(0.9373, 0.902, 0.8118, 1.0), lines_cut_out, 1.0, true);
+    return _e67;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_3 [[attribute(1)]];
+    metal::float3 normal_2 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -730,7 +417,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_2 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_3 };
+    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -747,7 +434,7 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal_3 [[user(loc1), center_perspective]];
+    metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -760,26 +447,22 @@ fragment fs_mainOutput fs_main(
 , constant Look& look [[buffer(2)]]
 , metal::texture2d<float, metal::access::sample> curvature_tensor_map [[texture(0)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal_3 };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_3 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_3;
-    metal::float4 _e15 = view_2.eye;
-    float _e20 = view_2.eye.w;
-    metal::float4 _e26 = view_2.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    metal::float4x4 _e37 = view_2.camera_from_world;
-    surface.position_camera = (_e37 * metal::float4(in.position, 1.0)).xyz;
-    metal::float4 _e49 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    surface.curvature_tensor = _e49.xyz;
-    metal::float4 _e56 = view_2.screen;
-    metal::float4 _e61 = view_2.screen;
-    surface.pixel = (in.clip.xy * _e56.xy) + _e61.zw;
-    Surface _e64 = surface;
-    metal::float4 _e65 = shade(_e64, look);
-    metal::float4 _e66 = finite_vec4_(_e65);
-    return fs_mainOutput { _e66 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_2;
+    metal::float4 _e11 = view_2.eye;
+    float _e16 = view_2.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    metal::float4x4 _e24 = view_2.camera_from_world;
+    surface.position_camera = (_e24 * metal::float4(in.position, 1.0)).xyz;
+    metal::float4 _e36 = curvature_tensor_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    surface.curvature_tensor = _e36.xyz;
+    metal::float4 _e43 = view_2.screen;
+    metal::float4 _e48 = view_2.screen;
+    surface.pixel = (in.clip.xy * _e43.xy) + _e48.zw;
+    Surface _e51 = surface;
+    metal::float4 _e52 = shade(_e51, look);
+    return fs_mainOutput { _e52 };
 }

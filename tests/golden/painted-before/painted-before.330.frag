@@ -39,12 +39,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape body_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.2081645, 1.573837, 0.25, 1.0277877, 0.44035247, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.9950042, 0.099833414, 2.0858297, 2.2877648, 0.2, 0.49455804, 0.21395217, 0u);
 const ProfileShape behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 2.1444545, 0.25, 0.43399706, 0.1847509, 0u);
@@ -54,73 +49,20 @@ layout(std140) uniform LookBlock { Look u_look; };
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+float exp2_stable(float x) {
+    float whole = roundEven(x);
+    float f = (x - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float exp2_stable(float x_2) {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = (int(whole) / 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two((int(whole) - half_whole));
-    return ((p * _e33) * _e37);
-}
-
-float log_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= 256) ? (shift_2 - 512) : shift_2);
+float log2_stable(float x_1) {
+    uint bits = floatBitsToUint(x_1);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y) {
@@ -129,111 +71,54 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec2 sin_cos_tiny(float x_2) {
+    float y_1 = (x_2 * x_2);
+    float s = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
+    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
+    return vec2(s, c);
 }
 
-Angle angle_between(vec3 d, vec3 l) {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    return Angle((p_1 * k), (s_1 * k));
+vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-float atan2_positive(float y_1, float x_5) {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
-float angle_radians(Angle u) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
-}
-
-Angle angle_turned(Angle u_1, vec2 t) {
-    bool local_1 = false;
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    vec2 turned = (_e32 ? vec2(0.0, 1.0) : upper);
-    return Angle(turned.x, turned.y);
-}
-
-Angle angle_shifted(Angle u_2, float shift) {
-    vec2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(Angle u_3) {
-    vec2 half_ = vec2(u_3.half_sin, u_3.half_cos);
+float angle_footprint(Angle u) {
+    vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
     float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
+    return min(w_1, 0.5);
 }
 
-vec4 straight(vec4 composite) {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return vec4((composite.xyz / vec3(composite.w)), composite.w);
+Angle angle_turned(Angle u_1, vec2 t) {
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    vec2 upper = ((c_1 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_1, c_1));
+    vec2 turned = (((s_1 <= 0.0) && (s_1 < c_1)) ? vec2(0.0, 1.0) : upper);
+    return Angle(turned.x, turned.y);
 }
 
-vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool clamped) {
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, vec4(0.0), vec4(1.0)) : mixed);
+Angle angle_turned_2_(Angle u_2, vec2 t_1) {
+    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    vec2 upper_1 = ((c_2 <= 0.0) ? vec2(1.0, 0.0) : vec2(s_2, c_2));
+    vec2 turned_1 = (((s_2 <= 0.0) && (s_2 < c_2)) ? vec2(0.0, 1.0) : upper_1);
+    return Angle(turned_1.x, turned_1.y);
 }
 
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
+vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 output_(vec4 color_1) {
-    vec4 _e1 = straight(color_1);
-    vec4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-vec2 light_split(float intensity) {
-    return vec2(min(intensity, 1.0), max(intensity, 1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_2, float tone_1) {
-    vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
-}
-
-Angle parametrization_diffuse(Light light_1, vec3 normal) {
-    vec3 _e6 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+    vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 float profile_power(float q, float exponent) {
@@ -242,113 +127,83 @@ float profile_power(float q, float exponent) {
         return 0.0;
     }
     if ((q < 0.5)) {
-        float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape) {
-    bool local_2 = false;
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+float profile_point(Angle u_3, ProfileShape shape) {
+    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_3 <= 0.0) || false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
     float q_1 = (s_3 * shape.scale);
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1) {
-    bool local_3 = false;
-    bool local_4 = false;
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+float profile_filtered(Angle u_4, float w, ProfileShape shape_1) {
+    float _e3 = profile_point(u_4, shape_1);
+    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
+    if (((is_wide || (w <= 0.0)) || false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    vec2 _e50 = sin_cos_quarter((0.19364917 * w));
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, vec2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    vec2 _e15 = sin_cos_tiny((0.19364917 * w));
+    Angle _e16 = angle_turned(u_4, _e15);
+    float _e17 = profile_point(_e16, shape_1);
+    Angle _e22 = angle_turned(u_4, vec2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_1);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+float profile(Angle angle, float shift, ProfileShape shape_2) {
+    Angle _e6 = angle_turned_2_(angle, vec2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_2);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.window;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, body_tone_shape);
-    Light _e11 = u_look.window;
-    LitLayer _e17 = light_apply(_e11, vec4(0.42, 0.38, 0.38, 1.0), _e8);
-    vec4 _e27 = blend_add(vec4(0.2, 0.18, 0.22, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = u_look.lamp;
-    Angle _e32 = parametrization_diffuse(_e30, surface_1.normal);
-    float _e35 = profile(_e32, 0.0, light_tone_shape);
-    Light _e38 = u_look.lamp;
-    LitLayer _e44 = light_apply(_e38, vec4(0.14, 0.13, 0.12, 1.0), _e35);
-    vec4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
-    Light _e52 = u_look.back;
-    Angle _e54 = parametrization_diffuse(_e52, surface_1.normal);
-    float _e57 = profile(_e54, 0.0, behind_tone_shape);
-    Light _e60 = u_look.back;
-    LitLayer _e66 = light_apply(_e60, vec4(0.08, 0.09, 0.1, 1.0), _e57);
-    vec4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
-    vec4 _e72 = output_(_e71);
-    return _e72;
+    vec3 _e5 = u_look.window.direction;
+    vec3 _e14 = u_look.window.direction;
+    Angle body_angle = Angle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    float _e22 = profile(body_angle, 0.0, body_tone_shape);
+    Light _e25 = u_look.window;
+    LitLayer _e31 = light_apply(_e25, vec4(0.42, 0.38, 0.38, 1.0), _e22);
+    vec4 _e41 = blend_add(vec4(0.2, 0.18, 0.22, 1.0), _e31.color, _e31.tone, 1.0, true);
+    vec3 _e46 = u_look.lamp.direction;
+    vec3 _e55 = u_look.lamp.direction;
+    Angle light_angle = Angle((0.5 * length((surface_1.normal - _e46))), (0.5 * length((surface_1.normal + _e55))));
+    float _e63 = profile(light_angle, 0.0, light_tone_shape);
+    Light _e66 = u_look.lamp;
+    LitLayer _e72 = light_apply(_e66, vec4(0.14, 0.13, 0.12, 1.0), _e63);
+    vec4 light_blend = clamp(vec4((_e41.xyz + ((_e41.xyz + (_e72.tone * _e72.color.xyz)) - _e41.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec3 _e94 = u_look.back.direction;
+    vec3 _e103 = u_look.back.direction;
+    Angle behind_angle = Angle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
+    float _e111 = profile(behind_angle, 0.0, behind_tone_shape);
+    Light _e114 = u_look.back;
+    LitLayer _e120 = light_apply(_e114, vec4(0.08, 0.09, 0.1, 1.0), _e111);
+    vec4 output_ = clamp(vec4((light_blend.xyz + ((light_blend.xyz + (_e120.tone * _e120.color.xyz)) - light_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_1 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_1;
-    Surface _e12 = surface;
-    vec4 _e13 = shade(_e12);
-    vec4 _e14 = finite_vec4_(_e13);
-    out_color = _e14;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? _e3 : -(_e3));
+    surface.normal = normal;
+    Surface _e8 = surface;
+    vec4 _e9 = shade(_e8);
+    out_color = _e9;
     return;
 }
 

@@ -32,12 +32,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float PI = 3.1415927;
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const ProfileShape body_tone_shape = ProfileShape(0.9921977, 0.12467473, 1.2081645, 1.573837, 0.25, 1.0277877, 0.44035247, 0u);
 const ProfileShape light_tone_shape = ProfileShape(0.9950042, 0.099833414, 2.0858297, 2.2877648, 0.2, 0.49455804, 0.21395217, 0u);
 const ProfileShape behind_tone_shape = ProfileShape(0.9921977, 0.12467473, 2.425296, 2.1444545, 0.25, 0.43399706, 0.1847509, 0u);

@@ -87,12 +87,7 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float PI = 3.1415927;
-static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
-static const uint PROFILE_STEP = 1u;
-static const uint PROFILE_AMBIENT = 2u;
 static const ProfileShape body_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 1.2081645, 1.573837, 0.25, 1.0277877, 0.44035247, 0u);
 static const ProfileShape light_tone_shape = ConstructProfileShape(0.9950042, 0.099833414, 2.0858297, 2.2877648, 0.2, 0.49455804, 0.21395217, 0u);
 static const ProfileShape behind_tone_shape = ConstructProfileShape(0.9921977, 0.12467473, 2.425296, 2.1444545, 0.25, 0.43399706, 0.1847509, 0u);
@@ -102,100 +97,36 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
-    float3 normal_1 : LOC0;
+    float3 normal : LOC0;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
-    float3 normal_2 : LOC0;
+    float3 normal_1 : LOC0;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
-
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
-}
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_2 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_2);
-    float f = ((clamped_2 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p * _e33) * _e37);
+    float whole = round(x);
+    float f = (x - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float log2_stable(float x_1)
 {
-    uint bits = asuint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
-    float mantissa = asfloat((bits - (uint(exponent_1) << 23u)));
+    uint bits = asuint(x_1);
+    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -205,14 +136,33 @@ float log1p_negative_small(float y)
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-float2 sin_cos_quarter(float x_4)
+float2 sin_cos_tiny(float x_2)
 {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float y_1 = (x_2 * x_2);
+    float s = (x_2 * (1.0 + (y_1 * (-0.16666667 + (y_1 * 0.008333334)))));
+    float c = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * 0.0013888889))))));
+    return float2(s, c);
+}
+
+float3 normalize_moderate(float3 v, float3 otherwise)
+{
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_1)
+{
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float angle_footprint(Angle u)
+{
+    float2 half_ = float2(u.half_sin, u.half_cos);
+    float2 dx = ddx(half_);
+    float2 dy = ddy(half_);
+    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_1, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -222,106 +172,29 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_between(float3 d, float3 l)
+Angle angle_turned(Angle u_1, float2 t)
 {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    const Angle angle_1 = ConstructAngle((p_1 * k), (s_1 * k));
+    float s_1 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_1, c_1));
+    float2 turned = (((s_1 <= 0.0) & (s_1 < c_1)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_1 = ConstructAngle(turned.x, turned.y);
     return angle_1;
 }
 
-float atan2_positive(float y_1, float x_5)
+Angle angle_turned_2_(Angle u_2, float2 t_1)
 {
-    float small = min(y_1, x_5);
-    float large = max(y_1, x_5);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
-    float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a) : a);
-}
-
-float angle_radians(Angle u)
-{
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
-}
-
-Angle angle_turned(Angle u_1, float2 t)
-{
-    bool local_1 = (bool)0;
-
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    float2 turned = (_e32 ? float2(0.0, 1.0) : upper);
-    const Angle angle_2 = ConstructAngle(turned.x, turned.y);
+    float s_2 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_2 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    float2 upper_1 = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
+    float2 turned_1 = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper_1);
+    const Angle angle_2 = ConstructAngle(turned_1.x, turned_1.y);
     return angle_2;
 }
 
-Angle angle_shifted(Angle u_2, float shift)
+float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    const Angle _e8 = angle_turned(u_2, _e7);
-    const Angle angle_3 = _e8;
-    return angle_3;
-}
-
-float angle_footprint(Angle u_3)
-{
-    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
-    float2 dx = ddx(half_);
-    float2 dy = ddy(half_);
-    float w_1 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_1, 0.5);
-    return min(_e13, 0.5);
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
-float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bool clamped)
-{
-    if ((opacity <= 0.0)) {
-        return below;
-    }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
-    return (clamped ? clamp(mixed, (0.0).xxxx, (1.0).xxxx) : mixed);
-}
-
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
-{
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), below_1.w, (opacity_1 * color.w), clamped_1);
-    return _e12;
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float2 light_split(float intensity)
-{
-    return float2(min(intensity, 1.0), max(intensity, 1.0));
+    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -331,19 +204,11 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_2, float tone_1)
+LitLayer light_apply(Light light, float4 color_1, float tone_1)
 {
-    const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light.color) * _e4.y), color_2.w), (tone_1 * _e4.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
     return litlayer;
-}
-
-Angle parametrization_diffuse(Light light_1, float3 normal)
-{
-    const float3 _e6 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    const Angle _e8 = angle_between(_e6, light_1.direction);
-    const Angle angle_4 = _e8;
-    return angle_4;
 }
 
 float profile_power(float q, float exponent)
@@ -354,106 +219,75 @@ float profile_power(float q, float exponent)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        const float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        const float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    const float _e21 = exp2_stable((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape)
+float profile_point(Angle u_3, ProfileShape shape)
 {
-    bool local_2 = (bool)0;
-
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_3 <= 0.0) | false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
     float q_1 = (s_3 * shape.scale);
-    const float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    const float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w, ProfileShape shape_1)
+float profile_filtered(Angle u_4, float w, ProfileShape shape_1)
 {
-    bool local_3 = (bool)0;
-    bool local_4 = (bool)0;
-
-    const float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    const float _e3 = profile_point(u_4, shape_1);
+    bool is_wide = (w < (0.1 * shape_1.edge_deviation));
+    if (((is_wide | (w <= 0.0)) | false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        const float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    const float2 _e50 = sin_cos_quarter((0.19364917 * w));
-    const Angle _e51 = angle_turned(u_5, _e50);
-    const float _e52 = profile_point(_e51, shape_1);
-    const Angle _e57 = angle_turned(u_5, float2(-(_e50.x), _e50.y));
-    const float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    const float2 _e15 = sin_cos_tiny((0.19364917 * w));
+    const Angle _e16 = angle_turned(u_4, _e15);
+    const float _e17 = profile_point(_e16, shape_1);
+    const Angle _e22 = angle_turned(u_4, float2(-(_e15.x), _e15.y));
+    const float _e23 = profile_point(_e22, shape_1);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2)
+float profile(Angle angle, float shift, ProfileShape shape_2)
 {
-    const Angle _e3 = angle_shifted(angle, shift_1);
-    const float _e4 = angle_footprint(_e3);
-    const float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const float _e7 = angle_footprint(_e6);
+    const float _e8 = profile_filtered(_e6, _e7, shape_2);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)
 {
-    Light _e3 = look.window;
-    const Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    const float _e8 = profile(_e5, 0.0, body_tone_shape);
-    Light _e11 = look.window;
-    const LitLayer _e17 = light_apply(_e11, float4(0.42, 0.38, 0.38, 1.0), _e8);
-    const float4 _e27 = blend_add(float4(0.2, 0.18, 0.22, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = look.lamp;
-    const Angle _e32 = parametrization_diffuse(_e30, surface_1.normal);
-    const float _e35 = profile(_e32, 0.0, light_tone_shape);
-    Light _e38 = look.lamp;
-    const LitLayer _e44 = light_apply(_e38, float4(0.14, 0.13, 0.12, 1.0), _e35);
-    const float4 _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
-    Light _e52 = look.back;
-    const Angle _e54 = parametrization_diffuse(_e52, surface_1.normal);
-    const float _e57 = profile(_e54, 0.0, behind_tone_shape);
-    Light _e60 = look.back;
-    const LitLayer _e66 = light_apply(_e60, float4(0.08, 0.09, 0.1, 1.0), _e57);
-    const float4 _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
-    const float4 _e72 = output(_e71);
-    return _e72;
+    float3 _e5 = look.window.direction;
+    float3 _e14 = look.window.direction;
+    Angle body_angle = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    const float _e22 = profile(body_angle, 0.0, body_tone_shape);
+    Light _e25 = look.window;
+    const LitLayer _e31 = light_apply(_e25, float4(0.42, 0.38, 0.38, 1.0), _e22);
+    const float4 _e41 = blend_add(float4(0.2, 0.18, 0.22, 1.0), _e31.color, _e31.tone, 1.0, true);
+    float3 _e46 = look.lamp.direction;
+    float3 _e55 = look.lamp.direction;
+    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e46))), (0.5 * length((surface_1.normal + _e55))));
+    const float _e63 = profile(light_angle, 0.0, light_tone_shape);
+    Light _e66 = look.lamp;
+    const LitLayer _e72 = light_apply(_e66, float4(0.14, 0.13, 0.12, 1.0), _e63);
+    float4 light_blend = clamp(float4((_e41.xyz + ((_e41.xyz + (_e72.tone * _e72.color.xyz)) - _e41.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 _e94 = look.back.direction;
+    float3 _e103 = look.back.direction;
+    Angle behind_angle = ConstructAngle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
+    const float _e111 = profile(behind_angle, 0.0, behind_tone_shape);
+    Light _e114 = look.back;
+    const LitLayer _e120 = light_apply(_e114, float4(0.08, 0.09, 0.1, 1.0), _e111);
+    float4 output = clamp(float4((light_blend.xyz + ((light_blend.xyz + (_e120.tone * _e120.color.xyz)) - light_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return output;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -474,15 +308,14 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_3 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_3;
-    Surface _e12 = surface;
-    const float4 _e13 = shade(_e12);
-    const float4 _e14 = finite_vec4_(_e13);
-    return _e14;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_2 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_2;
+    Surface _e8 = surface;
+    const float4 _e9 = shade(_e8);
+    return _e9;
 }

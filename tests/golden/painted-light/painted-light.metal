@@ -65,109 +65,34 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape body_tone_shape = ProfileShape {0.60240144, 0.7981933, 21.601328, 1.0, 1.84858, 0.06173407, 0.021818977, 0u};
 constant ProfileShape light_tone_shape = ProfileShape {0.9976349, 0.06873576, 2.5909312, 1.0, 0.13758, 0.5226457, 0.18761672, 0u};
 constant ProfileShape behind_tone_shape = ProfileShape {0.9921977, 0.12467473, 2.425296, 1.7791567, 0.25, 0.46467006, 0.1911372, 0u};
-
-bool is_finite(
-    float x
-) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
 float exp2_stable(
-    float x_2
+    float x
 ) {
-    float clamped_2 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_2);
-    float f = (clamped_2 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float whole = metal::rint(x);
+    float f = x - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
-    float x_3
+float log2_stable(
+    float x_1
 ) {
-    uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    uint bits = as_type<uint>(x_1);
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -178,154 +103,97 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
-    float x_4
+metal::float2 sin_cos_tiny(
+    float x_2
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_2 = x_2 * x_2;
+    float s = x_2 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
+    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_moderate(
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    float p_1 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_1 * p_1) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_1 * k, s_1 * k};
+    float square = metal::dot(v, v);
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_1
+) {
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
     float y_1,
-    float x_5
+    float x_3
 ) {
-    float small = metal::min(y_1, x_5);
-    float large = metal::max(y_1, x_5);
+    float small = metal::min(y_1, x_3);
+    float large = metal::max(y_1, x_3);
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
+    float t_2 = small / large;
+    bool is_wide = t_2 > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t_2;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a) : a;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_3) ? (HALF_PI - a) : a;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_3, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_shifted(
+Angle angle_turned_2_(
     Angle u_2,
-    float shift
+    metal::float2 t_1
 ) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_1 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_1, 0.5);
-    return metal::min(_e13, 0.5);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0)) : mixed;
+    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
+    return Angle {turned_1.x, turned_1.y};
 }
 
 Composite blend_add(
-    Composite below_1,
+    Composite below,
     Color color,
     float tone,
-    float opacity_1,
-    bool clamped_1
+    float opacity,
+    bool clamped
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), below_1.w, opacity_1 * color.w, clamped_1);
-    return _e12;
-}
-
-Color output(
-    Composite color_1
-) {
-    Color _e1 = straight(color_1);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_2,
+    Color color_1,
     float tone_1
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_2.xyz * light.color) * _e4.y, color_2.w), tone_1 * _e4.x};
-}
-
-Angle parametrization_diffuse(
-    Light light_1,
-    metal::float3 normal
-) {
-    metal::float3 _e6 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
 }
 
 float profile_power(
@@ -337,119 +205,186 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float _e20 = exp2_stable(_e19);
+    return metal::min(_e20, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_3,
     ProfileShape shape
 ) {
-    bool local_2 = {};
-    float s_3 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_3 <= 0.0))) {
-        local_2 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
+    if ((s_3 <= 0.0) | false) {
         return 1.0;
     }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_3 <= 0.0000004) ? 1.0 : 0.0;
+    float q_2 = s_3 * shape.scale;
+    float _e17 = profile_power(q_2, 1.0);
+    return _e17;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
     }
-    float q_1 = s_3 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_4,
+    ProfileShape shape_1
+) {
+    float s_4 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
+    if ((s_4 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_3 = s_4 * shape_1.scale;
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
 }
 
 float profile_filtered(
     Angle u_5,
     float w,
-    ProfileShape shape_1
+    ProfileShape shape_2
 ) {
-    bool local_3 = {};
-    bool local_4 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w <= 0.0))) {
-        local_3 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = w < (0.1 * shape_2.edge_deviation);
+    if ((is_wide_1 | (w <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_4 = w >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_4 = false;
+    if (true & (w >= (3.4641016 * shape_2.edge_deviation))) {
+        float width = metal::sqrt((w * w) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation));
+        float _e32 = atan2_positive(u_5.half_sin, u_5.half_cos);
+        return metal::clamp(0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = metal::sqrt((w * w) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w);
+    Angle _e45 = angle_turned(u_5, _e44);
+    float _e46 = profile_point(_e45, shape_2);
+    Angle _e51 = angle_turned(u_5, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point(_e51, shape_2);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_6,
+    float w_1,
+    ProfileShape shape_3
+) {
+    float _e3 = profile_point(u_6, shape_3);
+    bool is_wide_2 = w_1 < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_2 | (w_1 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_1);
+    Angle _e16 = angle_turned(u_6, _e15);
+    float _e17 = profile_point(_e16, shape_3);
+    Angle _e22 = angle_turned(u_6, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_3);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+}
+
+float profile_filtered_3_(
+    Angle u_7,
+    float w_2,
+    ProfileShape shape_4
+) {
+    float _e3 = profile_point_2_(u_7, shape_4);
+    bool is_wide_3 = w_2 < (0.1 * shape_4.edge_deviation);
+    if ((is_wide_3 | (w_2 <= 0.0)) | false) {
+        return _e3;
+    }
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
+    Angle _e16 = angle_turned(u_7, _e15);
+    float _e17 = profile_point_2_(_e16, shape_4);
+    Angle _e22 = angle_turned(u_7, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point_2_(_e22, shape_4);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
 }
 
 float profile(
     Angle angle,
-    float shift_1,
-    ProfileShape shape_2
+    float shift,
+    ProfileShape shape_5
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_5);
+    return _e8;
+}
+
+float profile_2_(
+    Angle angle_1,
+    float shift_1,
+    ProfileShape shape_6
+) {
+    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_6);
+    return _e8;
+}
+
+float profile_3_(
+    Angle angle_2,
+    float shift_2,
+    ProfileShape shape_7
+) {
+    Angle _e6 = angle_turned_2_(angle_2, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_3_(_e6, _e7, shape_7);
+    return _e8;
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.window;
-    Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    float _e8 = profile(_e5, 0.0, body_tone_shape);
-    Light _e11 = look.window;
-    LitLayer _e17 = light_apply(_e11, metal::float4(0.18708, 0.62392, 0.48886, 1.0), _e8);
-    Composite _e27 = blend_add(metal::float4(0.14678, 0.1201, 0.28662, 1.0), _e17.color, _e17.tone, 1.0, true);
-    Light _e30 = look.lamp;
-    Angle _e32 = parametrization_diffuse(_e30, surface_1.normal);
-    float _e35 = profile(_e32, 0.0, light_tone_shape);
-    Light _e38 = look.lamp;
-    LitLayer _e44 = light_apply(_e38, metal::float4(0.81701, 0.67278, 0.30725, 1.0), _e35);
-    Composite _e49 = blend_add(_e27, _e44.color, _e44.tone, 1.0, true);
-    Light _e52 = look.back;
-    Angle _e54 = parametrization_diffuse(_e52, surface_1.normal);
-    float _e57 = profile(_e54, 0.0, behind_tone_shape);
-    Light _e60 = look.back;
-    LitLayer _e66 = light_apply(_e60, metal::float4(0.08, 0.09, 0.1, 1.0), _e57);
-    Composite _e71 = blend_add(_e49, _e66.color, _e66.tone, 1.0, true);
-    Color _e72 = output(_e71);
-    return _e72;
+    metal::float3 _e5 = look.window.direction;
+    metal::float3 _e14 = look.window.direction;
+    Angle body_angle = Angle {0.5 * metal::length(surface_1.normal - _e5), 0.5 * metal::length(surface_1.normal + _e14)};
+    float _e22 = profile(body_angle, 0.0, body_tone_shape);
+    Light _e25 = look.window;
+    LitLayer _e31 = light_apply(_e25, metal::float4(0.18708, 0.62392, 0.48886, 1.0), _e22);
+    Composite _e41 = blend_add(metal::float4(0.14678, 0.1201, 0.28662, 1.0), _e31.color, _e31.tone, 1.0, true);
+    metal::float3 _e46 = look.lamp.direction;
+    metal::float3 _e55 = look.lamp.direction;
+    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e46), 0.5 * metal::length(surface_1.normal + _e55)};
+    float _e63 = profile_2_(light_angle, 0.0, light_tone_shape);
+    Light _e66 = look.lamp;
+    LitLayer _e72 = light_apply(_e66, metal::float4(0.81701, 0.67278, 0.30725, 1.0), _e63);
+    metal::float4 light_blend = metal::clamp(metal::float4(_e41.xyz + ((_e41.xyz + (_e72.tone * _e72.color.xyz)) - _e41.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e94 = look.back.direction;
+    metal::float3 _e103 = look.back.direction;
+    Angle behind_angle = Angle {0.5 * metal::length(surface_1.normal - _e94), 0.5 * metal::length(surface_1.normal + _e103)};
+    float _e111 = profile_3_(behind_angle, 0.0, behind_tone_shape);
+    Light _e114 = look.back;
+    LitLayer _e120 = light_apply(_e114, metal::float4(0.08, 0.09, 0.1, 1.0), _e111);
+    metal::float4 output = metal::clamp(metal::float4(light_blend.xyz + ((light_blend.xyz + (_e120.tone * _e120.color.xyz)) - light_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_1 [[attribute(1)]];
+    metal::float3 normal [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -460,7 +395,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
+    const Vertex vertex_ = { varyings.position, varyings.normal };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -475,7 +410,7 @@ vertex vs_mainOutput vs_main(
 
 
 struct fs_mainInput {
-    metal::float3 normal_1 [[user(loc0), center_perspective]];
+    metal::float3 normal [[user(loc0), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -486,13 +421,12 @@ fragment fs_mainOutput fs_main(
 , bool is_front [[front_facing]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.normal_1 };
+    const Varyings in = { clip, varyings_1.normal };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_1 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_1;
-    Surface _e12 = surface;
-    metal::float4 _e13 = shade(_e12, look);
-    metal::float4 _e14 = finite_vec4_(_e13);
-    return fs_mainOutput { _e14 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? _e3 : -(_e3);
+    surface.normal = normal;
+    Surface _e8 = surface;
+    metal::float4 _e9 = shade(_e8, look);
+    return fs_mainOutput { _e9 };
 }

@@ -56,12 +56,7 @@ struct Varyings {
     vec4 clip;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp indigo_to_warm_paper = Ramp(vec4[16](vec4(0.13, 0.14, 0.33, 1.0), vec4(0.24, 0.36, 0.56, 1.0), vec4(0.53, 0.66, 0.72, 1.0), vec4(0.9, 0.8, 0.68, 1.0), vec4(0.975, 0.95, 0.9, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.35, 0.62, 0.82), vec4(1.0, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 1u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };
@@ -73,107 +68,59 @@ layout(std140, binding = 2) uniform LookBlock { Look u_look; };
 layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-bool is_finite(float x) {
-    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+vec4 finite_vec4_(vec4 v) {
+    uvec4 exponent = uvec4(2139095040u);
+    return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent), exponent));
 }
 
-float finite_or(float x_1, float otherwise) {
-    bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-vec3 finite_vec3_(vec3 v) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return vec3(_e3, _e6, _e9);
-}
-
-vec4 finite_vec4_(vec4 v_1) {
-    vec3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return vec4(_e2, _e5);
-}
-
-vec3 normalize_or(vec3 v_2, vec3 otherwise_1) {
-    bool local = false;
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    vec3 scaled = (v_2 * (1.0 / largest));
-    float square_1 = dot(scaled, scaled);
-    bool _e23 = is_finite(square_1);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square_1)));
-}
-
-float power_of_two(int n) {
-    return uintBitsToFloat((uint((n + 127)) << 23u));
-}
-
-float log_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent = ((shift >= 256) ? (shift - 512) : shift);
-    float mantissa = uintBitsToFloat((bits - (uint(exponent) << 23u)));
+float log2_stable(float x) {
+    uint bits = floatBitsToUint(x);
+    int exponent_1 = (int((bits - 1060439283u)) >> 23u);
+    float mantissa = uintBitsToFloat((bits - (uint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec2 sin_cos_quarter(float x_3) {
-    float h = (0.5 * x_3);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec2 sin_cos(float x_4) {
-    float turns = roundEven((x_4 * 0.31830987));
-    float r = (((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
-float bounded(float x_5) {
-    uint bits_1 = floatBitsToUint(x_5);
+float bounded(float x_1) {
+    uint bits_1 = floatBitsToUint(x_1);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 vec2 bounded_vec2_(vec2 v_3) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    return vec2(_e2, _e4);
+    uvec2 bits_2 = floatBitsToUint(v_3);
+    uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
+    vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
+    vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
 vec3 bounded_vec3_(vec3 v_4) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    return vec3(_e2, _e4, _e6);
+    uvec3 bits_3 = floatBitsToUint(v_4);
+    uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
+    vec3 largest_2 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
+    vec3 numbers_1 = mix(vec3(0.0), largest_2, equal(magnitude_2, uvec3(2139095040u)));
+    return mix(numbers_1, v_4, lessThan(magnitude_2, uvec3(2139095040u)));
 }
 
 vec4 bounded_vec4_(vec4 v_5) {
-    float _e2 = bounded(v_5.x);
-    float _e4 = bounded(v_5.y);
-    float _e6 = bounded(v_5.z);
-    float _e8 = bounded(v_5.w);
-    return vec4(_e2, _e4, _e6, _e8);
+    uvec4 bits_4 = floatBitsToUint(v_5);
+    uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
+    vec4 largest_3 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
+    vec4 numbers_2 = mix(vec4(0.0), largest_3, equal(magnitude_3, uvec4(2139095040u)));
+    return mix(numbers_2, v_5, lessThan(magnitude_3, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -184,119 +131,48 @@ float divided(float a, float b) {
     return _e7;
 }
 
-float mixed(float a_1, float b_1, float t) {
-    float _e4 = bounded((b_1 - a_1));
-    float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
-    return _e14;
-}
-
-vec3 mixed_vec3_(vec3 a_2, vec3 b_2, float t_1) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return vec3(_e5, _e8, _e11);
-}
-
-vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
-    vec3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return vec4(_e5, _e8);
-}
-
-float place_between(float x_6, float low, float high) {
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_6 >= high) ? 1.0 : 0.0);
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded(((x_6 - low) / _e12));
-    return _e14;
-}
-
-float remapped(float x_7, float from_low, float from_high, float to_low, float to_high, bool clamped) {
-    float _e6 = bounded(x_7);
-    float _e7 = bounded(from_low);
-    float _e8 = bounded(from_high);
-    float _e9 = place_between(_e6, _e7, _e8);
-    float _e10 = bounded(to_low);
-    float _e11 = bounded(to_high);
-    float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
-}
-
-float eased(float x_8, float low_1, float high_1) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_5 = clamp(_e6, 0.0, 1.0);
-    return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
-}
-
-float factor_of(float x_9, bool clamped_1) {
-    float _e2 = bounded(x_9);
-    float _e3 = bounded(x_9);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-vec2 sin_cos_of(float x_10) {
-    float _e1 = bounded(x_10);
-    vec2 _e2 = sin_cos(_e1);
-    return clamp(_e2, vec2(-1.0), vec2(1.0));
-}
-
-float footprint_of(float x_11) {
-    float _e1 = dFdx(x_11);
-    float _e2 = dFdy(x_11);
+float footprint_of(float x_2) {
+    float _e1 = dFdx(x_2);
+    float _e2 = dFdy(x_2);
     vec2 d_1 = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d_1, d_1)));
     return _e6;
 }
 
-float edge_width(float w, float softness) {
-    float _e4 = bounded(softness);
-    return length(vec2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
+float footprint_of_2_(float x_3) {
+    float _e1 = dFdx(x_3);
+    float _e2 = dFdy(x_3);
+    vec2 d_2 = vec2(_e1, _e2);
+    return sqrt(dot(d_2, d_2));
 }
 
-float step_filtered(float x_12, float edge, float w_1) {
-    float _e4 = bounded((x_12 - edge));
-    if ((w_1 < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+float stairs_integral(float x_4, float count) {
+    float inside = min(x_4, 4.0);
+    float stair = min(floor(inside), 3.0);
+    float beyond = max((x_4 - 4.0), 0.0);
+    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
+}
+
+float stairs_integral_2_(float x_5, float count_1) {
+    float inside_1 = max(x_5, 0.0);
+    float stair_1 = floor(inside_1);
+    return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
+}
+
+float stairs_filtered(float x_6, float count_2, float w) {
+    if ((w <= 1.0)) {
+        float edge = clamp(roundEven(x_6), 1.0, 3.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
     }
-    float _e13 = bounded((_e4 / w_1));
-    return clamp((0.5 + _e13), 0.0, 1.0);
+    float half_ = (0.5 * w);
+    float _e23 = stairs_integral((x_6 + half_), 4.0);
+    float _e26 = stairs_integral_2_((x_6 - half_), 4.0);
+    return ((_e23 - _e26) / (2.0 * half_));
 }
 
-float stairs_integral(float x_13, float count) {
-    float inside = clamp(x_13, 0.0, count);
-    float stair = min(floor(inside), (count - 1.0));
-    float beyond = max((x_13 - count), 0.0);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * (count - 1.0)));
-}
-
-float stairs_filtered(float x_14, float count_1, float w_2) {
-    if ((w_2 <= 1.0)) {
-        float edge_1 = clamp(roundEven(x_14), 1.0, (count_1 - 1.0));
-        float _e12 = step_filtered(x_14, edge_1, w_2);
-        return ((edge_1 - 1.0) + _e12);
-    }
-    float half_ = (0.5 * min(w_2, (1000.0 * count_1)));
-    float _e20 = stairs_integral((x_14 + half_), count_1);
-    float _e22 = stairs_integral((x_14 - half_), count_1);
-    return ((_e20 - _e22) / (2.0 * half_));
-}
-
-float stepped_tone(float value, float w_3, int count_2, float softness_1) {
-    float n_1 = float(min(max(count_2, 2), 1024));
-    float _e11 = edge_width((n_1 * w_3), min(softness_1, 1.0));
-    float _e12 = bounded(value);
-    float _e17 = stairs_filtered((n_1 * clamp(_e12, 0.0, 1.0)), n_1, _e11);
-    return clamp((_e17 / (n_1 - 1.0)), 0.0, 1.0);
-}
-
-vec4 hermite(vec4 a_4, vec4 b_4, vec4 from_a, vec4 to_b, float t_3) {
-    vec4 d_2 = (b_4 - a_4);
-    return (a_4 + (t_3 * (from_a + (t_3 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_2))))))));
+vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t) {
+    vec4 d_3 = (b_1 - a_1);
+    return (a_1 + (t * (from_a + (t * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_3))))))));
 }
 
 float harmonic_slope(float before, float span_before, float after, float span_after) {
@@ -325,151 +201,86 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
     return vec4(_e8, _e13, _e18, _e23);
 }
 
-vec4 ramp_at(Ramp ramp, float x_15, float w_4) {
+vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
-    vec4 color = vec4(0.0);
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_1 = false;
     vec4 from_a_1 = vec4(0.0);
     vec4 to_b_1 = vec4(0.0);
-    uint count_6 = min(ramp.count, 16u);
-    if ((count_6 == 0u)) {
-        return vec4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
-        vec4 _e18 = colors[0];
-        color = _e18;
-        bool loop_init = true;
-        while(true) {
-            if (!loop_init) {
-                uint _e47 = i;
-                i = (_e47 + 1u);
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if ((_e22 < count_6)) {
-            } else {
-                break;
-            }
-            {
-                vec4 _e24 = color;
-                uint _e25 = i;
-                vec4 _e27 = colors[_e25];
-                uint _e28 = i;
-                vec4 _e32 = colors[(_e28 - 1u)];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places[(_e34 / 4u)][(_e38 % 4u)];
-                float _e43 = step_filtered(x_15, _e42, w_4);
-                color = (_e24 + ((_e27 - _e32) * _e43));
-            }
-        }
-        vec4 _e49 = color;
-        vec4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    bool loop_init_1 = true;
+    bool loop_init = true;
     while(true) {
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = (_e71 + 1u);
+        if (!loop_init) {
+            uint _e28 = i_2_;
+            i_2_ = (_e28 + 1u);
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if ((_e55 < count_6)) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 5u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places[(_e59 / 4u)][(_e63 % 4u)];
-            at = ((_e67 <= x_15) ? _e58 : _e57);
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e17 = i_2_;
+        uint _e21 = i_2_;
+        float _e25 = places[(_e17 / 4u)][(_e21 % 4u)];
+        at = ((_e25 <= x_7) ? _e16 : _e15);
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place_4 = places[(_e73 / 4u)][(_e77 % 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count_6))) {
-        local_1 = (x_15 <= place_4);
-    } else {
-        local_1 = true;
+    uint _e31 = at;
+    uint _e35 = at;
+    float place_7 = places[(_e31 / 4u)][(_e35 % 4u)];
+    uint _e40 = at;
+    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_7))) {
+        uint _e47 = at;
+        vec4 _e49 = colors[_e47];
+        return _e49;
     }
-    bool _e91 = local_1;
-    if (_e91) {
-        uint _e92 = at;
-        vec4 _e94 = colors[_e92];
-        vec4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e50 = at;
+    uint after_1 = (_e50 + 1u);
+    float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
+    float span = (_e59 - place_7);
+    float _e62 = divided((x_7 - place_7), span);
+    float t_1 = clamp(_e62, 0.0, 1.0);
+    uint _e69 = at;
+    if ((_e69 > 0u)) {
+        uint _e72 = at;
+        uint _e78 = at;
+        float before_1 = places[((_e72 - 1u) / 4u)][((_e78 - 1u) % 4u)];
+        uint _e85 = at;
+        vec4 _e87 = colors[_e85];
+        uint _e88 = at;
+        vec4 _e92 = colors[(_e88 - 1u)];
+        vec4 _e96 = colors[after_1];
+        uint _e97 = at;
+        vec4 _e99 = colors[_e97];
+        vec4 _e101 = ramp_slope((_e87 - _e92), (place_7 - before_1), (_e96 - _e99), span);
+        from_a_1 = _e101;
     }
-    uint _e96 = at;
-    uint after_1 = (_e96 + 1u);
-    float _e105 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span_1 = (_e105 - place_4);
-    float _e108 = divided((x_15 - place_4), span_1);
-    float t_6 = clamp(_e108, 0.0, 1.0);
-    if ((ramp.interpolation != INTERPOLATION_SMOOTH)) {
-        uint _e115 = at;
-        vec4 _e117 = colors[_e115];
-        vec4 _e119 = colors[after_1];
-        vec4 _e120 = mixed_vec4_(_e117, _e119, t_6);
-        return _e120;
+    if (((after_1 + 1u) < 5u)) {
+        float _e119 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
+        float next = (_e119 - (place_7 + span));
+        vec4 _e123 = colors[after_1];
+        uint _e124 = at;
+        vec4 _e126 = colors[_e124];
+        vec4 _e131 = colors[(after_1 + 1u)];
+        vec4 _e133 = colors[after_1];
+        vec4 _e135 = ramp_slope((_e123 - _e126), span, (_e131 - _e133), next);
+        to_b_1 = _e135;
     }
-    uint _e127 = at;
-    if ((_e127 > 0u)) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places[((_e130 - 1u) / 4u)][((_e136 - 1u) % 4u)];
-        uint _e143 = at;
-        vec4 _e145 = colors[_e143];
-        uint _e146 = at;
-        vec4 _e150 = colors[(_e146 - 1u)];
-        vec4 _e154 = colors[after_1];
-        uint _e155 = at;
-        vec4 _e157 = colors[_e155];
-        vec4 _e159 = ramp_slope((_e145 - _e150), (place_4 - before_1), (_e154 - _e157), span_1);
-        from_a_1 = _e159;
-    }
-    if (((after_1 + 1u) < count_6)) {
-        float _e173 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e173 - (place_4 + span_1));
-        vec4 _e177 = colors[after_1];
-        uint _e178 = at;
-        vec4 _e180 = colors[_e178];
-        vec4 _e185 = colors[(after_1 + 1u)];
-        vec4 _e187 = colors[after_1];
-        vec4 _e189 = ramp_slope((_e177 - _e180), span_1, (_e185 - _e187), next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    vec4 _e192 = colors[_e190];
-    vec4 _e194 = colors[after_1];
-    vec4 _e195 = from_a_1;
-    vec4 _e197 = to_b_1;
-    vec4 _e199 = hermite(_e192, _e194, (span_1 * _e195), (span_1 * _e197), t_6);
-    vec4 _e200 = bounded_vec4_(_e199);
-    return _e200;
+    uint _e136 = at;
+    vec4 _e138 = colors[_e136];
+    vec4 _e140 = colors[after_1];
+    vec4 _e141 = from_a_1;
+    vec4 _e143 = to_b_1;
+    vec4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_1);
+    vec4 _e146 = bounded_vec4_(_e145);
+    return _e146;
 }
 
-float unit_share(float share) {
-    return clamp(share, 0.0, 1.0);
-}
-
-vec4 with_unit_alpha(vec4 color_1) {
-    float _e3 = unit_share(color_1.w);
-    return vec4(color_1.xyz, _e3);
-}
-
-vec4 premultiplied(vec4 color_2) {
-    return vec4((color_2.xyz * color_2.w), color_2.w);
+vec4 premultiplied(vec4 color) {
+    return vec4((color.xyz * color.w), color.w);
 }
 
 vec4 straight(vec4 composite) {
@@ -479,23 +290,10 @@ vec4 straight(vec4 composite) {
     return vec4((composite.xyz / vec3(composite.w)), composite.w);
 }
 
-vec4 output_(vec4 color_3) {
-    vec4 _e1 = straight(color_3);
+vec4 output_(vec4 color_1) {
+    vec4 _e1 = straight(color_1);
     vec4 _e2 = finite_vec4_(_e1);
     return _e2;
-}
-
-float bands(float value_1, int count_3, float softness_2) {
-    float _e3 = footprint_of(value_1);
-    float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
-    return _e4;
-}
-
-vec4 ramp_plain(float value_2, Ramp ramp_1) {
-    float _e2 = footprint_of(value_2);
-    float _e3 = bounded(value_2);
-    vec4 _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
@@ -532,55 +330,43 @@ uvec3 hash_pcg3d(uvec3 seed) {
     return _e61;
 }
 
-uvec3 lattice_hash(ivec3 cell, uint seed_1) {
-    uvec3 _e9 = hash_pcg3d((uvec3(cell) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
-}
-
 float gradient_dot(uvec3 hash, vec3 d) {
     uint axis = ((hash.x >> 8u) % 3u);
-    float a_7 = ((axis == 0u) ? d.y : d.x);
-    float b_7 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_7 : -(a_7)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7)));
+    float a_2 = ((axis == 0u) ? d.y : d.x);
+    float b_2 = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b_2 : -(b_2)));
 }
 
-vec3 fade_quintic(vec3 t_4) {
-    return (((t_4 * t_4) * t_4) * ((t_4 * ((t_4 * 6.0) - vec3(15.0))) + vec3(10.0)));
-}
-
-float perlin_noise(vec3 p, uint seed_2) {
+float perlin_noise(vec3 p, uint seed_1) {
+    int i = 0;
     float sum = 0.0;
-    int i_2 = 0;
     vec3 corner = floor(p);
-    vec3 d_3 = (p - corner);
-    vec3 _e4 = fade_quintic(d_3);
-    ivec3 cell_1 = ivec3(corner);
-    bool loop_init_2 = true;
+    vec3 d_4 = (p - corner);
+    vec3 f = (((d_4 * d_4) * d_4) * ((d_4 * ((d_4 * 6.0) - vec3(15.0))) + vec3(10.0)));
+    ivec3 cell = ivec3(corner);
+    bool loop_init_1 = true;
     while(true) {
-        if (!loop_init_2) {
-            int _e46 = i_2;
-            i_2 = (_e46 + 1);
+        if (!loop_init_1) {
+            int _e64 = i;
+            i = (_e64 + 1);
         }
-        loop_init_2 = false;
-        int _e10 = i_2;
-        if ((_e10 < 8)) {
-        } else {
+        loop_init_1 = false;
+        int _e21 = i;
+        if (!((_e21 < 8))) {
             break;
         }
-        {
-            int _e13 = i_2;
-            int _e16 = i_2;
-            int _e21 = i_2;
-            ivec3 at_2 = ivec3((_e13 & 1), ((_e16 >> 1u) & 1), (_e21 >> 2u));
-            vec3 weight = mix((vec3(1.0) - _e4), _e4, equal(at_2, ivec3(1)));
-            float _e32 = sum;
-            uvec3 _e39 = lattice_hash((cell_1 + at_2), seed_2);
-            float _e42 = gradient_dot(_e39, (d_3 - vec3(at_2)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
-        }
+        int _e25 = i;
+        int _e28 = i;
+        int _e33 = i;
+        ivec3 at_3 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
+        vec3 weight = mix((vec3(1.0) - f), f, equal(at_3, ivec3(1)));
+        float _e44 = sum;
+        uvec3 _e58 = hash_pcg3d((uvec3((cell + at_3)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
+        float _e61 = gradient_dot(_e58, (d_4 - vec3(at_3)));
+        sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    float _e67 = sum;
+    return clamp((0.5 + (0.48244 * _e67)), 0.0, 1.0);
 }
 
 float size_on_screen(float depth, float perspective, float scale) {
@@ -601,173 +387,181 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 }
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
-    vec2 _e4 = sin_cos_of(angle);
-    vec3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
-    vec3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
+    vec2 turn = vec2(0.0, 1.0);
+    vec3 x_8 = ((turn.y * along) + (turn.x * across));
+    vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);
-    vec2 turned = vec2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
-    vec3 most = vec3(1000000000000000.0);
-    vec3 stretch_3 = clamp(vec3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
-    vec2 _e41 = bounded_vec2_(turned);
-    return StretchedPlace(_e41, stretch_3);
+    vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    vec3 stretch_5 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
+    vec2 _e37 = bounded_vec2_(turned);
+    return StretchedPlace(_e37, stretch_5);
 }
 
-SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count_4) {
-    float _e4 = bounded(count_4);
-    float number = clamp(_e4, 0.0, 100000.0);
+SpacedPlace spaced(vec2 place_1, vec3 stretch, vec2 viewport_1, float count_3) {
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (number / max(viewport_1.y, 1.0)) : number);
-    vec2 _e19 = bounded_vec2_(place_1);
-    vec2 _e21 = bounded_vec2_((_e19 * scale_2));
-    vec2 p_1 = clamp(_e21, vec2(-4194304.0), vec2(4194304.0));
-    vec3 _e27 = bounded_vec3_(stretch);
-    vec3 s_1 = clamp(_e27, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    float scale_2 = (is_pixel ? (11.0 / max(viewport_1.y, 1.0)) : 11.0);
+    vec2 _e17 = bounded_vec2_(place_1);
+    vec2 _e19 = bounded_vec2_((_e17 * scale_2));
+    vec2 p_1 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : stretch));
 }
 
-float area_square(vec3 stretch_1) {
-    float sum_1 = (stretch_1.x + stretch_1.z);
-    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
+SpacedPlace spaced_2_(vec2 place_2, vec3 stretch_1, vec2 viewport_2, float count_4) {
+    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
+    float scale_3 = (is_pixel_1 ? (260.0 / max(viewport_2.y, 1.0)) : 260.0);
+    vec2 _e17 = bounded_vec2_(place_2);
+    vec2 _e19 = bounded_vec2_((_e17 * scale_3));
+    vec2 p_2 = clamp(_e19, vec2(-4194304.0), vec2(4194304.0));
+    return SpacedPlace(p_2, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : stretch_1));
 }
 
-float octave_of(float square) {
-    float _e5 = log_stable(clamp(square, 1e-30, 1e30));
-    return clamp((-0.7213475 * _e5), -16.0, 16.0);
+float area_square(vec3 stretch_2) {
+    float sum_1 = (stretch_2.x + stretch_2.z);
+    return max(((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y)), ((sum_1 * sum_1) / 66.0));
 }
 
-MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_2) {
+MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewport_3) {
     float _e5 = bounded(anchor.z);
     float size = clamp(_e5, 1e-6, 1000000.0);
-    vec2 _e9 = place_in_picture(pixel_1, viewport_2);
+    vec2 _e9 = place_in_picture(pixel_1, viewport_3);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_5 = (_e15 / vec2(size));
-    StretchedPlace _e28 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
-    return MarkPlace(_e28.place, _e28.stretch);
+    vec2 place_8 = (_e15 / vec2(size));
+    StretchedPlace _e29 = mark_place_of(place_8, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), 0.0);
+    return MarkPlace(_e29.place, _e29.stretch);
 }
 
-float caught_ink(float ink, float height, float tooth) {
-    float _e3 = bounded(ink);
-    float amount = clamp(_e3, 0.0, 1.0);
-    float _e7 = bounded(tooth);
-    float rough = clamp(_e7, 0.0, 1.0);
-    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
-}
-
-float paper_octave(vec2 place_2, int zoom, float w_5, float fiber, uint seed_3) {
-    float _e5 = power_of_two(zoom);
-    vec2 p_2 = clamp((place_2 * _e5), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (seed_3 + (7u * uint(zoom)));
-    float _e18 = perlin_noise(vec3(p_2, 0.5), own);
-    float grain = (_e18 - 0.5);
-    vec2 q = clamp((2.7 * vec2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e47 = perlin_noise(vec3(q, 0.5), (own + 1u));
-    float felt = (_e47 - 0.5);
-    float _e53 = eased((w_5 * _e5), 0.5, 1.0);
-    float coarse_seen = (1.0 - _e53);
-    float _e61 = eased(((2.7 * w_5) * _e5), 0.5, 1.0);
-    float felt_seen = (1.0 - _e61);
+float paper_octave(vec2 place_3, int zoom, float w_2, float fiber, uint seed_2) {
+    float scale_4 = uintBitsToFloat((uint((zoom + 127)) << 23u));
+    vec2 p_3 = clamp((place_3 * scale_4), vec2(-4194304.0), vec2(4194304.0));
+    uint own = (5u + (7u * uint(zoom)));
+    float _e24 = perlin_noise(vec3(p_3, 0.5), own);
+    float grain = (_e24 - 0.5);
+    vec2 q = clamp((2.7 * vec2(((0.8 * p_3.x) - (0.6 * p_3.y)), ((0.6 * p_3.x) + (0.8 * p_3.y)))), vec2(-4194304.0), vec2(4194304.0));
+    float _e53 = perlin_noise(vec3(q, 0.5), (own + 1u));
+    float felt = (_e53 - 0.5);
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_4)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_4)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
-float paper_height(SpacedPlace at_1, float fiber_1, uint seed_4) {
-    float height_1 = 0.0;
-    vec2 x_16 = dFdx(at_1.place);
-    vec2 y = dFdy(at_1.place);
-    float _e11 = bounded(sqrt(max(dot(x_16, x_16), dot(y, y))));
-    float _e13 = area_square(at_1.stretch);
-    float _e15 = octave_of(sqrt(_e13));
-    float zoom_1 = floor(_e15);
-    float f = (_e15 - zoom_1);
-    float _e18 = bounded(fiber_1);
-    float fine = clamp(_e18, 0.0, 1.0);
-    float _e24 = paper_octave(at_1.place, int(zoom_1), _e11, fine, seed_4);
-    height_1 = _e24;
-    if ((f > 0.0)) {
-        float _e28 = height_1;
-        float _e33 = paper_octave(at_1.place, (int(zoom_1) + 1), _e11, fine, seed_4);
-        float both = mix(_e28, _e33, f);
-        height_1 = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3) {
+    float height = 0.0;
+    vec2 x_9 = dFdx(at_1.place);
+    vec2 y_1 = dFdy(at_1.place);
+    float w_4 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
+    float _e12 = area_square(at_1.stretch);
+    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
+    float level = clamp((-0.5 * _e16), -16.0, 16.0);
+    float zoom_2 = floor(level);
+    float f_1 = (level - zoom_2);
+    float _e27 = paper_octave(at_1.place, int(zoom_2), w_4, fiber_1, 5u);
+    height = _e27;
+    if ((f_1 > 0.0)) {
+        float _e31 = height;
+        float _e37 = paper_octave(at_1.place, (int(zoom_2) + 1), w_4, fiber_1, 5u);
+        float both = mix(_e31, _e37, f_1);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e51 = height_1;
-    return _e51;
+    float _e55 = height;
+    return _e55;
 }
 
-PaperGrain paper_grain(float value_3, vec2 place_3, vec3 stretch_2, float count_5, float tooth_1, float fiber_2, int seed_5, vec2 viewport_3) {
-    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
-    float _e10 = paper_height(_e8, fiber_2, uint(seed_5));
-    float _e12 = factor_of(value_3, true);
-    float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);
-    return PaperGrain((1.0 - _e15), _e10);
+float paper_octave_2_(vec2 place_4, int zoom_1, float w_3, float fiber_2, uint seed_4) {
+    float scale_5 = uintBitsToFloat((uint((zoom_1 + 127)) << 23u));
+    vec2 p_4 = clamp((place_4 * scale_5), vec2(-4194304.0), vec2(4194304.0));
+    uint own_1 = (0u + (7u * uint(zoom_1)));
+    float _e24 = perlin_noise(vec3(p_4, 0.5), own_1);
+    float grain_1 = (_e24 - 0.5);
+    vec2 q_1 = clamp((2.7 * vec2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), vec2(-4194304.0), vec2(4194304.0));
+    float _e53 = perlin_noise(vec3(q_1, 0.5), (own_1 + 1u));
+    float felt_1 = (_e53 - 0.5);
+    float coarse_seen_1 = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
+    float felt_seen_1 = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
+    return clamp((0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((fiber_2 * felt_seen_1) * felt_1)))), 0.0, 1.0);
 }
 
-float reflectance_wrap(Light light, vec3 normal, float wrap) {
-    float _e3 = bounded(wrap);
-    float w_6 = clamp(_e3, 0.0, 1.0);
-    vec3 _e11 = normalize_or(normal, vec3(0.0, 0.0, 1.0));
-    float cosine = dot(_e11, light.direction);
-    return max(((cosine + w_6) / (1.0 + w_6)), 0.0);
+float paper_height_2_(SpacedPlace at_2, float fiber_3, uint seed_5) {
+    float height_1 = 0.0;
+    vec2 x_10 = dFdx(at_2.place);
+    vec2 y_2 = dFdy(at_2.place);
+    float w_5 = sqrt(max(dot(x_10, x_10), dot(y_2, y_2)));
+    float _e12 = area_square(at_2.stretch);
+    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
+    float level_1 = clamp((-0.5 * _e16), -16.0, 16.0);
+    float zoom_3 = floor(level_1);
+    float f_2 = (level_1 - zoom_3);
+    float _e27 = paper_octave_2_(at_2.place, int(zoom_3), w_5, fiber_3, 0u);
+    height_1 = _e27;
+    if ((f_2 > 0.0)) {
+        float _e31 = height_1;
+        float _e37 = paper_octave_2_(at_2.place, (int(zoom_3) + 1), w_5, fiber_3, 0u);
+        float both_1 = mix(_e31, _e37, f_2);
+        height_1 = clamp((0.5 + ((both_1 - 0.5) / sqrt(((f_2 * f_2) + ((1.0 - f_2) * (1.0 - f_2)))))), 0.0, 1.0);
+    }
+    float _e55 = height_1;
+    return _e55;
 }
 
-float add(float a_5, float b_5) {
-    float _e3 = bounded((a_5 + b_5));
-    return _e3;
+PaperGrain paper_grain(float value, vec2 place_5, vec3 stretch_3, float count_5, float tooth, float fiber_4, int seed_6, vec2 viewport_4) {
+    SpacedPlace _e9 = spaced(place_5, stretch_3, viewport_4, 11.0);
+    float _e11 = paper_height(_e9, fiber_4, 5u);
+    return PaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
 }
 
-float map_range(float value_4, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2) {
-    float _e6 = remapped(value_4, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
-}
-
-float mix_values(float a_6, float b_6, float factor, bool clamped_3) {
-    float _e4 = bounded(a_6);
-    float _e5 = bounded(b_6);
-    float _e6 = factor_of(factor, clamped_3);
-    float _e7 = mixed(_e4, _e5, _e6);
-    return _e7;
+PaperGrain paper_grain_2_(float value_1, vec2 place_6, vec3 stretch_4, float count_6, float tooth_1, float fiber_5, int seed_7, vec2 viewport_5) {
+    SpacedPlace _e9 = spaced_2_(place_6, stretch_4, viewport_5, 260.0);
+    float _e11 = paper_height_2_(_e9, fiber_5, 0u);
+    float ink = (1.0 - clamp(value_1, 0.0, 1.0));
+    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e11 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e11);
 }
 
 vec4 shade(Surface surface_1) {
-    Light _e3 = u_look.key;
-    float _e6 = reflectance_wrap(_e3, surface_1.normal, 0.5);
-    vec2 _e12 = u_look.viewport;
-    MarkPlace _e13 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e12);
-    vec2 _e23 = u_look.viewport;
-    PaperGrain _e24 = paper_grain(0.5, _e13.place, _e13.stretch, 11.0, 0.0, 0.7, 5, _e23);
-    float _e31 = map_range(_e24.height, 0.0, 1.0, -0.2, 0.2, true);
-    float _e32 = add(_e6, _e31);
-    float _e35 = bands(_e32, 4, 0.22);
-    float _e38 = mix_values(_e35, _e32, 0.35, true);
-    vec2 _e47 = u_look.viewport;
-    PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, 0, _e47);
-    vec4 _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
-    vec4 _e52 = with_unit_alpha(_e51);
-    vec4 _e53 = premultiplied(_e52);
-    vec4 _e54 = output_(_e53);
-    return _e54;
+    vec3 _e5 = u_look.key.direction;
+    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.5) / 1.5), 0.0);
+    vec2 _e18 = u_look.viewport;
+    MarkPlace _e19 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e18);
+    vec2 _e29 = u_look.viewport;
+    PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, 5, _e29);
+    float _e32 = bounded(_e30.height);
+    float uneven_edge = mix(-0.2, 0.2, (_e32 - 0.0));
+    float wet = (light_and_shade + uneven_edge);
+    float _e45 = footprint_of_2_(wet);
+    float _e51 = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(vec2((4.0 * _e45), 0.22)));
+    float washes = clamp((_e51 / 3.0), 0.0, 1.0);
+    float pigment_in_them = mix(washes, wet, 0.35);
+    vec2 _e67 = u_look.viewport;
+    PaperGrain _e68 = paper_grain_2_(pigment_in_them, _e19.place, _e19.stretch, 260.0, 0.2, 0.6, 0, _e67);
+    float _e71 = bounded(_e68.tone);
+    float _e73 = footprint_of(_e68.tone);
+    vec4 _e74 = ramp_at(indigo_to_warm_paper, _e71, _e73);
+    vec4 output_alpha = vec4(_e74.xyz, clamp(_e74.w, 0.0, 1.0));
+    vec4 _e81 = premultiplied(output_alpha);
+    vec4 _e82 = output_(_e81);
+    return _e82;
 }
 
 void main() {
     Varyings in_ = Varyings(gl_FragCoord, v_normal);
     bool is_front = gl_FrontFacing;
     Surface surface = Surface(vec3(0.0), vec2(0.0), vec3(0.0));
-    vec3 _e7 = normalize_or(in_.normal, vec3(0.0, 0.0, 1.0));
-    vec3 normal_1 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_1;
-    vec4 _e17 = u_view.screen;
-    vec4 _e22 = u_view.screen;
-    surface.pixel = ((in_.clip.xy * _e17.xy) + _e22.zw);
-    mat4x4 _e28 = u_view.camera_from_world;
-    vec4 _e32 = u_object.world_from_object[3];
-    float _e41 = u_view.eye.w;
-    float _e46 = u_view.clip_from_world[0][1];
-    float _e51 = u_view.clip_from_world[1][1];
-    float _e56 = u_view.clip_from_world[2][1];
-    vec3 _e59 = anchor_on_screen((_e28 * vec4(_e32.xyz, 1.0)).xyz, _e41, length(vec3(_e46, _e51, _e56)));
-    surface.anchor = _e59;
-    Surface _e60 = surface;
-    vec4 _e61 = shade(_e60);
-    vec4 _e62 = finite_vec4_(_e61);
-    out_color = _e62;
+    vec3 _e3 = normalize_seen(in_.normal);
+    vec3 normal = (is_front ? _e3 : -(_e3));
+    surface.normal = normal;
+    vec4 _e13 = u_view.screen;
+    vec4 _e18 = u_view.screen;
+    surface.pixel = ((in_.clip.xy * _e13.xy) + _e18.zw);
+    mat4x4 _e24 = u_view.camera_from_world;
+    vec4 _e28 = u_object.world_from_object[3];
+    float _e37 = u_view.eye.w;
+    float _e42 = u_view.clip_from_world[0][1];
+    float _e47 = u_view.clip_from_world[1][1];
+    float _e52 = u_view.clip_from_world[2][1];
+    vec3 _e55 = anchor_on_screen((_e24 * vec4(_e28.xyz, 1.0)).xyz, _e37, length(vec3(_e42, _e47, _e52)));
+    surface.anchor = _e55;
+    Surface _e56 = surface;
+    vec4 _e57 = shade(_e56);
+    vec4 _e58 = finite_vec4_(_e57);
+    out_color = _e58;
     return;
 }
 

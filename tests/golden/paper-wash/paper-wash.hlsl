@@ -116,12 +116,7 @@ Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
-static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const uint INTERPOLATION_SMOOTH = 1u;
-static const uint INTERPOLATION_STEPPED = 2u;
 static const Ramp indigo_to_warm_paper = ConstructRamp(Constructarray16_float4_(float4(0.13, 0.14, 0.33, 1.0), float4(0.24, 0.36, 0.56, 1.0), float4(0.53, 0.66, 0.72, 1.0), float4(0.9, 0.8, 0.68, 1.0), float4(0.975, 0.95, 0.9, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.35, 0.62, 0.82), float4(1.0, 0.0, 0.0, 0.0), (0.0).xxxx, (0.0).xxxx), 5u, 1u);
 
 cbuffer view : register(b0) { View view; }
@@ -129,131 +124,77 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
-    float3 normal_1 : LOC0;
+    float3 normal : LOC0;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
-    float3 normal_2 : LOC0;
+    float3 normal_1 : LOC0;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float4 finite_vec4_(float4 v)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    uint4 exponent = (2139095040u).xxxx;
+    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float finite_or(float x_1, float otherwise)
+float log2_stable(float x)
 {
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square_1 = dot(scaled, scaled);
-    const bool _e23 = is_finite(square_1);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square_1)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-float log_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent = ((shift >= int(256)) ? asint(asuint(shift) - asuint(int(512))) : shift);
-    float mantissa = asfloat((bits - (uint(exponent) << 23u)));
+    uint bits = asuint(x);
+    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float2 sin_cos_quarter(float x_3)
+float3 normalize_moderate(float3 v_1, float3 otherwise)
 {
-    float h = (0.5 * x_3);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float2 sin_cos(float x_4)
+float3 normalize_seen(float3 v_2)
 {
-    float turns = round((x_4 * 0.31830987));
-    float r = (((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
-float bounded(float x_5)
+float bounded(float x_1)
 {
-    uint bits_1 = asuint(x_5);
+    uint bits_1 = asuint(x_1);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float2 bounded_vec2_(float2 v_3)
 {
-    const float _e2 = bounded(v_3.x);
-    const float _e4 = bounded(v_3.y);
-    return float2(_e2, _e4);
+    uint2 bits_2 = asuint(v_3);
+    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
+    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
+    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
+    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
 }
 
 float3 bounded_vec3_(float3 v_4)
 {
-    const float _e2 = bounded(v_4.x);
-    const float _e4 = bounded(v_4.y);
-    const float _e6 = bounded(v_4.z);
-    return float3(_e2, _e4, _e6);
+    uint3 bits_3 = asuint(v_4);
+    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
+    float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
+    return ((magnitude_2 < (2139095040u).xxx) ? v_4 : numbers_1);
 }
 
 float4 bounded_vec4_(float4 v_5)
 {
-    const float _e2 = bounded(v_5.x);
-    const float _e4 = bounded(v_5.y);
-    const float _e6 = bounded(v_5.z);
-    const float _e8 = bounded(v_5.w);
-    return float4(_e2, _e4, _e6, _e8);
+    uint4 bits_4 = asuint(v_5);
+    uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
+    float4 largest_3 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
+    return ((magnitude_3 < (2139095040u).xxxx) ? v_5 : numbers_2);
 }
 
 float divided(float a, float b)
@@ -265,134 +206,54 @@ float divided(float a, float b)
     return _e7;
 }
 
-float mixed(float a_1, float b_1, float t)
+float footprint_of(float x_2)
 {
-    const float _e4 = bounded((b_1 - a_1));
-    const float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
-    return _e14;
-}
-
-float3 mixed_vec3_(float3 a_2, float3 b_2, float t_1)
-{
-    const float _e5 = mixed(a_2.x, b_2.x, t_1);
-    const float _e8 = mixed(a_2.y, b_2.y, t_1);
-    const float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return float3(_e5, _e8, _e11);
-}
-
-float4 mixed_vec4_(float4 a_3, float4 b_3, float t_2)
-{
-    const float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    const float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return float4(_e5, _e8);
-}
-
-float place_between(float x_6, float low, float high)
-{
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_6 >= high) ? 1.0 : 0.0);
-    }
-    const float _e12 = bounded(span);
-    const float _e14 = bounded(((x_6 - low) / _e12));
-    return _e14;
-}
-
-float remapped(float x_7, float from_low, float from_high, float to_low, float to_high, bool clamped)
-{
-    const float _e6 = bounded(x_7);
-    const float _e7 = bounded(from_low);
-    const float _e8 = bounded(from_high);
-    const float _e9 = place_between(_e6, _e7, _e8);
-    const float _e10 = bounded(to_low);
-    const float _e11 = bounded(to_high);
-    const float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
-}
-
-float eased(float x_8, float low_1, float high_1)
-{
-    const float _e3 = bounded(x_8);
-    const float _e4 = bounded(low_1);
-    const float _e5 = bounded(high_1);
-    const float _e6 = place_between(_e3, _e4, _e5);
-    float t_5 = clamp(_e6, 0.0, 1.0);
-    return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
-}
-
-float factor_of(float x_9, bool clamped_1)
-{
-    const float _e2 = bounded(x_9);
-    const float _e3 = bounded(x_9);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-float2 sin_cos_of(float x_10)
-{
-    const float _e1 = bounded(x_10);
-    const float2 _e2 = sin_cos(_e1);
-    return clamp(_e2, (-1.0).xx, (1.0).xx);
-}
-
-float footprint_of(float x_11)
-{
-    float _e1 = ddx(x_11);
-    float _e2 = ddy(x_11);
+    float _e1 = ddx(x_2);
+    float _e2 = ddy(x_2);
     float2 d_1 = float2(_e1, _e2);
     const float _e6 = bounded(sqrt(dot(d_1, d_1)));
     return _e6;
 }
 
-float edge_width(float w, float softness)
+float footprint_of_2_(float x_3)
 {
-    const float _e4 = bounded(softness);
-    return length(float2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
+    float _e1 = ddx(x_3);
+    float _e2 = ddy(x_3);
+    float2 d_2 = float2(_e1, _e2);
+    return sqrt(dot(d_2, d_2));
 }
 
-float step_filtered(float x_12, float edge, float w_1)
+float stairs_integral(float x_4, float count)
 {
-    const float _e4 = bounded((x_12 - edge));
-    if ((w_1 < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+    float inside = min(x_4, 4.0);
+    float stair = min(floor(inside), 3.0);
+    float beyond = max((x_4 - 4.0), 0.0);
+    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
+}
+
+float stairs_integral_2_(float x_5, float count_1)
+{
+    float inside_1 = max(x_5, 0.0);
+    float stair_1 = floor(inside_1);
+    return ((stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0);
+}
+
+float stairs_filtered(float x_6, float count_2, float w)
+{
+    if ((w <= 1.0)) {
+        float edge = clamp(round(x_6), 1.0, 3.0);
+        return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
     }
-    const float _e13 = bounded((_e4 / w_1));
-    return clamp((0.5 + _e13), 0.0, 1.0);
+    float half_ = (0.5 * w);
+    const float _e23 = stairs_integral((x_6 + half_), 4.0);
+    const float _e26 = stairs_integral_2_((x_6 - half_), 4.0);
+    return ((_e23 - _e26) / (2.0 * half_));
 }
 
-float stairs_integral(float x_13, float count)
+float4 hermite(float4 a_1, float4 b_1, float4 from_a, float4 to_b, float t)
 {
-    float inside = clamp(x_13, 0.0, count);
-    float stair = min(floor(inside), (count - 1.0));
-    float beyond = max((x_13 - count), 0.0);
-    return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * (count - 1.0)));
-}
-
-float stairs_filtered(float x_14, float count_1, float w_2)
-{
-    if ((w_2 <= 1.0)) {
-        float edge_1 = clamp(round(x_14), 1.0, (count_1 - 1.0));
-        const float _e12 = step_filtered(x_14, edge_1, w_2);
-        return ((edge_1 - 1.0) + _e12);
-    }
-    float half_ = (0.5 * min(w_2, (1000.0 * count_1)));
-    const float _e20 = stairs_integral((x_14 + half_), count_1);
-    const float _e22 = stairs_integral((x_14 - half_), count_1);
-    return ((_e20 - _e22) / (2.0 * half_));
-}
-
-float stepped_tone(float value, float w_3, int count_2, float softness_1)
-{
-    float n_1 = float(clamp(count_2, int(2), int(1024)));
-    const float _e11 = edge_width((n_1 * w_3), min(softness_1, 1.0));
-    const float _e12 = bounded(value);
-    const float _e17 = stairs_filtered((n_1 * clamp(_e12, 0.0, 1.0)), n_1, _e11);
-    return clamp((_e17 / (n_1 - 1.0)), 0.0, 1.0);
-}
-
-float4 hermite(float4 a_4, float4 b_4, float4 from_a, float4 to_b, float t_3)
-{
-    float4 d_2 = (b_4 - a_4);
-    return (a_4 + (t_3 * (from_a + (t_3 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_2))))))));
+    float4 d_3 = (b_1 - a_1);
+    return (a_1 + (t * (from_a + (t * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_3))))))));
 }
 
 float harmonic_slope(float before, float span_before, float after, float span_after)
@@ -431,162 +292,92 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_15, float w_4)
+float4 ramp_at(Ramp ramp, float x_7, float w_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
-    float4 color = (float4)0;
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_1 = (bool)0;
     float4 from_a_1 = (0.0).xxxx;
     float4 to_b_1 = (0.0).xxxx;
 
-    uint count_6 = min(ramp.count, 16u);
-    if ((count_6 == 0u)) {
-        return (0.0).xxxx;
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
-        float4 _e18 = colors[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u, 4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (all(loop_bound == uint2(0u, 0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = (_e47 + 1u);
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if ((_e22 < count_6)) {
-            } else {
-                break;
-            }
-            {
-                float4 _e24 = color;
-                uint _e25 = i;
-                float4 _e27 = colors[min(uint(_e25), 15u)];
-                uint _e28 = i;
-                float4 _e32 = colors[min(uint((_e28 - 1u)), 15u)];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places[min(uint(naga_div(_e34, 4u)), 3u)][min(uint(naga_mod(_e38, 4u)), 3u)];
-                const float _e43 = step_filtered(x_15, _e42, w_4);
-                color = (_e24 + ((_e27 - _e32) * _e43));
-            }
-        }
-        float4 _e49 = color;
-        const float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = (_e71 + 1u);
+        if (all(loop_bound == uint2(0u, 0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e28 = i_2_;
+            i_2_ = (_e28 + 1u);
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if ((_e55 < count_6)) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 5u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places[min(uint(naga_div(_e59, 4u)), 3u)][min(uint(naga_mod(_e63, 4u)), 3u)];
-            at = ((_e67 <= x_15) ? _e58 : _e57);
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e17 = i_2_;
+        uint _e21 = i_2_;
+        float _e25 = places[min(uint(naga_div(_e17, 4u)), 3u)][min(uint(naga_mod(_e21, 4u)), 3u)];
+        at = ((_e25 <= x_7) ? _e16 : _e15);
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place_4 = places[min(uint(naga_div(_e73, 4u)), 3u)][min(uint(naga_mod(_e77, 4u)), 3u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count_6))) {
-        local_1 = (x_15 <= place_4);
-    } else {
-        local_1 = true;
+    uint _e31 = at;
+    uint _e35 = at;
+    float place_7 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
+    uint _e40 = at;
+    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_7))) {
+        uint _e47 = at;
+        float4 _e49 = colors[min(uint(_e47), 15u)];
+        return _e49;
     }
-    bool _e91 = local_1;
-    if (_e91) {
-        uint _e92 = at;
-        float4 _e94 = colors[min(uint(_e92), 15u)];
-        const float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e50 = at;
+    uint after_1 = (_e50 + 1u);
+    float _e59 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
+    float span = (_e59 - place_7);
+    const float _e62 = divided((x_7 - place_7), span);
+    float t_1 = clamp(_e62, 0.0, 1.0);
+    uint _e69 = at;
+    if ((_e69 > 0u)) {
+        uint _e72 = at;
+        uint _e78 = at;
+        float before_1 = places[min(uint(naga_div((_e72 - 1u), 4u)), 3u)][min(uint(naga_mod((_e78 - 1u), 4u)), 3u)];
+        uint _e85 = at;
+        float4 _e87 = colors[min(uint(_e85), 15u)];
+        uint _e88 = at;
+        float4 _e92 = colors[min(uint((_e88 - 1u)), 15u)];
+        float4 _e96 = colors[min(uint(after_1), 15u)];
+        uint _e97 = at;
+        float4 _e99 = colors[min(uint(_e97), 15u)];
+        const float4 _e101 = ramp_slope((_e87 - _e92), (place_7 - before_1), (_e96 - _e99), span);
+        from_a_1 = _e101;
     }
-    uint _e96 = at;
-    uint after_1 = (_e96 + 1u);
-    float _e105 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
-    float span_1 = (_e105 - place_4);
-    const float _e108 = divided((x_15 - place_4), span_1);
-    float t_6 = clamp(_e108, 0.0, 1.0);
-    if ((ramp.interpolation != INTERPOLATION_SMOOTH)) {
-        uint _e115 = at;
-        float4 _e117 = colors[min(uint(_e115), 15u)];
-        float4 _e119 = colors[min(uint(after_1), 15u)];
-        const float4 _e120 = mixed_vec4_(_e117, _e119, t_6);
-        return _e120;
+    if (((after_1 + 1u) < 5u)) {
+        float _e119 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
+        float next = (_e119 - (place_7 + span));
+        float4 _e123 = colors[min(uint(after_1), 15u)];
+        uint _e124 = at;
+        float4 _e126 = colors[min(uint(_e124), 15u)];
+        float4 _e131 = colors[min(uint((after_1 + 1u)), 15u)];
+        float4 _e133 = colors[min(uint(after_1), 15u)];
+        const float4 _e135 = ramp_slope((_e123 - _e126), span, (_e131 - _e133), next);
+        to_b_1 = _e135;
     }
-    uint _e127 = at;
-    if ((_e127 > 0u)) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places[min(uint(naga_div((_e130 - 1u), 4u)), 3u)][min(uint(naga_mod((_e136 - 1u), 4u)), 3u)];
-        uint _e143 = at;
-        float4 _e145 = colors[min(uint(_e143), 15u)];
-        uint _e146 = at;
-        float4 _e150 = colors[min(uint((_e146 - 1u)), 15u)];
-        float4 _e154 = colors[min(uint(after_1), 15u)];
-        uint _e155 = at;
-        float4 _e157 = colors[min(uint(_e155), 15u)];
-        const float4 _e159 = ramp_slope((_e145 - _e150), (place_4 - before_1), (_e154 - _e157), span_1);
-        from_a_1 = _e159;
-    }
-    if (((after_1 + 1u) < count_6)) {
-        float _e173 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
-        float next = (_e173 - (place_4 + span_1));
-        float4 _e177 = colors[min(uint(after_1), 15u)];
-        uint _e178 = at;
-        float4 _e180 = colors[min(uint(_e178), 15u)];
-        float4 _e185 = colors[min(uint((after_1 + 1u)), 15u)];
-        float4 _e187 = colors[min(uint(after_1), 15u)];
-        const float4 _e189 = ramp_slope((_e177 - _e180), span_1, (_e185 - _e187), next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    float4 _e192 = colors[min(uint(_e190), 15u)];
-    float4 _e194 = colors[min(uint(after_1), 15u)];
-    float4 _e195 = from_a_1;
-    float4 _e197 = to_b_1;
-    const float4 _e199 = hermite(_e192, _e194, (span_1 * _e195), (span_1 * _e197), t_6);
-    const float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
+    uint _e136 = at;
+    float4 _e138 = colors[min(uint(_e136), 15u)];
+    float4 _e140 = colors[min(uint(after_1), 15u)];
+    float4 _e141 = from_a_1;
+    float4 _e143 = to_b_1;
+    const float4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_1);
+    const float4 _e146 = bounded_vec4_(_e145);
+    return _e146;
 }
 
-float unit_share(float share)
+float4 premultiplied(float4 color)
 {
-    return clamp(share, 0.0, 1.0);
-}
-
-float4 with_unit_alpha(float4 color_1)
-{
-    const float _e3 = unit_share(color_1.w);
-    return float4(color_1.xyz, _e3);
-}
-
-float4 premultiplied(float4 color_2)
-{
-    return float4((color_2.xyz * color_2.w), color_2.w);
+    return float4((color.xyz * color.w), color.w);
 }
 
 float4 straight(float4 composite)
@@ -597,26 +388,11 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 output(float4 color_3)
+float4 output(float4 color_1)
 {
-    const float4 _e1 = straight(color_3);
+    const float4 _e1 = straight(color_1);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
-}
-
-float bands(float value_1, int count_3, float softness_2)
-{
-    const float _e3 = footprint_of(value_1);
-    const float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
-    return _e4;
-}
-
-float4 ramp_plain(float value_2, Ramp ramp_1)
-{
-    const float _e2 = footprint_of(value_2);
-    const float _e3 = bounded(value_2);
-    const float4 _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
 }
 
 uint3 hash_pcg3d(uint3 seed)
@@ -655,67 +431,53 @@ uint3 hash_pcg3d(uint3 seed)
     return _e61;
 }
 
-uint3 lattice_hash(int3 cell, uint seed_1)
-{
-    const uint3 _e9 = hash_pcg3d((asuint(cell) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-    return _e9;
-}
-
 float gradient_dot(uint3 hash, float3 d)
 {
     uint axis = naga_mod((hash.x >> 8u), 3u);
-    float a_7 = ((axis == 0u) ? d.y : d.x);
-    float b_7 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_7 : -(a_7)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7)));
-}
-
-float3 fade_quintic(float3 t_4)
-{
-    return (((t_4 * t_4) * t_4) * ((t_4 * ((t_4 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    float a_2 = ((axis == 0u) ? d.y : d.x);
+    float b_2 = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b_2 : -(b_2)));
 }
 
 int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float perlin_noise(float3 p, uint seed_2)
+float perlin_noise(float3 p, uint seed_1)
 {
+    int i = int(0);
     float sum = 0.0;
-    int i_2 = int(0);
 
     float3 corner = floor(p);
-    float3 d_3 = (p - corner);
-    const float3 _e4 = fade_quintic(d_3);
-    int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
-    bool loop_init_2 = true;
+    float3 d_4 = (p - corner);
+    float3 f = (((d_4 * d_4) * d_4) * ((d_4 * ((d_4 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    int3 cell = naga_f2i32(corner);
+    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+    bool loop_init_1 = true;
     while(true) {
-        if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e46 = i_2;
-            i_2 = asint(asuint(_e46) + asuint(int(1)));
+        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
+        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+        if (!loop_init_1) {
+            int _e64 = i;
+            i = asint(asuint(_e64) + asuint(int(1)));
         }
-        loop_init_2 = false;
-        int _e10 = i_2;
-        if ((_e10 < int(8))) {
-        } else {
+        loop_init_1 = false;
+        int _e21 = i;
+        if (!((_e21 < int(8)))) {
             break;
         }
-        {
-            int _e13 = i_2;
-            int _e16 = i_2;
-            int _e21 = i_2;
-            int3 at_2 = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight = ((at_2 == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at_2)), seed_2);
-            const float _e42 = gradient_dot(_e39, (d_3 - float3(at_2)));
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
-        }
+        int _e25 = i;
+        int _e28 = i;
+        int _e33 = i;
+        int3 at_3 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
+        float3 weight = ((at_3 == (int(1)).xxx) ? f : ((1.0).xxx - f));
+        float _e44 = sum;
+        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_3))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
+        const float _e61 = gradient_dot(_e58, (d_4 - float3(at_3)));
+        sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
     }
-    float _e48 = sum;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    float _e67 = sum;
+    return clamp((0.5 + (0.48244 * _e67)), 0.0, 1.0);
 }
 
 float size_on_screen(float depth, float perspective, float scale)
@@ -747,15 +509,14 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    const float2 _e4 = sin_cos_of(angle);
-    const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
-    const float3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
+    float2 turn = float2(0.0, 1.0);
+    float3 x_8 = ((turn.y * along) + (turn.x * across));
+    float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);
-    float2 turned = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
-    float3 most = (1000000000000000.0).xxx;
-    float3 stretch_3 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
-    const float2 _e41 = bounded_vec2_(turned);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_3);
+    float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    float3 stretch_5 = float3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
+    const float2 _e37 = bounded_vec2_(turned);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_5);
     return stretchedplace;
 }
 
@@ -766,31 +527,32 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_4)
+SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count_3)
 {
-    const float _e4 = bounded(count_4);
-    float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = (is_pixel ? (number / max(viewport_1.y, 1.0)) : number);
-    const float2 _e19 = bounded_vec2_(place_1);
-    const float2 _e21 = bounded_vec2_((_e19 * scale_2));
-    float2 p_1 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
-    const float3 _e27 = bounded_vec3_(stretch);
-    float3 s_1 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    float scale_2 = (is_pixel ? (11.0 / max(viewport_1.y, 1.0)) : 11.0);
+    const float2 _e17 = bounded_vec2_(place_1);
+    const float2 _e19 = bounded_vec2_((_e17 * scale_2));
+    float2 p_1 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_1, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
 
-float area_square(float3 stretch_1)
+SpacedPlace spaced_2_(float2 place_2, float3 stretch_1, float2 viewport_2, float count_4)
 {
-    float sum_1 = (stretch_1.x + stretch_1.z);
-    return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_1 * sum_1) / 66.0));
+    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
+    float scale_3 = (is_pixel_1 ? (260.0 / max(viewport_2.y, 1.0)) : 260.0);
+    const float2 _e17 = bounded_vec2_(place_2);
+    const float2 _e19 = bounded_vec2_((_e17 * scale_3));
+    float2 p_2 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_2, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : stretch_1));
+    return spacedplace_1;
 }
 
-float octave_of(float square)
+float area_square(float3 stretch_2)
 {
-    const float _e5 = log_stable(clamp(square, 1e-30, 1e30));
-    return clamp((-0.7213475 * _e5), -16.0, 16.0);
+    float sum_1 = (stretch_2.x + stretch_2.z);
+    return max(((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y)), ((sum_1 * sum_1) / 66.0));
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -800,41 +562,30 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
     return ret;
 }
 
-MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_2)
+MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2 viewport_3)
 {
     const float _e5 = bounded(anchor.z);
     float size = clamp(_e5, 1e-6, 1000000.0);
-    const float2 _e9 = place_in_picture(pixel_1, viewport_2);
+    const float2 _e9 = place_in_picture(pixel_1, viewport_3);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_5 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    float2 place_8 = (_e15 / (size).xx);
+    const StretchedPlace _e29 = mark_place_of(place_8, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), 0.0);
+    const MarkPlace markplace = ConstructMarkPlace(_e29.place, _e29.stretch);
     return markplace;
 }
 
-float caught_ink(float ink, float height, float tooth)
+float paper_octave(float2 place_3, int zoom, float w_2, float fiber, uint seed_2)
 {
-    const float _e3 = bounded(ink);
-    float amount = clamp(_e3, 0.0, 1.0);
-    const float _e7 = bounded(tooth);
-    float rough = clamp(_e7, 0.0, 1.0);
-    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
-}
-
-float paper_octave(float2 place_2, int zoom, float w_5, float fiber, uint seed_3)
-{
-    const float _e5 = power_of_two(zoom);
-    float2 p_2 = clamp((place_2 * _e5), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (seed_3 + (7u * asuint(zoom)));
-    const float _e18 = perlin_noise(float3(p_2, 0.5), own);
-    float grain = (_e18 - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p_2.x) - (0.6 * p_2.y)), ((0.6 * p_2.x) + (0.8 * p_2.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e47 = perlin_noise(float3(q, 0.5), (own + 1u));
-    float felt = (_e47 - 0.5);
-    const float _e53 = eased((w_5 * _e5), 0.5, 1.0);
-    float coarse_seen = (1.0 - _e53);
-    const float _e61 = eased(((2.7 * w_5) * _e5), 0.5, 1.0);
-    float felt_seen = (1.0 - _e61);
+    float scale_4 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float2 p_3 = clamp((place_3 * scale_4), (-4194304.0).xx, (4194304.0).xx);
+    uint own = (5u + (7u * asuint(zoom)));
+    const float _e24 = perlin_noise(float3(p_3, 0.5), own);
+    float grain = (_e24 - 0.5);
+    float2 q = clamp((2.7 * float2(((0.8 * p_3.x) - (0.6 * p_3.y)), ((0.6 * p_3.x) + (0.8 * p_3.y)))), (-4194304.0).xx, (4194304.0).xx);
+    const float _e53 = perlin_noise(float3(q, 0.5), (own + 1u));
+    float felt = (_e53 - 0.5);
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_4)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_4)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
@@ -842,29 +593,67 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float paper_height(SpacedPlace at_1, float fiber_1, uint seed_4)
+float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3)
+{
+    float height = (float)0;
+
+    float2 x_9 = ddx(at_1.place);
+    float2 y_1 = ddy(at_1.place);
+    float w_4 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
+    const float _e12 = area_square(at_1.stretch);
+    const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
+    float level = clamp((-0.5 * _e16), -16.0, 16.0);
+    float zoom_2 = floor(level);
+    float f_1 = (level - zoom_2);
+    const float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_2), w_4, fiber_1, 5u);
+    height = _e27;
+    if ((f_1 > 0.0)) {
+        float _e31 = height;
+        const float _e37 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), w_4, fiber_1, 5u);
+        float both = lerp(_e31, _e37, f_1);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
+    }
+    float _e55 = height;
+    return _e55;
+}
+
+float paper_octave_2_(float2 place_4, int zoom_1, float w_3, float fiber_2, uint seed_4)
+{
+    float scale_5 = asfloat((uint(asint(asuint(zoom_1) + asuint(int(127)))) << 23u));
+    float2 p_4 = clamp((place_4 * scale_5), (-4194304.0).xx, (4194304.0).xx);
+    uint own_1 = (0u + (7u * asuint(zoom_1)));
+    const float _e24 = perlin_noise(float3(p_4, 0.5), own_1);
+    float grain_1 = (_e24 - 0.5);
+    float2 q_1 = clamp((2.7 * float2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), (-4194304.0).xx, (4194304.0).xx);
+    const float _e53 = perlin_noise(float3(q_1, 0.5), (own_1 + 1u));
+    float felt_1 = (_e53 - 0.5);
+    float coarse_seen_1 = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
+    float felt_seen_1 = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
+    return clamp((0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((fiber_2 * felt_seen_1) * felt_1)))), 0.0, 1.0);
+}
+
+float paper_height_2_(SpacedPlace at_2, float fiber_3, uint seed_5)
 {
     float height_1 = (float)0;
 
-    float2 x_16 = ddx(at_1.place);
-    float2 y = ddy(at_1.place);
-    const float _e11 = bounded(sqrt(max(dot(x_16, x_16), dot(y, y))));
-    const float _e13 = area_square(at_1.stretch);
-    const float _e15 = octave_of(sqrt(_e13));
-    float zoom_1 = floor(_e15);
-    float f = (_e15 - zoom_1);
-    const float _e18 = bounded(fiber_1);
-    float fine = clamp(_e18, 0.0, 1.0);
-    const float _e24 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_4);
-    height_1 = _e24;
-    if ((f > 0.0)) {
-        float _e28 = height_1;
-        const float _e33 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), _e11, fine, seed_4);
-        float both = lerp(_e28, _e33, f);
-        height_1 = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+    float2 x_10 = ddx(at_2.place);
+    float2 y_2 = ddy(at_2.place);
+    float w_5 = sqrt(max(dot(x_10, x_10), dot(y_2, y_2)));
+    const float _e12 = area_square(at_2.stretch);
+    const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
+    float level_1 = clamp((-0.5 * _e16), -16.0, 16.0);
+    float zoom_3 = floor(level_1);
+    float f_2 = (level_1 - zoom_3);
+    const float _e27 = paper_octave_2_(at_2.place, naga_f2i32(zoom_3), w_5, fiber_3, 0u);
+    height_1 = _e27;
+    if ((f_2 > 0.0)) {
+        float _e31 = height_1;
+        const float _e37 = paper_octave_2_(at_2.place, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), w_5, fiber_3, 0u);
+        float both_1 = lerp(_e31, _e37, f_2);
+        height_1 = clamp((0.5 + ((both_1 - 0.5) / sqrt(((f_2 * f_2) + ((1.0 - f_2) * (1.0 - f_2)))))), 0.0, 1.0);
     }
-    float _e51 = height_1;
-    return _e51;
+    float _e55 = height_1;
+    return _e55;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -874,65 +663,47 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value_3, float2 place_3, float3 stretch_2, float count_5, float tooth_1, float fiber_2, int seed_5, float2 viewport_3)
+PaperGrain paper_grain(float value, float2 place_5, float3 stretch_3, float count_5, float tooth, float fiber_4, int seed_6, float2 viewport_4)
 {
-    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
-    const float _e10 = paper_height(_e8, fiber_2, asuint(seed_5));
-    const float _e12 = factor_of(value_3, true);
-    const float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - _e15), _e10);
+    const SpacedPlace _e9 = spaced(place_5, stretch_3, viewport_4, 11.0);
+    const float _e11 = paper_height(_e9, fiber_4, 5u);
+    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
     return papergrain;
 }
 
-float reflectance_wrap(Light light, float3 normal, float wrap)
+PaperGrain paper_grain_2_(float value_1, float2 place_6, float3 stretch_4, float count_6, float tooth_1, float fiber_5, int seed_7, float2 viewport_5)
 {
-    const float _e3 = bounded(wrap);
-    float w_6 = clamp(_e3, 0.0, 1.0);
-    const float3 _e11 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    float cosine = dot(_e11, light.direction);
-    return max(((cosine + w_6) / (1.0 + w_6)), 0.0);
-}
-
-float add(float a_5, float b_5)
-{
-    const float _e3 = bounded((a_5 + b_5));
-    return _e3;
-}
-
-float map_range(float value_4, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2)
-{
-    const float _e6 = remapped(value_4, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
-}
-
-float mix_values(float a_6, float b_6, float factor, bool clamped_3)
-{
-    const float _e4 = bounded(a_6);
-    const float _e5 = bounded(b_6);
-    const float _e6 = factor_of(factor, clamped_3);
-    const float _e7 = mixed(_e4, _e5, _e6);
-    return _e7;
+    const SpacedPlace _e9 = spaced_2_(place_6, stretch_4, viewport_5, 260.0);
+    const float _e11 = paper_height_2_(_e9, fiber_5, 0u);
+    float ink = (1.0 - clamp(value_1, 0.0, 1.0));
+    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e11 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e11);
+    return papergrain_1;
 }
 
 float4 shade(Surface surface_1)
 {
-    Light _e3 = look.key;
-    const float _e6 = reflectance_wrap(_e3, surface_1.normal, 0.5);
-    float2 _e12 = look.viewport;
-    const MarkPlace _e13 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e12);
-    float2 _e23 = look.viewport;
-    const PaperGrain _e24 = paper_grain(0.5, _e13.place, _e13.stretch, 11.0, 0.0, 0.7, int(5), _e23);
-    const float _e31 = map_range(_e24.height, 0.0, 1.0, -0.2, 0.2, true);
-    const float _e32 = add(_e6, _e31);
-    const float _e35 = bands(_e32, int(4), 0.22);
-    const float _e38 = mix_values(_e35, _e32, 0.35, true);
-    float2 _e47 = look.viewport;
-    const PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, int(0), _e47);
-    const float4 _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
-    const float4 _e52 = with_unit_alpha(_e51);
-    const float4 _e53 = premultiplied(_e52);
-    const float4 _e54 = output(_e53);
-    return _e54;
+    float3 _e5 = look.key.direction;
+    float light_and_shade = max(((dot(surface_1.normal, _e5) + 0.5) / 1.5), 0.0);
+    float2 _e18 = look.viewport;
+    const MarkPlace _e19 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e18);
+    float2 _e29 = look.viewport;
+    const PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, int(5), _e29);
+    const float _e32 = bounded(_e30.height);
+    float uneven_edge = lerp(-0.2, 0.2, (_e32 - 0.0));
+    float wet = (light_and_shade + uneven_edge);
+    const float _e45 = footprint_of_2_(wet);
+    const float _e51 = stairs_filtered((4.0 * clamp(wet, 0.0, 1.0)), 4.0, length(float2((4.0 * _e45), 0.22)));
+    float washes = clamp((_e51 / 3.0), 0.0, 1.0);
+    float pigment_in_them = lerp(washes, wet, 0.35);
+    float2 _e67 = look.viewport;
+    const PaperGrain _e68 = paper_grain_2_(pigment_in_them, _e19.place, _e19.stretch, 260.0, 0.2, 0.6, int(0), _e67);
+    const float _e71 = bounded(_e68.tone);
+    const float _e73 = footprint_of(_e68.tone);
+    const float4 _e74 = ramp_at(indigo_to_warm_paper, _e71, _e73);
+    float4 output_alpha = float4(_e74.xyz, clamp(_e74.w, 0.0, 1.0));
+    const float4 _e81 = premultiplied(output_alpha);
+    const float4 _e82 = output(_e81);
+    return _e82;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -953,26 +724,26 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_2 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_3 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_3;
-    float4 _e17 = view.screen;
-    float4 _e22 = view.screen;
-    surface.pixel = ((in_.clip_.xy * _e17.xy) + _e22.zw);
-    float4x4 _e28 = view.camera_from_world;
-    float4 _e32 = object.world_from_object[3];
-    float _e41 = view.eye.w;
-    float _e46 = view.clip_from_world[0].y;
-    float _e51 = view.clip_from_world[1].y;
-    float _e56 = view.clip_from_world[2].y;
-    const float3 _e59 = anchor_on_screen(mul(float4(_e32.xyz, 1.0), _e28).xyz, _e41, length(float3(_e46, _e51, _e56)));
-    surface.anchor = _e59;
-    Surface _e60 = surface;
-    const float4 _e61 = shade(_e60);
-    const float4 _e62 = finite_vec4_(_e61);
-    return _e62;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_2 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_2;
+    float4 _e13 = view.screen;
+    float4 _e18 = view.screen;
+    surface.pixel = ((in_.clip_.xy * _e13.xy) + _e18.zw);
+    float4x4 _e24 = view.camera_from_world;
+    float4 _e28 = object.world_from_object[3];
+    float _e37 = view.eye.w;
+    float _e42 = view.clip_from_world[0].y;
+    float _e47 = view.clip_from_world[1].y;
+    float _e52 = view.clip_from_world[2].y;
+    const float3 _e55 = anchor_on_screen(mul(float4(_e28.xyz, 1.0), _e24).xyz, _e37, length(float3(_e42, _e47, _e52)));
+    surface.anchor = _e55;
+    Surface _e56 = surface;
+    const float4 _e57 = shade(_e56);
+    const float4 _e58 = finite_vec4_(_e57);
+    return _e58;
 }

@@ -82,143 +82,79 @@ struct Varyings {
     metal::float4 clip;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint INTERPOLATION_SMOOTH = 1u;
-constant uint INTERPOLATION_STEPPED = 2u;
 constant Ramp indigo_to_warm_paper = Ramp {type_6 {{metal::float4(0.13, 0.14, 0.33, 1.0), metal::float4(0.24, 0.36, 0.56, 1.0), metal::float4(0.53, 0.66, 0.72, 1.0), metal::float4(0.9, 0.8, 0.68, 1.0), metal::float4(0.975, 0.95, 0.9, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.35, 0.62, 0.82), metal::float4(1.0, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 1u};
 
-bool is_finite(
+metal::float4 finite_vec4_(
+    metal::float4 v
+) {
+    metal::uint4 exponent = metal::uint4(2139095040u);
+    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
+}
+
+float log2_stable(
     float x
 ) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square_1 = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square_1);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square_1));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
-
-float log_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int shift = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent = (shift >= 256) ? as_type<int>(as_type<uint>(shift) - as_type<uint>(512)) : shift;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent) << 23u));
+    uint bits = as_type<uint>(x);
+    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent) * LN_2_) + series;
+    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
-metal::float2 sin_cos_quarter(
-    float x_3
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise
 ) {
-    float h = 0.5 * x_3;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float square = metal::dot(v_1, v_1);
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float2 sin_cos(
-    float x_4
+metal::float3 normalize_seen(
+    metal::float3 v_2
 ) {
-    float turns = metal::rint(x_4 * 0.31830987);
-    float r = ((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
-    float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
-    metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
-    return sign * _e27;
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(
-    float x_5
+    float x_1
 ) {
-    uint bits_1 = as_type<uint>(x_5);
+    uint bits_1 = as_type<uint>(x_1);
     uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
     metal::float2 v_3
 ) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    return metal::float2(_e2, _e4);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
+    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
+    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
+    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
 }
 
 metal::float3 bounded_vec3_(
     metal::float3 v_4
 ) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    return metal::float3(_e2, _e4, _e6);
+    metal::uint3 bits_3 = as_type<metal::uint3>(v_4);
+    metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
+    metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
+    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint3(2139095040u));
 }
 
 metal::float4 bounded_vec4_(
     metal::float4 v_5
 ) {
-    float _e2 = bounded(v_5.x);
-    float _e4 = bounded(v_5.y);
-    float _e6 = bounded(v_5.z);
-    float _e8 = bounded(v_5.w);
-    return metal::float4(_e2, _e4, _e6, _e8);
+    metal::uint4 bits_4 = as_type<metal::uint4>(v_5);
+    metal::uint4 magnitude_3 = bits_4 & metal::uint4(2147483647u);
+    metal::float4 largest_3 = as_type<metal::float4>((bits_4 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers_2 = metal::select(metal::float4(0.0), largest_3, magnitude_3 == metal::uint4(2139095040u));
+    return metal::select(numbers_2, v_5, magnitude_3 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -232,178 +168,68 @@ float divided(
     return _e7;
 }
 
-float mixed(
-    float a_1,
-    float b_1,
-    float t
-) {
-    float _e4 = bounded(b_1 - a_1);
-    float _e14 = bounded((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
-    return _e14;
-}
-
-metal::float3 mixed_vec3_(
-    metal::float3 a_2,
-    metal::float3 b_2,
-    float t_1
-) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return metal::float3(_e5, _e8, _e11);
-}
-
-metal::float4 mixed_vec4_(
-    metal::float4 a_3,
-    metal::float4 b_3,
-    float t_2
-) {
-    metal::float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return metal::float4(_e5, _e8);
-}
-
-float place_between(
-    float x_6,
-    float low,
-    float high
-) {
-    float span = high - low;
-    if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_6 >= high) ? 1.0 : 0.0;
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded((x_6 - low) / _e12);
-    return _e14;
-}
-
-float remapped(
-    float x_7,
-    float from_low,
-    float from_high,
-    float to_low,
-    float to_high,
-    bool clamped
-) {
-    float _e6 = bounded(x_7);
-    float _e7 = bounded(from_low);
-    float _e8 = bounded(from_high);
-    float _e9 = place_between(_e6, _e7, _e8);
-    float _e10 = bounded(to_low);
-    float _e11 = bounded(to_high);
-    float _e16 = mixed(_e10, _e11, clamped ? metal::clamp(_e9, 0.0, 1.0) : _e9);
-    return _e16;
-}
-
-float eased(
-    float x_8,
-    float low_1,
-    float high_1
-) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_5 = metal::clamp(_e6, 0.0, 1.0);
-    return (t_5 * t_5) * (3.0 - (2.0 * t_5));
-}
-
-float factor_of(
-    float x_9,
-    bool clamped_1
-) {
-    float _e2 = bounded(x_9);
-    float _e3 = bounded(x_9);
-    return clamped_1 ? metal::clamp(_e3, 0.0, 1.0) : _e2;
-}
-
-metal::float2 sin_cos_of(
-    float x_10
-) {
-    float _e1 = bounded(x_10);
-    metal::float2 _e2 = sin_cos(_e1);
-    return metal::clamp(_e2, metal::float2(-1.0), metal::float2(1.0));
-}
-
 float footprint_of(
-    float x_11
+    float x_2
 ) {
-    float _e1 = metal::dfdx(x_11);
-    float _e2 = metal::dfdy(x_11);
+    float _e1 = metal::dfdx(x_2);
+    float _e2 = metal::dfdy(x_2);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     float _e6 = bounded(metal::sqrt(metal::dot(d_1, d_1)));
     return _e6;
 }
 
-float edge_width(
-    float w,
-    float softness
+float footprint_of_2_(
+    float x_3
 ) {
-    float _e4 = bounded(softness);
-    return metal::length(metal::float2(metal::min(w, 1000000000000000.0), metal::clamp(_e4, 0.0, 1000000000000000.0)));
-}
-
-float step_filtered(
-    float x_12,
-    float edge,
-    float w_1
-) {
-    float _e4 = bounded(x_12 - edge);
-    if (w_1 < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w_1);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
+    float _e1 = metal::dfdx(x_3);
+    float _e2 = metal::dfdy(x_3);
+    metal::float2 d_2 = metal::float2(_e1, _e2);
+    return metal::sqrt(metal::dot(d_2, d_2));
 }
 
 float stairs_integral(
-    float x_13,
+    float x_4,
     float count
 ) {
-    float inside = metal::clamp(x_13, 0.0, count);
-    float stair = metal::min(metal::floor(inside), count - 1.0);
-    float beyond = metal::max(x_13 - count, 0.0);
-    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * (count - 1.0));
+    float inside = metal::min(x_4, 4.0);
+    float stair = metal::min(metal::floor(inside), 3.0);
+    float beyond = metal::max(x_4 - 4.0, 0.0);
+    return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0);
+}
+
+float stairs_integral_2_(
+    float x_5,
+    float count_1
+) {
+    float inside_1 = metal::max(x_5, 0.0);
+    float stair_1 = metal::floor(inside_1);
+    return (stair_1 * (((0.5 * (stair_1 - 1.0)) + inside_1) - stair_1)) + 0.0;
 }
 
 float stairs_filtered(
-    float x_14,
-    float count_1,
-    float w_2
+    float x_6,
+    float count_2,
+    float w
 ) {
-    if (w_2 <= 1.0) {
-        float edge_1 = metal::clamp(metal::rint(x_14), 1.0, count_1 - 1.0);
-        float _e12 = step_filtered(x_14, edge_1, w_2);
-        return (edge_1 - 1.0) + _e12;
+    if (w <= 1.0) {
+        float edge = metal::clamp(metal::rint(x_6), 1.0, 3.0);
+        return (edge - 1.0) + metal::clamp(0.5 + ((x_6 - edge) / w), 0.0, 1.0);
     }
-    float half_ = 0.5 * metal::min(w_2, 1000.0 * count_1);
-    float _e20 = stairs_integral(x_14 + half_, count_1);
-    float _e22 = stairs_integral(x_14 - half_, count_1);
-    return (_e20 - _e22) / (2.0 * half_);
-}
-
-float stepped_tone(
-    float value,
-    float w_3,
-    int count_2,
-    float softness_1
-) {
-    float n_1 = static_cast<float>(metal::clamp(count_2, 2, 1024));
-    float _e11 = edge_width(n_1 * w_3, metal::min(softness_1, 1.0));
-    float _e12 = bounded(value);
-    float _e17 = stairs_filtered(n_1 * metal::clamp(_e12, 0.0, 1.0), n_1, _e11);
-    return metal::clamp(_e17 / (n_1 - 1.0), 0.0, 1.0);
+    float half_ = 0.5 * w;
+    float _e23 = stairs_integral(x_6 + half_, 4.0);
+    float _e26 = stairs_integral_2_(x_6 - half_, 4.0);
+    return (_e23 - _e26) / (2.0 * half_);
 }
 
 metal::float4 hermite(
-    metal::float4 a_4,
-    metal::float4 b_4,
+    metal::float4 a_1,
+    metal::float4 b_1,
     metal::float4 from_a,
     metal::float4 to_b,
-    float t_3
+    float t
 ) {
-    metal::float4 d_2 = b_4 - a_4;
-    return a_4 + (t_3 * (from_a + (t_3 * ((((3.0 * d_2) - (2.0 * from_a)) - to_b) + (t_3 * ((from_a + to_b) - (2.0 * d_2)))))));
+    metal::float4 d_3 = b_1 - a_1;
+    return a_1 + (t * (from_a + (t * ((((3.0 * d_3) - (2.0 * from_a)) - to_b) + (t * ((from_a + to_b) - (2.0 * d_3)))))));
 }
 
 float harmonic_slope(
@@ -452,165 +278,93 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_15,
-    float w_4
+    float x_7,
+    float w_1
 ) {
     type_6 colors = {};
     type_7 places = {};
-    metal::float4 color = {};
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_1 = {};
     metal::float4 from_a_1 = metal::float4(0.0);
     metal::float4 to_b_1 = metal::float4(0.0);
-    uint count_6 = metal::min(ramp.count, 16u);
-    if (count_6 == 0u) {
-        return metal::float4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if (ramp.interpolation == INTERPOLATION_STEPPED) {
-        metal::float4 _e18 = colors.inner[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = _e47 + 1u;
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if (_e22 < count_6) {
-            } else {
-                break;
-            }
-            {
-                metal::float4 _e24 = color;
-                uint _e25 = i;
-                metal::float4 _e27 = colors.inner[_e25];
-                uint _e28 = i;
-                metal::float4 _e32 = colors.inner[_e28 - 1u];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
-                float _e43 = step_filtered(x_15, _e42, w_4);
-                color = _e24 + ((_e27 - _e32) * _e43);
-            }
-        }
-        metal::float4 _e49 = color;
-        metal::float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = _e71 + 1u;
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e28 = i_2_;
+            i_2_ = _e28 + 1u;
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if (_e55 < count_6) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 5u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places.inner[naga_div(_e59, 4u)][naga_mod(_e63, 4u)];
-            at = (_e67 <= x_15) ? _e58 : _e57;
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e17 = i_2_;
+        uint _e21 = i_2_;
+        float _e25 = places.inner[naga_div(_e17, 4u)][naga_mod(_e21, 4u)];
+        at = (_e25 <= x_7) ? _e16 : _e15;
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place_4 = places.inner[naga_div(_e73, 4u)][naga_mod(_e77, 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count_6))) {
-        local_1 = x_15 <= place_4;
-    } else {
-        local_1 = true;
+    uint _e31 = at;
+    uint _e35 = at;
+    float place_7 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
+    uint _e40 = at;
+    if (((_e40 + 1u) >= 5u) | (x_7 <= place_7)) {
+        uint _e47 = at;
+        metal::float4 _e49 = colors.inner[_e47];
+        return _e49;
     }
-    bool _e91 = local_1;
-    if (_e91) {
-        uint _e92 = at;
-        metal::float4 _e94 = colors.inner[_e92];
-        metal::float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e50 = at;
+    uint after_1 = _e50 + 1u;
+    float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
+    float span = _e59 - place_7;
+    float _e62 = divided(x_7 - place_7, span);
+    float t_1 = metal::clamp(_e62, 0.0, 1.0);
+    uint _e69 = at;
+    if (_e69 > 0u) {
+        uint _e72 = at;
+        uint _e78 = at;
+        float before_1 = places.inner[naga_div(_e72 - 1u, 4u)][naga_mod(_e78 - 1u, 4u)];
+        uint _e85 = at;
+        metal::float4 _e87 = colors.inner[_e85];
+        uint _e88 = at;
+        metal::float4 _e92 = colors.inner[_e88 - 1u];
+        metal::float4 _e96 = colors.inner[after_1];
+        uint _e97 = at;
+        metal::float4 _e99 = colors.inner[_e97];
+        metal::float4 _e101 = ramp_slope(_e87 - _e92, place_7 - before_1, _e96 - _e99, span);
+        from_a_1 = _e101;
     }
-    uint _e96 = at;
-    uint after_1 = _e96 + 1u;
-    float _e105 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span_1 = _e105 - place_4;
-    float _e108 = divided(x_15 - place_4, span_1);
-    float t_6 = metal::clamp(_e108, 0.0, 1.0);
-    if (ramp.interpolation != INTERPOLATION_SMOOTH) {
-        uint _e115 = at;
-        metal::float4 _e117 = colors.inner[_e115];
-        metal::float4 _e119 = colors.inner[after_1];
-        metal::float4 _e120 = mixed_vec4_(_e117, _e119, t_6);
-        return _e120;
+    if ((after_1 + 1u) < 5u) {
+        float _e119 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
+        float next = _e119 - (place_7 + span);
+        metal::float4 _e123 = colors.inner[after_1];
+        uint _e124 = at;
+        metal::float4 _e126 = colors.inner[_e124];
+        metal::float4 _e131 = colors.inner[after_1 + 1u];
+        metal::float4 _e133 = colors.inner[after_1];
+        metal::float4 _e135 = ramp_slope(_e123 - _e126, span, _e131 - _e133, next);
+        to_b_1 = _e135;
     }
-    uint _e127 = at;
-    if (_e127 > 0u) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places.inner[naga_div(_e130 - 1u, 4u)][naga_mod(_e136 - 1u, 4u)];
-        uint _e143 = at;
-        metal::float4 _e145 = colors.inner[_e143];
-        uint _e146 = at;
-        metal::float4 _e150 = colors.inner[_e146 - 1u];
-        metal::float4 _e154 = colors.inner[after_1];
-        uint _e155 = at;
-        metal::float4 _e157 = colors.inner[_e155];
-        metal::float4 _e159 = ramp_slope(_e145 - _e150, place_4 - before_1, _e154 - _e157, span_1);
-        from_a_1 = _e159;
-    }
-    if ((after_1 + 1u) < count_6) {
-        float _e173 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e173 - (place_4 + span_1);
-        metal::float4 _e177 = colors.inner[after_1];
-        uint _e178 = at;
-        metal::float4 _e180 = colors.inner[_e178];
-        metal::float4 _e185 = colors.inner[after_1 + 1u];
-        metal::float4 _e187 = colors.inner[after_1];
-        metal::float4 _e189 = ramp_slope(_e177 - _e180, span_1, _e185 - _e187, next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    metal::float4 _e192 = colors.inner[_e190];
-    metal::float4 _e194 = colors.inner[after_1];
-    metal::float4 _e195 = from_a_1;
-    metal::float4 _e197 = to_b_1;
-    metal::float4 _e199 = hermite(_e192, _e194, span_1 * _e195, span_1 * _e197, t_6);
-    metal::float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
-}
-
-float unit_share(
-    float share
-) {
-    return metal::clamp(share, 0.0, 1.0);
-}
-
-Color with_unit_alpha(
-    Color color_1
-) {
-    float _e3 = unit_share(color_1.w);
-    return metal::float4(color_1.xyz, _e3);
+    uint _e136 = at;
+    metal::float4 _e138 = colors.inner[_e136];
+    metal::float4 _e140 = colors.inner[after_1];
+    metal::float4 _e141 = from_a_1;
+    metal::float4 _e143 = to_b_1;
+    metal::float4 _e145 = hermite(_e138, _e140, span * _e141, span * _e143, t_1);
+    metal::float4 _e146 = bounded_vec4_(_e145);
+    return _e146;
 }
 
 Composite premultiplied(
-    Color color_2
+    Color color
 ) {
-    return metal::float4(color_2.xyz * color_2.w, color_2.w);
+    return metal::float4(color.xyz * color.w, color.w);
 }
 
 Color straight(
@@ -623,31 +377,11 @@ Color straight(
 }
 
 Color output(
-    Composite color_3
+    Composite color_1
 ) {
-    Color _e1 = straight(color_3);
+    Color _e1 = straight(color_1);
     metal::float4 _e2 = finite_vec4_(_e1);
     return _e2;
-}
-
-float bands(
-    float value_1,
-    int count_3,
-    float softness_2
-) {
-    float _e3 = footprint_of(value_1);
-    float _e4 = stepped_tone(value_1, _e3, count_3, softness_2);
-    return _e4;
-}
-
-Color ramp_plain(
-    float value_2,
-    Ramp ramp_1
-) {
-    float _e2 = footprint_of(value_2);
-    float _e3 = bounded(value_2);
-    Color _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
 }
 
 metal::uint3 hash_pcg3d(
@@ -686,28 +420,14 @@ metal::uint3 hash_pcg3d(
     return _e61;
 }
 
-metal::uint3 lattice_hash(
-    metal::int3 cell,
-    uint seed_1
-) {
-    metal::uint3 _e9 = hash_pcg3d(as_type<metal::uint3>(cell) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-    return _e9;
-}
-
 float gradient_dot(
     metal::uint3 hash,
     metal::float3 d
 ) {
     uint axis = naga_mod(hash.x >> 8u, 3u);
-    float a_7 = (axis == 0u) ? d.y : d.x;
-    float b_7 = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a_7 : -(a_7)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7));
-}
-
-metal::float3 fade_quintic(
-    metal::float3 t_4
-) {
-    return ((t_4 * t_4) * t_4) * ((t_4 * ((t_4 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    float a_2 = (axis == 0u) ? d.y : d.x;
+    float b_2 = (axis == 2u) ? d.y : d.z;
+    return (((hash.y >> 31u) == 0u) ? a_2 : -(a_2)) + (((hash.z >> 31u) == 0u) ? b_2 : -(b_2));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
@@ -716,43 +436,40 @@ metal::int3 naga_f2i32(metal::float3 value) {
 
 float perlin_noise(
     metal::float3 p,
-    uint seed_2
+    uint seed_1
 ) {
+    int i = 0;
     float sum = 0.0;
-    int i_2 = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 d_3 = p - corner;
-    metal::float3 _e4 = fade_quintic(d_3);
-    metal::int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
+    metal::float3 d_4 = p - corner;
+    metal::float3 f = ((d_4 * d_4) * d_4) * ((d_4 * ((d_4 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::int3 cell = naga_f2i32(corner);
+    uint2 loop_bound_1 = uint2(4294967295u);
+    bool loop_init_1 = true;
     while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e46 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
+        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+        if (!loop_init_1) {
+            int _e64 = i;
+            i = as_type<int>(as_type<uint>(_e64) + as_type<uint>(1));
         }
-        loop_init_2 = false;
-        int _e10 = i_2;
-        if (_e10 < 8) {
-        } else {
+        loop_init_1 = false;
+        int _e21 = i;
+        if (!((_e21 < 8))) {
             break;
         }
-        {
-            int _e13 = i_2;
-            int _e16 = i_2;
-            int _e21 = i_2;
-            metal::int3 at_2 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at_2 == metal::int3(1));
-            float _e32 = sum;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_2)), seed_2);
-            float _e42 = gradient_dot(_e39, d_3 - static_cast<metal::float3>(at_2));
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
-        }
+        int _e25 = i;
+        int _e28 = i;
+        int _e33 = i;
+        metal::int3 at_3 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at_3 == metal::int3(1));
+        float _e44 = sum;
+        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_3))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        float _e61 = gradient_dot(_e58, d_4 - static_cast<metal::float3>(at_3));
+        sum = _e44 + (((weight.x * weight.y) * 0.5) * _e61);
     }
-    float _e48 = sum;
-    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
+    float _e67 = sum;
+    return metal::clamp(0.5 + (0.48244 * _e67), 0.0, 1.0);
 }
 
 float size_on_screen(
@@ -789,95 +506,83 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 _e4 = sin_cos_of(angle);
-    metal::float3 _e10 = bounded_vec3_((_e4.y * along) + (_e4.x * across));
-    metal::float3 _e16 = bounded_vec3_((_e4.y * across) - (_e4.x * along));
+    metal::float2 turn = metal::float2(0.0, 1.0);
+    metal::float3 x_8 = (turn.y * along) + (turn.x * across);
+    metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
-    metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
-    metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float3 stretch_3 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
-    metal::float2 _e41 = bounded_vec2_(turned);
-    return StretchedPlace {_e41, {}, stretch_3};
+    metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
+    metal::float3 stretch_5 = metal::float3(metal::dot(x_8, x_8), metal::dot(x_8, y), metal::dot(y, y));
+    metal::float2 _e37 = bounded_vec2_(turned);
+    return StretchedPlace {_e37, {}, stretch_5};
 }
 
 SpacedPlace spaced(
     metal::float2 place_1,
     metal::float3 stretch,
     metal::float2 viewport_1,
+    float count_3
+) {
+    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
+    float scale_2 = is_pixel ? (11.0 / metal::max(viewport_1.y, 1.0)) : 11.0;
+    metal::float2 _e17 = bounded_vec2_(place_1);
+    metal::float2 _e19 = bounded_vec2_(_e17 * scale_2);
+    metal::float2 p_1 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
+    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
+}
+
+SpacedPlace spaced_2_(
+    metal::float2 place_2,
+    metal::float3 stretch_1,
+    metal::float2 viewport_2,
     float count_4
 ) {
-    float _e4 = bounded(count_4);
-    float number = metal::clamp(_e4, 0.0, 100000.0);
-    bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_2 = is_pixel ? (number / metal::max(viewport_1.y, 1.0)) : number;
-    metal::float2 _e19 = bounded_vec2_(place_1);
-    metal::float2 _e21 = bounded_vec2_(_e19 * scale_2);
-    metal::float2 p_1 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
-    metal::float3 _e27 = bounded_vec3_(stretch);
-    metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_1, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    bool is_pixel_1 = !(((stretch_1.x + stretch_1.z) > 0.0));
+    float scale_3 = is_pixel_1 ? (260.0 / metal::max(viewport_2.y, 1.0)) : 260.0;
+    metal::float2 _e17 = bounded_vec2_(place_2);
+    metal::float2 _e19 = bounded_vec2_(_e17 * scale_3);
+    metal::float2 p_2 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
+    return SpacedPlace {p_2, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : stretch_1};
 }
 
 float area_square(
-    metal::float3 stretch_1
+    metal::float3 stretch_2
 ) {
-    float sum_1 = stretch_1.x + stretch_1.z;
-    return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_1 * sum_1) / 66.0);
-}
-
-float octave_of(
-    float square
-) {
-    float _e5 = log_stable(metal::clamp(square, 0.000000000000000000000000000001, 1000000000000000000000000000000.0));
-    return metal::clamp(-0.7213475 * _e5, -16.0, 16.0);
+    float sum_1 = stretch_2.x + stretch_2.z;
+    return metal::max((stretch_2.x * stretch_2.z) - (stretch_2.y * stretch_2.y), (sum_1 * sum_1) / 66.0);
 }
 
 MarkPlace mark_place_object(
     float angle_1,
     metal::float3 anchor,
     metal::float2 pixel_1,
-    metal::float2 viewport_2
+    metal::float2 viewport_3
 ) {
     float _e5 = bounded(anchor.z);
     float size = metal::clamp(_e5, 0.000001, 1000000.0);
-    metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
+    metal::float2 _e9 = place_in_picture(pixel_1, viewport_3);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_5 = _e15 / metal::float2(size);
-    StretchedPlace _e28 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
-    return MarkPlace {_e28.place, {}, _e28.stretch};
-}
-
-float caught_ink(
-    float ink,
-    float height,
-    float tooth
-) {
-    float _e3 = bounded(ink);
-    float amount = metal::clamp(_e3, 0.0, 1.0);
-    float _e7 = bounded(tooth);
-    float rough = metal::clamp(_e7, 0.0, 1.0);
-    return metal::clamp(amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount)), 0.0, 1.0);
+    metal::float2 place_8 = _e15 / metal::float2(size);
+    StretchedPlace _e29 = mark_place_of(place_8, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
+    return MarkPlace {_e29.place, {}, _e29.stretch};
 }
 
 float paper_octave(
-    metal::float2 place_2,
+    metal::float2 place_3,
     int zoom,
-    float w_5,
+    float w_2,
     float fiber,
-    uint seed_3
+    uint seed_2
 ) {
-    float _e5 = power_of_two(zoom);
-    metal::float2 p_2 = metal::clamp(place_2 * _e5, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = seed_3 + (7u * as_type<uint>(zoom));
-    float _e18 = perlin_noise(metal::float3(p_2, 0.5), own);
-    float grain = _e18 - 0.5;
-    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_2.x) - (0.6 * p_2.y), (0.6 * p_2.x) + (0.8 * p_2.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e47 = perlin_noise(metal::float3(q, 0.5), own + 1u);
-    float felt = _e47 - 0.5;
-    float _e53 = eased(w_5 * _e5, 0.5, 1.0);
-    float coarse_seen = 1.0 - _e53;
-    float _e61 = eased((2.7 * w_5) * _e5, 0.5, 1.0);
-    float felt_seen = 1.0 - _e61;
+    float scale_4 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    metal::float2 p_3 = metal::clamp(place_3 * scale_4, metal::float2(-4194304.0), metal::float2(4194304.0));
+    uint own = 5u + (7u * as_type<uint>(zoom));
+    float _e24 = perlin_noise(metal::float3(p_3, 0.5), own);
+    float grain = _e24 - 0.5;
+    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_3.x) - (0.6 * p_3.y), (0.6 * p_3.x) + (0.8 * p_3.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    float _e53 = perlin_noise(metal::float3(q, 0.5), own + 1u);
+    float felt = _e53 - 0.5;
+    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * scale_4);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_2) * scale_4);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
 }
 
@@ -888,118 +593,137 @@ int naga_f2i32(float value) {
 float paper_height(
     SpacedPlace at_1,
     float fiber_1,
+    uint seed_3
+) {
+    float height = {};
+    metal::float2 x_9 = metal::dfdx(at_1.place);
+    metal::float2 y_1 = metal::dfdy(at_1.place);
+    float w_4 = metal::sqrt(metal::max(metal::dot(x_9, x_9), metal::dot(y_1, y_1)));
+    float _e12 = area_square(at_1.stretch);
+    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
+    float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
+    float zoom_2 = metal::floor(level);
+    float f_1 = level - zoom_2;
+    float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_2), w_4, fiber_1, 5u);
+    height = _e27;
+    if (f_1 > 0.0) {
+        float _e31 = height;
+        float _e37 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), w_4, fiber_1, 5u);
+        float both = metal::mix(_e31, _e37, f_1);
+        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
+    }
+    float _e55 = height;
+    return _e55;
+}
+
+float paper_octave_2_(
+    metal::float2 place_4,
+    int zoom_1,
+    float w_3,
+    float fiber_2,
     uint seed_4
 ) {
+    float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom_1) + as_type<uint>(127))) << 23u);
+    metal::float2 p_4 = metal::clamp(place_4 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
+    uint own_1 = 0u + (7u * as_type<uint>(zoom_1));
+    float _e24 = perlin_noise(metal::float3(p_4, 0.5), own_1);
+    float grain_1 = _e24 - 0.5;
+    metal::float2 q_1 = metal::clamp(2.7 * metal::float2((0.8 * p_4.x) - (0.6 * p_4.y), (0.6 * p_4.x) + (0.8 * p_4.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    float _e53 = perlin_noise(metal::float3(q_1, 0.5), own_1 + 1u);
+    float felt_1 = _e53 - 0.5;
+    float coarse_seen_1 = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * scale_5);
+    float felt_seen_1 = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_3) * scale_5);
+    return metal::clamp(0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((fiber_2 * felt_seen_1) * felt_1))), 0.0, 1.0);
+}
+
+float paper_height_2_(
+    SpacedPlace at_2,
+    float fiber_3,
+    uint seed_5
+) {
     float height_1 = {};
-    metal::float2 x_16 = metal::dfdx(at_1.place);
-    metal::float2 y = metal::dfdy(at_1.place);
-    float _e11 = bounded(metal::sqrt(metal::max(metal::dot(x_16, x_16), metal::dot(y, y))));
-    float _e13 = area_square(at_1.stretch);
-    float _e15 = octave_of(metal::sqrt(_e13));
-    float zoom_1 = metal::floor(_e15);
-    float f = _e15 - zoom_1;
-    float _e18 = bounded(fiber_1);
-    float fine = metal::clamp(_e18, 0.0, 1.0);
-    float _e24 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_4);
-    height_1 = _e24;
-    if (f > 0.0) {
-        float _e28 = height_1;
-        float _e33 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), _e11, fine, seed_4);
-        float both = metal::mix(_e28, _e33, f);
-        height_1 = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f * f) + ((1.0 - f) * (1.0 - f)))), 0.0, 1.0);
+    metal::float2 x_10 = metal::dfdx(at_2.place);
+    metal::float2 y_2 = metal::dfdy(at_2.place);
+    float w_5 = metal::sqrt(metal::max(metal::dot(x_10, x_10), metal::dot(y_2, y_2)));
+    float _e12 = area_square(at_2.stretch);
+    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
+    float level_1 = metal::clamp(-0.5 * _e16, -16.0, 16.0);
+    float zoom_3 = metal::floor(level_1);
+    float f_2 = level_1 - zoom_3;
+    float _e27 = paper_octave_2_(at_2.place, naga_f2i32(zoom_3), w_5, fiber_3, 0u);
+    height_1 = _e27;
+    if (f_2 > 0.0) {
+        float _e31 = height_1;
+        float _e37 = paper_octave_2_(at_2.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), w_5, fiber_3, 0u);
+        float both_1 = metal::mix(_e31, _e37, f_2);
+        height_1 = metal::clamp(0.5 + ((both_1 - 0.5) / metal::sqrt((f_2 * f_2) + ((1.0 - f_2) * (1.0 - f_2)))), 0.0, 1.0);
     }
-    float _e51 = height_1;
-    return _e51;
+    float _e55 = height_1;
+    return _e55;
 }
 
 PaperGrain paper_grain(
-    float value_3,
-    metal::float2 place_3,
-    metal::float3 stretch_2,
+    float value,
+    metal::float2 place_5,
+    metal::float3 stretch_3,
     float count_5,
+    float tooth,
+    float fiber_4,
+    int seed_6,
+    metal::float2 viewport_4
+) {
+    SpacedPlace _e9 = spaced(place_5, stretch_3, viewport_4, 11.0);
+    float _e11 = paper_height(_e9, fiber_4, 5u);
+    return PaperGrain {1.0 - metal::clamp(0.5 + (((0.0 * (_e11 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e11};
+}
+
+PaperGrain paper_grain_2_(
+    float value_1,
+    metal::float2 place_6,
+    metal::float3 stretch_4,
+    float count_6,
     float tooth_1,
-    float fiber_2,
-    int seed_5,
-    metal::float2 viewport_3
+    float fiber_5,
+    int seed_7,
+    metal::float2 viewport_5
 ) {
-    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_5);
-    float _e10 = paper_height(_e8, fiber_2, as_type<uint>(seed_5));
-    float _e12 = factor_of(value_3, true);
-    float _e15 = caught_ink(1.0 - _e12, _e10, tooth_1);
-    return PaperGrain {1.0 - _e15, _e10};
-}
-
-float reflectance_wrap(
-    Light light,
-    metal::float3 normal,
-    float wrap
-) {
-    float _e3 = bounded(wrap);
-    float w_6 = metal::clamp(_e3, 0.0, 1.0);
-    metal::float3 _e11 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    float cosine = metal::dot(_e11, light.direction);
-    return metal::max((cosine + w_6) / (1.0 + w_6), 0.0);
-}
-
-float add(
-    float a_5,
-    float b_5
-) {
-    float _e3 = bounded(a_5 + b_5);
-    return _e3;
-}
-
-float map_range(
-    float value_4,
-    float from_low_1,
-    float from_high_1,
-    float to_low_1,
-    float to_high_1,
-    bool clamped_2
-) {
-    float _e6 = remapped(value_4, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
-}
-
-float mix_values(
-    float a_6,
-    float b_6,
-    float factor,
-    bool clamped_3
-) {
-    float _e4 = bounded(a_6);
-    float _e5 = bounded(b_6);
-    float _e6 = factor_of(factor, clamped_3);
-    float _e7 = mixed(_e4, _e5, _e6);
-    return _e7;
+    SpacedPlace _e9 = spaced_2_(place_6, stretch_4, viewport_5, 260.0);
+    float _e11 = paper_height_2_(_e9, fiber_5, 0u);
+    float ink = 1.0 - metal::clamp(value_1, 0.0, 1.0);
+    return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth_1) * (_e11 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e11};
 }
 
 metal::float4 shade(
     Surface surface_1,
     constant Look& look
 ) {
-    Light _e3 = look.key;
-    float _e6 = reflectance_wrap(_e3, surface_1.normal, 0.5);
-    metal::float2 _e12 = look.viewport;
-    MarkPlace _e13 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e12);
-    metal::float2 _e23 = look.viewport;
-    PaperGrain _e24 = paper_grain(0.5, _e13.place, _e13.stretch, 11.0, 0.0, 0.7, 5, _e23);
-    float _e31 = map_range(_e24.height, 0.0, 1.0, -0.2, 0.2, true);
-    float _e32 = add(_e6, _e31);
-    float _e35 = bands(_e32, 4, 0.22);
-    float _e38 = mix_values(_e35, _e32, 0.35, true);
-    metal::float2 _e47 = look.viewport;
-    PaperGrain _e48 = paper_grain(_e38, _e13.place, _e13.stretch, 260.0, 0.2, 0.6, 0, _e47);
-    Color _e51 = ramp_plain(_e48.tone, indigo_to_warm_paper);
-    Color _e52 = with_unit_alpha(_e51);
-    Composite _e53 = premultiplied(_e52);
-    Color _e54 = output(_e53);
-    return _e54;
+    metal::float3 _e5 = look.key.direction;
+    float light_and_shade = metal::max((metal::dot(surface_1.normal, _e5) + 0.5) / 1.5, 0.0);
+    metal::float2 _e18 = look.viewport;
+    MarkPlace _e19 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e18);
+    metal::float2 _e29 = look.viewport;
+    PaperGrain _e30 = paper_grain(0.5, _e19.place, _e19.stretch, 11.0, 0.0, 0.7, 5, _e29);
+    float _e32 = bounded(_e30.height);
+    float uneven_edge = metal::mix(-0.2, 0.2, _e32 - 0.0);
+    float wet = light_and_shade + uneven_edge;
+    float _e45 = footprint_of_2_(wet);
+    float _e51 = stairs_filtered(4.0 * metal::clamp(wet, 0.0, 1.0), 4.0, metal::length(metal::float2(4.0 * _e45, 0.22)));
+    float washes = metal::clamp(_e51 / 3.0, 0.0, 1.0);
+    float pigment_in_them = metal::mix(washes, wet, 0.35);
+    metal::float2 _e67 = look.viewport;
+    PaperGrain _e68 = paper_grain_2_(pigment_in_them, _e19.place, _e19.stretch, 260.0, 0.2, 0.6, 0, _e67);
+    float _e71 = bounded(_e68.tone);
+    float _e73 = footprint_of(_e68.tone);
+    Color _e74 = ramp_at(indigo_to_warm_paper, _e71, _e73);
+    metal::float4 output_alpha = metal::float4(_e74.xyz, metal::clamp(_e74.w, 0.0, 1.0));
+    Composite _e81 = premultiplied(output_alpha);
+    Color _e82 = output(_e81);
+    return _e82;
 }
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal_1 [[attribute(1)]];
+    metal::float3 normal [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -1010,7 +734,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal_1 };
+    const Vertex vertex_ = { varyings.position, varyings.normal };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -1025,7 +749,7 @@ vertex vs_mainOutput vs_main(
 
 
 struct fs_mainInput {
-    metal::float3 normal_1 [[user(loc0), center_perspective]];
+    metal::float3 normal [[user(loc0), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -1038,24 +762,24 @@ fragment fs_mainOutput fs_main(
 , constant Object& object [[buffer(1)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.normal_1 };
+    const Varyings in = { clip, varyings_1.normal };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_1 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_1;
-    metal::float4 _e17 = view.screen;
-    metal::float4 _e22 = view.screen;
-    surface.pixel = (in.clip.xy * _e17.xy) + _e22.zw;
-    metal::float4x4 _e28 = view.camera_from_world;
-    metal::float4 _e32 = object.world_from_object[3];
-    float _e41 = view.eye.w;
-    float _e46 = view.clip_from_world[0].y;
-    float _e51 = view.clip_from_world[1].y;
-    float _e56 = view.clip_from_world[2].y;
-    metal::float3 _e59 = anchor_on_screen((_e28 * metal::float4(_e32.xyz, 1.0)).xyz, _e41, metal::length(metal::float3(_e46, _e51, _e56)));
-    surface.anchor = _e59;
-    Surface _e60 = surface;
-    metal::float4 _e61 = shade(_e60, look);
-    metal::float4 _e62 = finite_vec4_(_e61);
-    return fs_mainOutput { _e62 };
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal = is_front ? _e3 : -(_e3);
+    surface.normal = normal;
+    metal::float4 _e13 = view.screen;
+    metal::float4 _e18 = view.screen;
+    surface.pixel = (in.clip.xy * _e13.xy) + _e18.zw;
+    metal::float4x4 _e24 = view.camera_from_world;
+    metal::float4 _e28 = object.world_from_object[3];
+    float _e37 = view.eye.w;
+    float _e42 = view.clip_from_world[0].y;
+    float _e47 = view.clip_from_world[1].y;
+    float _e52 = view.clip_from_world[2].y;
+    metal::float3 _e55 = anchor_on_screen((_e24 * metal::float4(_e28.xyz, 1.0)).xyz, _e37, metal::length(metal::float3(_e42, _e47, _e52)));
+    surface.anchor = _e55;
+    Surface _e56 = surface;
+    metal::float4 _e57 = shade(_e56, look);
+    metal::float4 _e58 = finite_vec4_(_e57);
+    return fs_mainOutput { _e58 };
 }

@@ -1,6 +1,6 @@
 // Screen print: made by Chiaro 0.1.0, HLSL, shader model 5.1.
 // Draws a mesh with the look; the result is straight RGBA.
-// Registers of space 0: view_1 b0, object b1, look b2, curvature_map t0.
+// Registers of space 0: view b0, object b1, look b2, curvature_map t0.
 // screen-print.json says what to put there and how to draw.
 // UNVERIFIED: no compiler of HLSL, shader model 5.1 has seen this file.
 
@@ -88,117 +88,57 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float PI = 3.1415927;
-static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const uint PROFILE_STEP = 1u;
-static const uint PROFILE_AMBIENT = 2u;
 static const ProfileShape yellow_s_share_shape = ConstructProfileShape(0.9887711, 0.14943813, 2.0858297, 1.7378688, 0.3, 0.54759663, 0.22553022, 0u);
 
-cbuffer view_1 : register(b0) { View view_1; }
+cbuffer view : register(b0) { View view; }
 cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 normal_3 : LOC1;
+    float3 normal : LOC1;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 normal_4 : LOC1;
+    float3 normal_1 : LOC1;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
-
-bool is_finite(float x)
-{
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
-}
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_3 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_3);
-    float f = ((clamped_3 - whole) * LN_2_);
-    float p_1 = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p_1 * _e33) * _e37);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float exp2_stable_2_(float x_1)
 {
-    uint bits = asuint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
-    float mantissa = asfloat((bits - (uint(exponent_1) << 23u)));
+    float whole_1 = round(x_1);
+    float f_1 = (x_1 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
+float log2_stable(float x_2)
+{
+    uint bits = asuint(x_2);
+    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -208,9 +148,9 @@ float log1p_negative_small(float y)
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-float2 sin_cos_quarter(float x_4)
+float2 sin_cos_quarter(float x_3)
 {
-    float h = (0.5 * x_4);
+    float h = (0.5 * x_3);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -218,13 +158,41 @@ float2 sin_cos_quarter(float x_4)
     return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float2 sin_cos(float x_5)
+float2 sin_cos_eighth(float x_4)
 {
-    float turns = round((x_5 * 0.31830987));
-    float r_1 = (((x_5 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r_1, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    float y_1 = (x_4 * x_4);
+    float s_1 = (x_4 * (1.0 + (y_1 * (-0.16666667 + (y_1 * (0.008333334 + (y_1 * (-0.0001984127 + (y_1 * 2.7557319e-6)))))))));
+    float c_1 = (1.0 - (y_1 * (0.5 + (y_1 * (-0.041666668 + (y_1 * (0.0013888889 + (y_1 * (-2.4801588e-5 + (y_1 * 2.755732e-7))))))))));
+    return float2(s_1, c_1);
+}
+
+float2 sin_cos_tiny(float x_5)
+{
+    float y_2 = (x_5 * x_5);
+    float s_2 = (x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334)))));
+    float c_2 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889))))));
+    return float2(s_2, c_2);
+}
+
+float3 normalize_moderate(float3 v, float3 otherwise)
+{
+    float square = dot(v, v);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_seen(float3 v_1)
+{
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+float angle_footprint(Angle u)
+{
+    float2 half_ = float2(u.half_sin, u.half_cos);
+    float2 dx = ddx(half_);
+    float2 dy = ddy(half_);
+    float w_7 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_7, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -234,297 +202,97 @@ Angle ConstructAngle(float arg0, float arg1) {
     return ret;
 }
 
-Angle angle_between(float3 d, float3 l)
-{
-    float p_2 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_2 * p_2) + (s_1 * s_1)), 1e-30)));
-    const Angle angle_5 = ConstructAngle((p_2 * k), (s_1 * k));
-    return angle_5;
-}
-
-float atan2_positive(float y_1, float x_6)
-{
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
-    if ((large <= 0.0)) {
-        return 0.0;
-    }
-    float t_4 = (small / large);
-    bool is_wide = (t_4 > 0.41421357);
-    float r_2 = (is_wide ? ((small - large) / (small + large)) : t_4);
-    float r2_ = (r_2 * r_2);
-    float series_1 = (r_2 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_8 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_6) ? (HALF_PI - a_8) : a_8);
-}
-
-float angle_radians(Angle u)
-{
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
-}
-
 Angle angle_turned(Angle u_1, float2 t)
 {
-    bool local_1 = (bool)0;
-
-    float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    float2 turned = (_e32 ? float2(0.0, 1.0) : upper);
-    const Angle angle_6 = ConstructAngle(turned.x, turned.y);
-    return angle_6;
+    float s_3 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
+    float c_3 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    float2 upper = ((c_3 <= 0.0) ? float2(1.0, 0.0) : float2(s_3, c_3));
+    float2 turned = (((s_3 <= 0.0) & (s_3 < c_3)) ? float2(0.0, 1.0) : upper);
+    const Angle angle_10 = ConstructAngle(turned.x, turned.y);
+    return angle_10;
 }
 
-Angle angle_shifted(Angle u_2, float shift)
+Angle angle_turned_2_(Angle u_2, float2 t_1)
 {
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    const Angle _e8 = angle_turned(u_2, _e7);
-    const Angle angle_7 = _e8;
-    return angle_7;
+    float s_4 = (u_2.half_sin - (u_2.half_cos * 0.0));
+    float c_4 = (u_2.half_cos + (u_2.half_sin * 0.0));
+    float2 upper_1 = ((c_4 <= 0.0) ? float2(1.0, 0.0) : float2(s_4, c_4));
+    float2 turned_1 = (((s_4 <= 0.0) & (s_4 < c_4)) ? float2(0.0, 1.0) : upper_1);
+    const Angle angle_11 = ConstructAngle(turned_1.x, turned_1.y);
+    return angle_11;
 }
 
-float angle_footprint(Angle u_3)
+float bounded(float x_6)
 {
-    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
-    float2 dx = ddx(half_);
-    float2 dy = ddy(half_);
-    float w_6 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_6, 0.5);
-    return min(_e13, 0.5);
-}
-
-float bounded(float x_7)
-{
-    uint bits_1 = asuint(x_7);
+    uint bits_1 = asuint(x_6);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_3)
+float2 bounded_vec2_(float2 v_2)
 {
-    const float _e2 = bounded(v_3.x);
-    const float _e4 = bounded(v_3.y);
-    return float2(_e2, _e4);
+    uint2 bits_2 = asuint(v_2);
+    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
+    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
+    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
+    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_4)
-{
-    const float _e2 = bounded(v_4.x);
-    const float _e4 = bounded(v_4.y);
-    const float _e6 = bounded(v_4.z);
-    return float3(_e2, _e4, _e6);
-}
-
-float4 bounded_vec4_(float4 v_5)
-{
-    const float _e2 = bounded(v_5.x);
-    const float _e4 = bounded(v_5.y);
-    const float _e6 = bounded(v_5.z);
-    const float _e8 = bounded(v_5.w);
-    return float4(_e2, _e4, _e6, _e8);
-}
-
-float mixed(float a, float b, float t_1)
-{
-    const float _e4 = bounded((b - a));
-    const float _e14 = bounded(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
-    return _e14;
-}
-
-float3 mixed_vec3_(float3 a_1, float3 b_1, float t_2)
-{
-    const float _e5 = mixed(a_1.x, b_1.x, t_2);
-    const float _e8 = mixed(a_1.y, b_1.y, t_2);
-    const float _e11 = mixed(a_1.z, b_1.z, t_2);
-    return float3(_e5, _e8, _e11);
-}
-
-float4 mixed_vec4_(float4 a_2, float4 b_2, float t_3)
-{
-    const float3 _e5 = mixed_vec3_(a_2.xyz, b_2.xyz, t_3);
-    const float _e8 = mixed(a_2.w, b_2.w, t_3);
-    return float4(_e5, _e8);
-}
-
-float place_between(float x_8, float low, float high)
+float place_between(float x_7, float low, float high)
 {
     float span = (high - low);
     if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_8 >= high) ? 1.0 : 0.0);
+        return ((x_7 >= high) ? 1.0 : 0.0);
     }
-    const float _e12 = bounded(span);
-    const float _e14 = bounded(((x_8 - low) / _e12));
-    return _e14;
+    const float _e13 = bounded(((x_7 - low) / span));
+    return _e13;
 }
 
-float remapped(float x_9, float from_low, float from_high, float to_low, float to_high, bool clamped)
+float eased(float x_8, float low_1, float high_1)
 {
-    const float _e6 = bounded(x_9);
-    const float _e7 = bounded(from_low);
-    const float _e8 = bounded(from_high);
-    const float _e9 = place_between(_e6, _e7, _e8);
-    const float _e10 = bounded(to_low);
-    const float _e11 = bounded(to_high);
-    const float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
+    const float _e3 = place_between(x_8, low_1, high_1);
+    float t_2 = clamp(_e3, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
 }
 
-float eased(float x_10, float low_1, float high_1)
+float footprint_of(float x_9)
 {
-    const float _e3 = bounded(x_10);
-    const float _e4 = bounded(low_1);
-    const float _e5 = bounded(high_1);
-    const float _e6 = place_between(_e3, _e4, _e5);
-    float t_5 = clamp(_e6, 0.0, 1.0);
-    return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
-}
-
-float factor_of(float x_11, bool clamped_1)
-{
-    const float _e2 = bounded(x_11);
-    const float _e3 = bounded(x_11);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-float2 sin_cos_of(float x_12)
-{
-    const float _e1 = bounded(x_12);
-    const float2 _e2 = sin_cos(_e1);
-    return clamp(_e2, (-1.0).xx, (1.0).xx);
-}
-
-float footprint_of(float x_13)
-{
-    float _e1 = ddx(x_13);
-    float _e2 = ddy(x_13);
+    float _e1 = ddx(x_9);
+    float _e2 = ddy(x_9);
     float2 d_2 = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d_2, d_2)));
-    return _e6;
+    return sqrt(dot(d_2, d_2));
 }
 
-float2 footprint_of_vec2_(float2 v_6)
+float2 footprint_of_vec2_(float2 v_3)
 {
-    float2 dx_1 = ddx(v_6);
-    float2 dy_1 = ddy(v_6);
-    const float2 _e7 = bounded_vec2_(sqrt(((dx_1 * dx_1) + (dy_1 * dy_1))));
-    return _e7;
+    float2 dx_1 = ddx(v_3);
+    float2 dy_1 = ddy(v_3);
+    return sqrt(((dx_1 * dx_1) + (dy_1 * dy_1)));
 }
 
-float edge_width(float w, float softness)
+float step_filtered(float x_10, float edge, float w)
 {
-    const float _e4 = bounded(softness);
-    return length(float2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
+    float d_3 = (x_10 - edge);
+    return ((w < 1e-30) ? ((d_3 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_3 / w)), 0.0, 1.0));
 }
 
-float step_filtered(float x_14, float edge, float w_1)
+float4 mix_colors_multiply(float4 a, float4 b, float factor)
 {
-    const float _e4 = bounded((x_14 - edge));
-    if ((w_1 < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+    return float4(lerp(a.xyz, (a.xyz * b.xyz), 1.0), 1.0);
+}
+
+float curvature_signed(float kappa, float slope)
+{
+    float a_2 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
+    float magnitude_2 = min(abs(a_2), 50.0);
+    if ((magnitude_2 < 0.0625)) {
+        float a2_ = (a_2 * a_2);
+        return (a_2 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e13 = bounded((_e4 / w_1));
-    return clamp((0.5 + _e13), 0.0, 1.0);
-}
-
-float4 color_mixed(float4 a_3, float3 blended, float factor)
-{
-    const float3 _e4 = bounded_vec3_(a_3.xyz);
-    const float3 _e5 = bounded_vec3_(blended);
-    const float _e7 = factor_of(factor, true);
-    const float3 _e8 = mixed_vec3_(_e4, _e5, _e7);
-    const float _e10 = bounded(a_3.w);
-    return float4(_e8, _e10);
-}
-
-float4 premultiplied(float4 color)
-{
-    return float4((color.xyz * color.w), color.w);
-}
-
-float4 straight(float4 composite)
-{
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
-float4 mix_colors_normal(float4 a_4, float4 b_3, float factor_1)
-{
-    const float4 _e3 = bounded_vec4_(a_4);
-    const float4 _e4 = bounded_vec4_(b_3);
-    const float _e6 = factor_of(factor_1, true);
-    const float4 _e7 = mixed_vec4_(_e3, _e4, _e6);
-    return _e7;
-}
-
-float4 mix_colors_multiply(float4 a_5, float4 b_4, float factor_2)
-{
-    const float4 _e6 = color_mixed(a_5, (a_5.xyz * b_4.xyz), factor_2);
-    return _e6;
-}
-
-float kappa_safe(float kappa)
-{
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope)
-{
-    const float _e2 = kappa_safe(kappa_1);
-    const float _e4 = finite_or(slope, 0.0);
-    float a_9 = (_e2 * clamp(_e4, -1e30, 1e30));
-    float magnitude_1 = min(abs(a_9), 50.0);
-    if ((magnitude_1 < 0.0625)) {
-        float a2_ = (a_9 * a_9);
-        return (a_9 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
-    }
-    const float _e28 = exp2_stable((-2.88539 * magnitude_1));
-    float t_6 = ((1.0 - _e28) / (1.0 + _e28));
-    return ((a_9 >= 0.0) ? t_6 : -(t_6));
-}
-
-float transition(float kappa_2, float slope_1)
-{
-    const float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
-}
-
-float facing(float3 normal, float3 view)
-{
-    const float3 _e4 = normalize_or(normal, (0.0).xxx);
-    return clamp(dot(_e4, view), 0.0, 1.0);
-}
-
-float kappa_surface(float kappa_3)
-{
-    const float _e1 = kappa_safe(kappa_3);
-    return _e1;
-}
-
-float4 output(float4 color_1)
-{
-    const float4 _e1 = straight(color_1);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-Angle parametrization_diffuse(Light light, float3 normal_1)
-{
-    const float3 _e6 = normalize_or(normal_1, float3(0.0, 0.0, 1.0));
-    const Angle _e8 = angle_between(_e6, light.direction);
-    const Angle angle_8 = _e8;
-    return angle_8;
+    const float _e33 = exp2_stable((-2.88539 * magnitude_2));
+    float t_3 = ((1.0 - _e33) / (1.0 + _e33));
+    return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
 float profile_power(float q, float exponent)
@@ -535,301 +303,278 @@ float profile_power(float q, float exponent)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        const float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        const float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    const float _e21 = exp2_stable_2_((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape)
+float profile_point(Angle u_3, ProfileShape shape)
 {
-    bool local_2 = (bool)0;
-
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_5 = ((u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset));
+    if (((s_5 <= 0.0) | false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
-    float q_1 = (s_3 * shape.scale);
-    const float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    float q_1 = (s_5 * shape.scale);
+    const float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1)
+float profile_filtered(Angle u_4, float w_1, ProfileShape shape_1)
 {
-    bool local_3 = (bool)0;
-    bool local_4 = (bool)0;
-
-    const float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+    const float _e3 = profile_point(u_4, shape_1);
+    bool is_wide = (w_1 < (0.1 * shape_1.edge_deviation));
+    if (((is_wide | (w_1 <= 0.0)) | false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w_2 >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
-    }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        const float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w_2 < (0.1 * shape_1.edge_deviation))) {
-        return _e3;
-    }
-    const float2 _e50 = sin_cos_quarter((0.19364917 * w_2));
-    const Angle _e51 = angle_turned(u_5, _e50);
-    const float _e52 = profile_point(_e51, shape_1);
-    const Angle _e57 = angle_turned(u_5, float2(-(_e50.x), _e50.y));
-    const float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    const float2 _e15 = sin_cos_tiny((0.19364917 * w_1));
+    const Angle _e16 = angle_turned(u_4, _e15);
+    const float _e17 = profile_point(_e16, shape_1);
+    const Angle _e22 = angle_turned(u_4, float2(-(_e15.x), _e15.y));
+    const float _e23 = profile_point(_e22, shape_1);
+    return ((((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2)
+float profile(Angle angle, float shift, ProfileShape shape_2)
 {
-    const Angle _e3 = angle_shifted(angle, shift_1);
-    const float _e4 = angle_footprint(_e3);
-    const float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
-}
-
-float threshold(float value, float edge_1, float softness_1)
-{
-    const float _e3 = footprint_of(value);
-    const float _e4 = bounded(value);
-    const float _e5 = bounded(edge_1);
-    const float _e6 = edge_width(_e3, softness_1);
-    const float _e7 = step_filtered(_e4, _e5, _e6);
-    return _e7;
+    const Angle _e6 = angle_turned_2_(angle, float2(0.0, 1.0));
+    const float _e7 = angle_footprint(_e6);
+    const float _e8 = profile_filtered(_e6, _e7, shape_2);
+    return _e8;
 }
 
 float2 turned_by(float2 p, float angle_1)
 {
-    const float2 _e2 = sin_cos_of(angle_1);
-    return float2(((_e2.y * p.x) - (_e2.x * p.y)), ((_e2.x * p.x) + (_e2.y * p.y)));
+    float2 turn = float2(0.0, 1.0);
+    return float2(((turn.y * p.x) - (turn.x * p.y)), ((turn.x * p.x) + (turn.y * p.y)));
 }
 
-float2 screen_cells(float2 place, float2 viewport, float lines, float angle_2)
+float2 turned_by_2_(float2 p_1, float angle_2)
+{
+    const float2 _e8 = sin_cos_eighth((((angle_2 - 0.0) - 0.0) - 0.0));
+    float2 turn_1 = clamp(_e8, (-1.0).xx, (1.0).xx);
+    return float2(((turn_1.y * p_1.x) - (turn_1.x * p_1.y)), ((turn_1.x * p_1.x) + (turn_1.y * p_1.y)));
+}
+
+float2 turned_by_3_(float2 p_2, float angle_3)
+{
+    const float2 _e8 = sin_cos_quarter((((angle_3 - 0.0) - 0.0) - 0.0));
+    float2 turn_2 = clamp(_e8, (-1.0).xx, (1.0).xx);
+    return float2(((turn_2.y * p_2.x) - (turn_2.x * p_2.y)), ((turn_2.x * p_2.x) + (turn_2.y * p_2.y)));
+}
+
+float2 screen_cells(float2 place, float2 viewport, float lines, float angle_4)
 {
     float2 most = (4194304.0).xx;
     const float2 _e6 = bounded_vec2_(place);
-    const float _e7 = bounded(lines);
-    const float2 _e15 = bounded_vec2_((_e6 * (max(_e7, 0.0) / max(viewport.y, 1.0))));
-    const float2 _e18 = turned_by(clamp(_e15, -(most), most), angle_2);
-    return clamp(_e18, -(most), most);
+    const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
+    const float2 _e18 = turned_by(clamp(_e13, (-4194304.0).xx, most), 0.0);
+    return clamp(_e18, (-4194304.0).xx, most);
 }
 
-float lines_integral(float x_15, float share)
+float2 screen_cells_2_(float2 place_1, float2 viewport_1, float lines_1, float angle_5)
 {
-    float whole_1 = round(x_15);
-    return ((whole_1 * share) + clamp((x_15 - whole_1), (-0.5 * share), (0.5 * share)));
+    float2 most_1 = (4194304.0).xx;
+    const float2 _e6 = bounded_vec2_(place_1);
+    const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport_1.y, 1.0))));
+    const float2 _e17 = turned_by_2_(clamp(_e13, (-4194304.0).xx, most_1), angle_5);
+    return clamp(_e17, (-4194304.0).xx, most_1);
 }
 
-float lines_filtered(float x_16, float share_1, float w_3)
+float2 screen_cells_3_(float2 place_2, float2 viewport_2, float lines_2, float angle_6)
 {
-    bool local_5 = (bool)0;
+    float2 most_2 = (4194304.0).xx;
+    const float2 _e6 = bounded_vec2_(place_2);
+    const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport_2.y, 1.0))));
+    const float2 _e17 = turned_by_3_(clamp(_e13, (-4194304.0).xx, most_2), angle_6);
+    return clamp(_e17, (-4194304.0).xx, most_2);
+}
 
-    float t_7 = (x_16 - round(x_16));
-    if ((w_3 < 1e-30)) {
-        if ((abs(t_7) <= (0.5 * share_1))) {
-            local_5 = (share_1 > 0.0);
-        } else {
-            local_5 = false;
-        }
-        bool _e16 = local_5;
-        return (_e16 ? 1.0 : 0.0);
+float lines_integral(float x_11, float share)
+{
+    float whole_2 = round(x_11);
+    return ((whole_2 * share) + clamp((x_11 - whole_2), (-0.5 * share), (0.5 * share)));
+}
+
+float lines_filtered(float x_12, float share_1, float w_2)
+{
+    float t_4 = (x_12 - round(x_12));
+    if ((w_2 < 1e-30)) {
+        return (((abs(t_4) <= (0.5 * share_1)) & (share_1 > 0.0)) ? 1.0 : 0.0);
     }
-    float half_1 = (0.5 * min(w_3, 1000.0));
-    const float _e25 = lines_integral((t_7 + half_1), share_1);
-    const float _e27 = lines_integral((t_7 - half_1), share_1);
-    return clamp(((_e25 - _e27) / (2.0 * half_1)), 0.0, 1.0);
+    float half_1 = (0.5 * min(w_2, 1000.0));
+    const float _e22 = lines_integral((t_4 + half_1), share_1);
+    const float _e24 = lines_integral((t_4 - half_1), share_1);
+    return clamp(((_e22 - _e24) / (2.0 * half_1)), 0.0, 1.0);
 }
 
 float dot_radius(float share_2)
 {
-    float a_6 = (float)0;
+    float a_1 = (float)0;
     int i = int(0);
 
-    float t_8 = clamp(share_2, 0.0, 1.0);
-    if ((t_8 <= 0.7853982)) {
-        return sqrt((t_8 * 0.31830987));
+    if ((share_2 <= 0.7853982)) {
+        return sqrt((share_2 * 0.31830987));
     }
-    float s_4 = min(((t_8 - 0.7853982) / (1.0 - 0.7853982)), 1.0);
-    a_6 = lerp((0.5227232 * sqrt(s_4)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_4)))), s_4);
+    float s_6 = ((share_2 - 0.7853982) / 0.21460183);
+    a_1 = lerp((0.5227232 * sqrt(s_6)), (0.7853982 - (0.3275682 * sqrt((1.0 - s_6)))), s_6);
     uint2 loop_bound = uint2(4294967295u, 4294967295u);
     bool loop_init = true;
     while(true) {
         if (all(loop_bound == uint2(0u, 0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e63 = i;
-            i = asint(asuint(_e63) + asuint(int(1)));
+            int _e61 = i;
+            i = asint(asuint(_e61) + asuint(int(1)));
         }
         loop_init = false;
-        int _e28 = i;
-        if ((_e28 < int(2))) {
-        } else {
+        int _e24 = i;
+        if (!((_e24 < int(2)))) {
             break;
         }
-        {
-            float _e31 = a_6;
-            const float2 _e34 = sin_cos_quarter(clamp(_e31, 0.0, 0.7853982));
-            float tangent = (_e34.x / _e34.y);
-            float square_1 = (1.0 / (_e34.y * _e34.y));
-            float _e44 = a_6;
-            float sector = (0.7853982 - _e44);
-            float slope_2 = (((2.0 * sector) * square_1) * tangent);
-            float _e50 = a_6;
-            a_6 = clamp((_e50 - ((slope_2 > 0.001) ? ((((sector * square_1) + tangent) - t_8) / slope_2) : 0.0)), 0.0, 0.7853982);
-        }
+        float _e28 = a_1;
+        const float2 _e32 = sin_cos_quarter(clamp(_e28, 0.0, 0.7853982));
+        float tangent = (_e32.x / _e32.y);
+        float square_1 = (1.0 / (_e32.y * _e32.y));
+        float _e41 = a_1;
+        float sector = (0.7853982 - _e41);
+        float slope_1 = (((2.0 * sector) * square_1) * tangent);
+        float _e48 = a_1;
+        a_1 = clamp((_e48 - ((slope_1 > 0.001) ? ((((sector * square_1) + tangent) - share_2) / slope_1) : 0.0)), 0.0, 0.7853982);
     }
-    float _e65 = a_6;
-    const float2 _e66 = sin_cos_quarter(_e65);
-    return (0.5 / _e66.y);
+    float _e64 = a_1;
+    const float2 _e65 = sin_cos_quarter(_e64);
+    return (0.5 / _e65.y);
 }
 
-float disk_filtered(float d_1, float r, float w_4)
+float disk_filtered(float d, float r, float w_3)
 {
-    bool local_6 = (bool)0;
-
-    if ((w_4 < 1e-30)) {
-        if ((d_1 <= r)) {
-            local_6 = (r > 0.0);
-        } else {
-            local_6 = false;
-        }
-        bool _e11 = local_6;
-        return (_e11 ? 1.0 : 0.0);
+    if ((w_3 < 1e-30)) {
+        return (((d <= r) & (r > 0.0)) ? 1.0 : 0.0);
     }
     float square_2 = (r * r);
-    float least = ((w_4 * w_4) / 3.0);
+    float least = ((w_3 * w_3) / 3.0);
     float inner = sqrt((max(square_2, least) - (0.25 * least)));
-    return (clamp((0.5 + ((inner - d_1) / w_4)), 0.0, 1.0) * min((square_2 / least), 1.0));
+    return (clamp((0.5 + ((inner - d) / w_3)), 0.0, 1.0) * min((square_2 / least), 1.0));
+}
+
+float disk_filtered_2_(float d_1, float r_1, float w_4)
+{
+    if ((w_4 < 1e-30)) {
+        return (((d_1 <= r_1) & true) ? 1.0 : 0.0);
+    }
+    float square_3 = (r_1 * r_1);
+    float least_1 = ((w_4 * w_4) / 3.0);
+    float inner_1 = sqrt((max(square_3, least_1) - (0.25 * least_1)));
+    return (clamp((0.5 + ((inner_1 - d_1) / w_4)), 0.0, 1.0) * min((square_3 / least_1), 1.0));
 }
 
 float ink_of_dots(float2 cell, float share_3, float w_5)
 {
     float ink = (float)0;
-    bool local_7 = (bool)0;
 
-    float width_1 = min(w_5, 1.0);
+    float width = min(w_5, 1.0);
     const float _e8 = dot_radius(share_3);
-    const float _e9 = disk_filtered(length((cell - round(cell))), _e8, width_1);
+    const float _e9 = disk_filtered(length((cell - round(cell))), _e8, width);
     ink = _e9;
-    float hole = sqrt((max((1.0 - share_3), 0.0) * 0.31830987));
-    const float _e22 = eased(width_1, (0.3 * hole), (0.9 * hole));
-    const float _e25 = eased(share_3, 0.5, 0.7);
-    float is_star = (_e22 * _e25);
+    float hole = sqrt(((1.0 - share_3) * 0.31830987));
+    float is_star = (smoothstep((0.3 * hole), (0.9 * hole), width) * smoothstep(0.5, 0.7, share_3));
     if ((is_star > 0.0)) {
-        float _e29 = ink;
-        const float _e36 = disk_filtered(length(((cell - floor(cell)) - (0.5).xx)), hole, width_1);
-        ink = lerp(_e29, (1.0 - _e36), is_star);
+        float _e27 = ink;
+        const float _e34 = disk_filtered_2_(length(((cell - floor(cell)) - (0.5).xx)), hole, width);
+        ink = lerp(_e27, (1.0 - _e34), is_star);
     }
-    float _e40 = ink;
-    const float _e43 = eased(w_5, 0.4, 1.0);
-    float mean = lerp(_e40, share_3, _e43);
-    if (!((share_3 <= 0.0))) {
-        local_7 = (share_3 >= 1.0);
-    } else {
-        local_7 = true;
+    float _e38 = ink;
+    float mean = lerp(_e38, share_3, smoothstep(0.4, 1.0, w_5));
+    return (((share_3 <= 0.0) | false) ? share_3 : mean);
+}
+
+float ink_of_dots_2_(float2 cell_1, float share_4, float w_6)
+{
+    float ink_1 = (float)0;
+
+    float width_1 = min(w_6, 1.0);
+    const float _e8 = dot_radius(share_4);
+    const float _e9 = disk_filtered(length((cell_1 - round(cell_1))), _e8, width_1);
+    ink_1 = _e9;
+    float hole_1 = sqrt(((1.0 - share_4) * 0.31830987));
+    const float _e20 = eased(width_1, (0.3 * hole_1), (0.9 * hole_1));
+    float is_star_1 = (_e20 * smoothstep(0.5, 0.7, share_4));
+    if ((is_star_1 > 0.0)) {
+        float _e27 = ink_1;
+        const float _e34 = disk_filtered_2_(length(((cell_1 - floor(cell_1)) - (0.5).xx)), hole_1, width_1);
+        ink_1 = lerp(_e27, (1.0 - _e34), is_star_1);
     }
-    bool _e53 = local_7;
-    return (_e53 ? share_3 : mean);
+    float _e38 = ink_1;
+    float mean_1 = lerp(_e38, share_4, smoothstep(0.4, 1.0, w_6));
+    return (((share_4 <= 0.0) | false) ? share_4 : mean_1);
 }
 
-float reflectance_wrap(Light light_1, float3 normal_2, float wrap)
+float halftone_dots(float value, float2 place_3, float lines_3, float angle_7, float2 viewport_3)
 {
-    const float _e3 = bounded(wrap);
-    float w_7 = clamp(_e3, 0.0, 1.0);
-    const float3 _e11 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
-    float cosine = dot(_e11, light_1.direction);
-    return max(((cosine + w_7) / (1.0 + w_7)), 0.0);
+    const float2 _e6 = screen_cells_2_(place_3, viewport_3, 56.0, angle_7);
+    const float2 _e7 = footprint_of_vec2_(_e6);
+    const float _e15 = ink_of_dots(_e6, (1.0 - min(value, 1.0)), max(_e7.x, _e7.y));
+    return (1.0 - _e15);
 }
 
-float map_range(float value_1, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2)
+float halftone_dots_2_(float value_1, float2 place_4, float lines_4, float angle_8, float2 viewport_4)
 {
-    const float _e6 = remapped(value_1, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
+    const float2 _e6 = screen_cells_3_(place_4, viewport_4, 56.0, angle_8);
+    const float2 _e7 = footprint_of_vec2_(_e6);
+    const float _e15 = ink_of_dots_2_(_e6, (1.0 - min(value_1, 1.0)), max(_e7.x, _e7.y));
+    return (1.0 - _e15);
 }
 
-float multiply(float a_7, float b_5)
+float halftone_lines(float value_2, float2 place_5, float lines_5, float angle_9, float2 viewport_5)
 {
-    const float _e3 = bounded((a_7 * b_5));
-    return _e3;
-}
-
-float halftone_dots(float value_2, float2 place_1, float lines_1, float angle_3, float2 viewport_1)
-{
-    const float2 _e5 = screen_cells(place_1, viewport_1, lines_1, angle_3);
-    const float2 _e6 = footprint_of_vec2_(_e5);
-    const float _e8 = factor_of(value_2, true);
-    const float _e14 = ink_of_dots(_e5, (1.0 - _e8), max(_e6.x, _e6.y));
-    return (1.0 - _e14);
-}
-
-float halftone_lines(float value_3, float2 place_2, float lines_2, float angle_4, float2 viewport_2)
-{
-    const float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_4);
-    const float _e8 = factor_of(value_3, true);
-    const float _e12 = footprint_of(_e5.y);
-    const float _e13 = lines_filtered(_e5.y, (1.0 - _e8), _e12);
+    const float2 _e7 = screen_cells(place_5, viewport_5, 56.0, 0.0);
+    const float _e12 = footprint_of(_e7.y);
+    const float _e13 = lines_filtered(_e7.y, (1.0 - value_2), _e12);
     return (1.0 - _e13);
 }
 
 float4 shade(Surface surface_1)
 {
-    Light _e3 = look.side;
-    const Angle _e5 = parametrization_diffuse(_e3, surface_1.normal);
-    const float _e8 = profile(_e5, 0.0, yellow_s_share_shape);
-    const float _e14 = map_range(_e8, 0.0, 1.0, 1.0, 0.25, true);
-    float2 _e20 = look.viewport;
-    const float _e21 = halftone_lines(_e14, surface_1.pixel, 56.0, 0.0, _e20);
-    const float4 _e29 = mix_colors_normal(float4(0.9647, 0.8118, 0.2902, 1.0), (1.0).xxxx, _e21);
-    const float4 _e36 = mix_colors_multiply(float4(0.9686, 0.9373, 0.8784, 1.0), _e29, 1.0);
-    Light _e39 = look.key;
-    const float _e42 = reflectance_wrap(_e39, surface_1.normal, 0.3);
-    const float _e48 = map_range(_e42, 0.0, 0.8, 0.0, 1.0, true);
-    const float _e54 = map_range(_e48, 0.25, 0.95, 0.12, 1.0, true);
-    float2 _e60 = look.viewport;
-    const float _e61 = halftone_dots(_e54, surface_1.pixel, 56.0, 0.2618, _e60);
-    const float4 _e69 = mix_colors_normal(float4(0.9333, 0.3529, 0.2902, 1.0), (1.0).xxxx, _e61);
-    const float4 _e71 = mix_colors_multiply(_e36, _e69, 1.0);
-    const float _e77 = map_range(_e48, 0.0, 0.5, 0.05, 1.0, true);
+    float3 _e5 = look.side.direction;
+    float3 _e14 = look.side.direction;
+    Angle side = ConstructAngle((0.5 * length((surface_1.normal - _e5))), (0.5 * length((surface_1.normal + _e14))));
+    const float _e22 = profile(side, 0.0, yellow_s_share_shape);
+    float pale = lerp(1.0, 0.25, (_e22 - 0.0));
+    float2 _e33 = look.viewport;
+    const float _e34 = halftone_lines(pale, surface_1.pixel, 56.0, 0.0, _e33);
+    float4 p1_ink = lerp(float4(0.9647, 0.8118, 0.2902, 1.0), (1.0).xxxx, _e34);
+    const float4 _e49 = mix_colors_multiply(float4(0.9686, 0.9373, 0.8784, 1.0), p1_ink, 1.0);
+    float3 _e54 = look.key.direction;
+    float shade_2_ = max(((dot(surface_1.normal, _e54) + 0.3) / 1.3), 0.0);
+    float tone = min(((shade_2_ - 0.0) / 0.8), 1.0);
+    float coral_s_share = lerp(0.12, 1.0, clamp(((tone - 0.25) / 0.7), 0.0, 1.0));
     float2 _e83 = look.viewport;
-    const float _e84 = halftone_dots(_e77, surface_1.pixel, 56.0, 1.309, _e83);
-    const float4 _e92 = mix_colors_normal(float4(0.1216, 0.5608, 0.5922, 1.0), (1.0).xxxx, _e84);
-    const float4 _e94 = mix_colors_multiply(_e71, _e92, 1.0);
-    const float _e96 = kappa_surface(surface_1.kappa);
-    const float _e98 = transition(_e96, 0.25);
-    const float _e101 = threshold(_e98, 0.22, 0.0);
-    const float _e104 = facing(surface_1.normal, surface_1.view);
-    const float _e107 = threshold(_e104, 0.28, 0.0);
-    const float _e108 = multiply(_e101, _e107);
-    const float4 _e116 = mix_colors_normal(float4(0.0902, 0.0745, 0.1216, 1.0), (1.0).xxxx, _e108);
-    const float4 _e118 = mix_colors_multiply(_e94, _e116, 1.0);
-    const float4 _e119 = premultiplied(_e118);
-    const float4 _e120 = output(_e119);
-    return _e120;
+    const float _e84 = halftone_dots(coral_s_share, surface_1.pixel, 56.0, 0.2618, _e83);
+    float4 p2_ink = lerp(float4(0.9333, 0.3529, 0.2902, 1.0), (1.0).xxxx, _e84);
+    float4 printed_over = float4(lerp(_e49.xyz, (_e49.xyz * p2_ink.xyz), 1.0), 1.0);
+    float teal_s_share = lerp(0.05, 1.0, min(((tone - 0.0) / 0.5), 1.0));
+    float2 _e115 = look.viewport;
+    const float _e116 = halftone_dots_2_(teal_s_share, surface_1.pixel, 56.0, 1.309, _e115);
+    float4 p3_ink = lerp(float4(0.1216, 0.5608, 0.5922, 1.0), (1.0).xxxx, _e116);
+    float4 printed_over_2_ = float4(lerp(printed_over.xyz, (printed_over.xyz * p3_ink.xyz), 1.0), 1.0);
+    float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
+    const float _e146 = curvature_signed(curvature, 0.25);
+    float hollow = (0.5 + (0.5 * _e146));
+    const float _e152 = footprint_of(hollow);
+    const float _e156 = step_filtered(hollow, 0.22, length(float2(_e152, 0.0)));
+    float facing = clamp(dot(surface_1.normal, surface_1.view), 0.0, 1.0);
+    const float _e164 = footprint_of(facing);
+    const float _e168 = step_filtered(facing, 0.28, length(float2(_e164, 0.0)));
+    float black_screen = (_e156 * _e168);
+    float4 p4_ink = lerp(float4(0.0902, 0.0745, 0.1216, 1.0), (1.0).xxxx, black_screen);
+    float4 output = float4(lerp(printed_over_2_.xyz, (printed_over_2_.xyz * p4_ink.xyz), 1.0), 1.0);
+    return output;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -838,7 +583,7 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
     float4x4 _e3 = object.world_from_object;
     float4 world = mul(float4(vertex.position, 1.0), _e3);
-    float4x4 _e12 = view_1.clip_from_world;
+    float4x4 _e12 = view.clip_from_world;
     out_.clip_ = mul(world, _e12);
     out_.position = world.xyz;
     float3x3 _e19 = object.world_from_normal;
@@ -855,26 +600,22 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_4 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.normal_1 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_5 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_5;
-    float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    float4 _e26 = view_1.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
-    float4 _e40 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e40.x;
-    float4 _e47 = view_1.screen;
-    float4 _e52 = view_1.screen;
-    surface.pixel = ((in_.clip_.xy * _e47.xy) + _e52.zw);
-    Surface _e55 = surface;
-    const float4 _e56 = shade(_e55);
-    const float4 _e57 = finite_vec4_(_e56);
-    return _e57;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_2 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_2;
+    float4 _e11 = view.eye;
+    float _e16 = view.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
+    float4 _e27 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    surface.kappa = _e27.x;
+    float4 _e34 = view.screen;
+    float4 _e39 = view.screen;
+    surface.pixel = ((in_.clip_.xy * _e34.xy) + _e39.zw);
+    Surface _e42 = surface;
+    const float4 _e43 = shade(_e42);
+    return _e43;
 }

@@ -34,11 +34,7 @@ struct Varyings {
     vec3 position;
     vec3 normal;
 };
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const Ramp from_dusk_to_sun = Ramp(vec4[16](vec4(0.1373, 0.1647, 0.302, 1.0), vec4(0.4196, 0.3725, 0.5255, 1.0), vec4(0.7882, 0.5804, 0.4353, 1.0), vec4(0.9412, 0.8039, 0.5725, 1.0), vec4(1.0, 0.9843, 0.902, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.05, 0.35, 0.55, 0.75), vec4(0.98, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0)), 5u, 0u);
 
 layout(std140) uniform ViewBlock { View u_view; };

@@ -42,7 +42,6 @@ struct Surface {
     metal::float3 smooth_normal_4_;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct type_7 {
     metal::float4 inner[16];
 };
@@ -71,11 +70,7 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-constant float LN_2_ = 0.6931472;
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint INTERPOLATION_SMOOTH = 1u;
-constant uint INTERPOLATION_STEPPED = 2u;
 constant Ramp from_dusk_to_sun = Ramp {type_7 {{metal::float4(0.1373, 0.1647, 0.302, 1.0), metal::float4(0.4196, 0.3725, 0.5255, 1.0), metal::float4(0.7882, 0.5804, 0.4353, 1.0), metal::float4(0.9412, 0.8039, 0.5725, 1.0), metal::float4(1.0, 0.9843, 0.902, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_8 {{metal::float4(0.05, 0.35, 0.55, 0.75), metal::float4(0.98, 0.0, 0.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 5u, 0u};
 
 bool is_finite(
@@ -84,93 +79,69 @@ bool is_finite(
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
 metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
+    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
+    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+        return otherwise;
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
+    metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
 }
 
-float power_of_two(
-    int n
+float exp2_stable(
+    float x_1
 ) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
+    float whole = metal::rint(x_1);
+    float f = x_1 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * 0.5;
 }
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
-float exp2_stable(
+float exp2_stable_2_(
     float x_2
 ) {
-    float clamped_1 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = (clamped_1 - whole) * LN_2_;
-    float p = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p * _e33) * _e37;
+    float whole_1 = metal::rint(x_2);
+    float f_1 = x_2 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
+float log2_stable(
     float x_3
 ) {
     uint bits = as_type<uint>(x_3);
-    int shift = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift >= 256) ? as_type<int>(as_type<uint>(shift) - as_type<uint>(512)) : shift;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
+}
+
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise_1
+) {
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(
@@ -180,25 +151,6 @@ float bounded(
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
     return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
-}
-
-metal::float3 bounded_vec3_(
-    metal::float3 v_3
-) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    return metal::float3(_e2, _e4, _e6);
-}
-
-metal::float4 bounded_vec4_(
-    metal::float4 v_4
-) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    float _e8 = bounded(v_4.w);
-    return metal::float4(_e2, _e4, _e6, _e8);
 }
 
 float divided(
@@ -216,185 +168,63 @@ float powered(
     float base,
     float exponent
 ) {
-    bool local_1 = {};
-    float _e2 = bounded(base);
-    float _e3 = bounded(exponent);
-    if (_e3 == 1.0) {
-        return _e2;
-    }
-    if (_e3 == 0.0) {
-        return 1.0;
-    }
-    if (_e3 == 2.0) {
-        float _e12 = bounded(_e2 * _e2);
-        return _e12;
-    }
-    float magnitude_1 = metal::abs(_e2);
-    if (magnitude_1 < SMALLEST_NORMAL) {
-        return 0.0;
-    }
-    float _e18 = log_stable(magnitude_1);
-    float _e21 = bounded(_e3 * (LOG2_E * _e18));
-    float _e22 = exp2_stable(_e21);
-    bool is_even = metal::floor(_e3 * 0.5) == (_e3 * 0.5);
-    if (_e2 < 0.0) {
-        local_1 = !(is_even);
-    } else {
-        local_1 = false;
-    }
-    bool _e36 = local_1;
-    return _e36 ? -(_e22) : _e22;
-}
-
-float mixed(
-    float a_1,
-    float b_1,
-    float t
-) {
-    float _e4 = bounded(b_1 - a_1);
-    float _e14 = bounded((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
-    return _e14;
-}
-
-metal::float3 mixed_vec3_(
-    metal::float3 a_2,
-    metal::float3 b_2,
-    float t_1
-) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return metal::float3(_e5, _e8, _e11);
-}
-
-metal::float4 mixed_vec4_(
-    metal::float4 a_3,
-    metal::float4 b_3,
-    float t_2
-) {
-    metal::float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return metal::float4(_e5, _e8);
-}
-
-float place_between(
-    float x_5,
-    float low,
-    float high
-) {
-    float span = high - low;
-    if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_5 >= high) ? 1.0 : 0.0;
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded((x_5 - low) / _e12);
-    return _e14;
-}
-
-float eased(
-    float x_6,
-    float low_1,
-    float high_1
-) {
-    float _e3 = bounded(x_6);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_6 = metal::clamp(_e6, 0.0, 1.0);
-    return (t_6 * t_6) * (3.0 - (2.0 * t_6));
-}
-
-float factor_of(
-    float x_7,
-    bool clamped
-) {
-    float _e2 = bounded(x_7);
-    float _e3 = bounded(x_7);
-    return clamped ? metal::clamp(_e3, 0.0, 1.0) : _e2;
+    float magnitude_1 = metal::abs(base);
+    float _e5 = log2_stable(metal::max(magnitude_1, SMALLEST_NORMAL));
+    float _e7 = exp2_stable_2_(exponent * _e5);
+    return (magnitude_1 < SMALLEST_NORMAL) ? 0.0 : _e7;
 }
 
 float footprint_of(
-    float x_8
+    float x_5
 ) {
-    float _e1 = metal::dfdx(x_8);
-    float _e2 = metal::dfdy(x_8);
+    float _e1 = metal::dfdx(x_5);
+    float _e2 = metal::dfdy(x_5);
     metal::float2 d = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
-    return _e6;
-}
-
-float step_filtered(
-    float x_9,
-    float edge,
-    float w
-) {
-    float _e4 = bounded(x_9 - edge);
-    if (w < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
-}
-
-float linear_of_srgb(
-    float coded
-) {
-    float _e1 = bounded(coded);
-    float size = metal::abs(_e1);
-    float _e8 = powered((size + 0.055) / 1.055, 2.4);
-    float value_1 = (size <= 0.04045) ? (size / 12.92) : _e8;
-    return (coded < 0.0) ? -(value_1) : value_1;
+    return metal::sqrt(metal::dot(d, d));
 }
 
 float srgb_of_linear(
     float light
 ) {
-    float _e1 = bounded(light);
-    float size_1 = metal::abs(_e1);
-    float _e4 = powered(size_1, 0.41666666);
-    float value_2 = (size_1 <= 0.0031308) ? (size_1 * 12.92) : ((1.055 * _e4) - 0.055);
-    float _e18 = bounded((light < 0.0) ? -(value_2) : value_2);
-    return _e18;
-}
-
-float cube_root(
-    float x_10
-) {
-    float _e3 = powered(metal::abs(x_10), 0.33333334);
-    return (x_10 < 0.0) ? -(_e3) : _e3;
+    float size = metal::abs(light);
+    float _e3 = powered(size, 0.41666666);
+    float value_1 = (size <= 0.0031308) ? (size * 12.92) : ((1.055 * _e3) - 0.055);
+    return (light < 0.0) ? -(value_1) : value_1;
 }
 
 metal::float3 oklab_of_linear(
     metal::float3 rgb
 ) {
-    metal::float3 _e1 = bounded_vec3_(rgb);
-    metal::float3 c = metal::clamp(_e1, metal::float3(-1000000000.0), metal::float3(1000000000.0));
-    float _e12 = cube_root(metal::dot(c, metal::float3(0.41222146, 0.53633255, 0.051445995)));
-    float _e18 = cube_root(metal::dot(c, metal::float3(0.2119035, 0.6806995, 0.10739696)));
-    float _e24 = cube_root(metal::dot(c, metal::float3(0.08830246, 0.28171885, 0.6299787)));
-    return metal::float3(((0.21045426 * _e12) + (0.7936178 * _e18)) - (0.004072047 * _e24), ((1.9779985 * _e12) - (2.4285922 * _e18)) + (0.4505937 * _e24), ((0.025904037 * _e12) + (0.78277177 * _e18)) - (0.80867577 * _e24));
+    float _e6 = log2_stable(metal::dot(rgb, metal::float3(0.41222146, 0.53633255, 0.051445995)));
+    float _e9 = exp2_stable_2_(0.33333334 * _e6);
+    float _e15 = log2_stable(metal::dot(rgb, metal::float3(0.2119035, 0.6806995, 0.10739696)));
+    float _e18 = exp2_stable_2_(0.33333334 * _e15);
+    float _e24 = log2_stable(metal::dot(rgb, metal::float3(0.08830246, 0.28171885, 0.6299787)));
+    float _e27 = exp2_stable_2_(0.33333334 * _e24);
+    return metal::float3(((0.21045426 * _e9) + (0.7936178 * _e18)) - (0.004072047 * _e27), ((1.9779985 * _e9) - (2.4285922 * _e18)) + (0.4505937 * _e27), ((0.025904037 * _e9) + (0.78277177 * _e18)) - (0.80867577 * _e27));
 }
 
 metal::float3 linear_of_oklab(
     metal::float3 lab
 ) {
-    metal::float3 _e1 = bounded_vec3_(lab);
-    metal::float3 c_1 = metal::clamp(_e1, metal::float3(-1000000.0), metal::float3(1000000.0));
-    float l = (c_1.x + (0.39633778 * c_1.y)) + (0.21580376 * c_1.z);
-    float m = (c_1.x - (0.105561346 * c_1.y)) - (0.06385417 * c_1.z);
-    float s = (c_1.x - (0.08948418 * c_1.y)) - (1.2914855 * c_1.z);
+    float l = (lab.x + (0.39633778 * lab.y)) + (0.21580376 * lab.z);
+    float m = (lab.x - (0.105561346 * lab.y)) - (0.06385417 * lab.z);
+    float s = (lab.x - (0.08948418 * lab.y)) - (1.2914855 * lab.z);
     metal::float3 cubes = metal::float3((l * l) * l, (m * m) * m, (s * s) * s);
     return metal::float3(metal::dot(cubes, metal::float3(4.0767417, -3.3077116, 0.23096994)), metal::dot(cubes, metal::float3(-1.268438, 2.6097574, -0.34131938)), metal::dot(cubes, metal::float3(-0.0041960864, -0.7034186, 1.7076147)));
 }
 
 metal::float3 oklab_of_srgb(
-    metal::float3 coded_1
+    metal::float3 coded
 ) {
-    float _e2 = linear_of_srgb(coded_1.x);
-    float _e4 = linear_of_srgb(coded_1.y);
-    float _e6 = linear_of_srgb(coded_1.z);
-    metal::float3 _e8 = oklab_of_linear(metal::float3(_e2, _e4, _e6));
-    return _e8;
+    float _e6 = log2_stable((coded.x + 0.055) / 1.055);
+    float _e9 = exp2_stable_2_(2.4 * _e6);
+    float _e15 = log2_stable((coded.y + 0.055) / 1.055);
+    float _e18 = exp2_stable_2_(2.4 * _e15);
+    float _e24 = log2_stable((coded.z + 0.055) / 1.055);
+    float _e27 = exp2_stable_2_(2.4 * _e24);
+    metal::float3 _e29 = oklab_of_linear(metal::float3(_e9, _e18, _e27));
+    return _e29;
 }
 
 metal::float3 srgb_of_oklab(
@@ -407,80 +237,6 @@ metal::float3 srgb_of_oklab(
     return metal::float3(_e3, _e5, _e7);
 }
 
-metal::float4 ends_kept(
-    metal::float4 a_4,
-    metal::float4 b_4,
-    float t_3,
-    metal::float3 rgb_1
-) {
-    metal::float3 _e4 = bounded_vec3_(rgb_1);
-    float _e7 = mixed(a_4.w, b_4.w, t_3);
-    metal::float4 mixed_color = metal::float4(_e4, _e7);
-    metal::float4 _e9 = bounded_vec4_(b_4);
-    metal::float4 _e13 = bounded_vec4_(a_4);
-    return (t_3 <= 0.0) ? _e13 : ((t_3 >= 1.0) ? _e9 : mixed_color);
-}
-
-metal::float4 mixed_in_oklab(
-    metal::float4 a_5,
-    metal::float4 b_5,
-    float t_4
-) {
-    metal::float3 _e4 = oklab_of_srgb(a_5.xyz);
-    metal::float3 _e6 = oklab_of_srgb(b_5.xyz);
-    metal::float3 _e7 = mixed_vec3_(_e4, _e6, t_4);
-    metal::float3 _e8 = srgb_of_oklab(_e7);
-    metal::float4 _e9 = ends_kept(a_5, b_5, t_4, _e8);
-    return _e9;
-}
-
-metal::float4 hermite(
-    metal::float4 a_6,
-    metal::float4 b_6,
-    metal::float4 from_a,
-    metal::float4 to_b,
-    float t_5
-) {
-    metal::float4 d_1 = b_6 - a_6;
-    return a_6 + (t_5 * (from_a + (t_5 * ((((3.0 * d_1) - (2.0 * from_a)) - to_b) + (t_5 * ((from_a + to_b) - (2.0 * d_1)))))));
-}
-
-float harmonic_slope(
-    float before,
-    float span_before,
-    float after,
-    float span_after
-) {
-    if ((before * after) <= 0.0) {
-        return 0.0;
-    }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    float _e18 = divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
-    return _e18;
-}
-
-metal::float4 ramp_slope(
-    metal::float4 rise_before,
-    float span_before_1,
-    metal::float4 rise_after,
-    float span_after_1
-) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return metal::float4(_e8, _e13, _e18, _e23);
-}
-
 uint naga_div(uint lhs, uint rhs) {
     return lhs / metal::select(rhs, 1u, rhs == 0u);
 }
@@ -489,252 +245,60 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
-Color ramp_at(
+RampPlace ramp_place(
     Ramp ramp,
-    float x_11,
-    float w_1
+    float x_6
 ) {
     type_7 colors = {};
     type_8 places = {};
-    metal::float4 color = {};
     uint i = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_2 = {};
-    metal::float4 from_a_1 = metal::float4(0.0);
-    metal::float4 to_b_1 = metal::float4(0.0);
-    uint count = metal::min(ramp.count, 16u);
-    if (count == 0u) {
-        return metal::float4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if (ramp.interpolation == INTERPOLATION_STEPPED) {
-        metal::float4 _e18 = colors.inner[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = _e47 + 1u;
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if (_e22 < count) {
-            } else {
-                break;
-            }
-            {
-                metal::float4 _e24 = color;
-                uint _e25 = i;
-                metal::float4 _e27 = colors.inner[_e25];
-                uint _e28 = i;
-                metal::float4 _e32 = colors.inner[_e28 - 1u];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
-                float _e43 = step_filtered(x_11, _e42, w_1);
-                color = _e24 + ((_e27 - _e32) * _e43);
-            }
-        }
-        metal::float4 _e49 = color;
-        metal::float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = _e71 + 1u;
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e27 = i;
+            i = _e27 + 1u;
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if (_e55 < count) {
-        } else {
+        loop_init = false;
+        uint _e10 = i;
+        if (!((_e10 < 5u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places.inner[naga_div(_e59, 4u)][naga_mod(_e63, 4u)];
-            at = (_e67 <= x_11) ? _e58 : _e57;
-        }
+        uint _e14 = at;
+        uint _e15 = i;
+        uint _e16 = i;
+        uint _e20 = i;
+        float _e24 = places.inner[naga_div(_e16, 4u)][naga_mod(_e20, 4u)];
+        at = (_e24 <= x_6) ? _e15 : _e14;
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place = places.inner[naga_div(_e73, 4u)][naga_mod(_e77, 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count))) {
-        local_2 = x_11 <= place;
-    } else {
-        local_2 = true;
-    }
-    bool _e91 = local_2;
-    if (_e91) {
-        uint _e92 = at;
-        metal::float4 _e94 = colors.inner[_e92];
-        metal::float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
-    }
-    uint _e96 = at;
-    uint after_1 = _e96 + 1u;
-    float _e105 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span_1 = _e105 - place;
-    float _e108 = divided(x_11 - place, span_1);
-    float t_7 = metal::clamp(_e108, 0.0, 1.0);
-    if (ramp.interpolation != INTERPOLATION_SMOOTH) {
-        uint _e115 = at;
-        metal::float4 _e117 = colors.inner[_e115];
-        metal::float4 _e119 = colors.inner[after_1];
-        metal::float4 _e120 = mixed_vec4_(_e117, _e119, t_7);
-        return _e120;
-    }
-    uint _e127 = at;
-    if (_e127 > 0u) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places.inner[naga_div(_e130 - 1u, 4u)][naga_mod(_e136 - 1u, 4u)];
-        uint _e143 = at;
-        metal::float4 _e145 = colors.inner[_e143];
-        uint _e146 = at;
-        metal::float4 _e150 = colors.inner[_e146 - 1u];
-        metal::float4 _e154 = colors.inner[after_1];
-        uint _e155 = at;
-        metal::float4 _e157 = colors.inner[_e155];
-        metal::float4 _e159 = ramp_slope(_e145 - _e150, place - before_1, _e154 - _e157, span_1);
-        from_a_1 = _e159;
-    }
-    if ((after_1 + 1u) < count) {
-        float _e173 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e173 - (place + span_1);
-        metal::float4 _e177 = colors.inner[after_1];
-        uint _e178 = at;
-        metal::float4 _e180 = colors.inner[_e178];
-        metal::float4 _e185 = colors.inner[after_1 + 1u];
-        metal::float4 _e187 = colors.inner[after_1];
-        metal::float4 _e189 = ramp_slope(_e177 - _e180, span_1, _e185 - _e187, next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    metal::float4 _e192 = colors.inner[_e190];
-    metal::float4 _e194 = colors.inner[after_1];
-    metal::float4 _e195 = from_a_1;
-    metal::float4 _e197 = to_b_1;
-    metal::float4 _e199 = hermite(_e192, _e194, span_1 * _e195, span_1 * _e197, t_7);
-    metal::float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
-}
-
-RampPlace ramp_place(
-    Ramp ramp_1,
-    float x_12
-) {
-    type_7 colors_1 = {};
-    type_8 places_1 = {};
-    uint at_1 = 0u;
-    uint i_2 = 1u;
-    uint count_1 = metal::min(ramp_1.count, 16u);
-    if (count_1 == 0u) {
-        return RampPlace {metal::float4(0.0), metal::float4(0.0), 0.0};
-    }
-    colors_1 = ramp_1.colors;
-    places_1 = ramp_1.places;
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
-    while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            uint _e37 = i_2;
-            i_2 = _e37 + 1u;
-        }
-        loop_init_2 = false;
-        uint _e21 = i_2;
-        if (_e21 < count_1) {
-        } else {
-            break;
-        }
-        {
-            uint _e23 = at_1;
-            uint _e24 = i_2;
-            uint _e25 = i_2;
-            uint _e29 = i_2;
-            float _e33 = places_1.inner[naga_div(_e25, 4u)][naga_mod(_e29, 4u)];
-            at_1 = (_e33 <= x_12) ? _e24 : _e23;
-        }
-    }
-    uint _e39 = at_1;
-    uint after_2 = metal::min(_e39 + 1u, count_1 - 1u);
-    uint _e45 = at_1;
-    uint _e49 = at_1;
-    float place_1 = places_1.inner[naga_div(_e45, 4u)][naga_mod(_e49, 4u)];
-    float _e61 = places_1.inner[naga_div(after_2, 4u)][naga_mod(after_2, 4u)];
-    float _e63 = divided(x_12 - place_1, _e61 - place_1);
-    float t_8 = metal::clamp(_e63, 0.0, 1.0);
-    uint _e67 = at_1;
-    metal::float4 _e69 = colors_1.inner[_e67];
-    metal::float4 _e71 = colors_1.inner[after_2];
-    float _e74 = eased(t_8, 0.0, 1.0);
-    return RampPlace {_e69, _e71, (ramp_1.interpolation == INTERPOLATION_SMOOTH) ? _e74 : t_8};
-}
-
-Composite premultiplied(
-    Color color_1
-) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-Color mix_colors_normal(
-    Color a_7,
-    Color b_7,
-    float factor
-) {
-    metal::float4 _e3 = bounded_vec4_(a_7);
-    metal::float4 _e4 = bounded_vec4_(b_7);
-    float _e6 = factor_of(factor, true);
-    metal::float4 _e7 = mixed_vec4_(_e3, _e4, _e6);
-    return _e7;
-}
-
-Color output(
-    Composite color_2
-) {
-    Color _e1 = straight(color_2);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
+    uint _e30 = at;
+    uint after = metal::min(_e30 + 1u, 4u);
+    uint _e35 = at;
+    uint _e39 = at;
+    float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
+    float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
+    float _e53 = divided(x_6 - place, _e51 - place);
+    float t = metal::clamp(_e53, 0.0, 1.0);
+    uint _e57 = at;
+    metal::float4 _e59 = colors.inner[_e57];
+    metal::float4 _e61 = colors.inner[after];
+    return RampPlace {_e59, _e61, t};
 }
 
 Color ramp_oklab(
     float value,
-    Ramp ramp_2
+    Ramp ramp_1
 ) {
-    float _e2 = footprint_of(value);
-    if (ramp_2.interpolation == INTERPOLATION_STEPPED) {
-        float _e6 = bounded(value);
-        Color _e7 = ramp_at(ramp_2, _e6, _e2);
-        return _e7;
-    }
-    float _e8 = bounded(value);
-    RampPlace _e9 = ramp_place(ramp_2, _e8);
-    metal::float4 _e13 = mixed_in_oklab(_e9.before, _e9.after, _e9.t);
-    return _e13;
+    RampPlace _e2 = ramp_place(ramp_1, value);
+    metal::float3 _e5 = oklab_of_srgb(_e2.before.xyz);
+    metal::float3 _e8 = oklab_of_srgb(_e2.after.xyz);
+    metal::float3 _e11 = srgb_of_oklab(metal::mix(_e5, _e8, _e2.t));
+    return (_e2.t <= 0.0) ? _e2.before : ((_e2.t >= 1.0) ? _e2.after : metal::float4(_e11, 1.0));
 }
 
 float detail_lit(
@@ -745,14 +309,7 @@ float detail_lit(
 ) {
     metal::float3 across = light_1 - (metal::dot(light_1, coarser) * coarser);
     metal::float3 toward = across / metal::float3(metal::max(metal::length(across), 0.05));
-    return metal::clamp(contrast * metal::dot(finer, toward), -1.0, 1.0);
-}
-
-float line_covers(
-    float distance,
-    float width
-) {
-    return metal::clamp((width + 0.5) - distance, 0.0, metal::min(width, 1.0));
+    return metal::clamp(7.0 * metal::dot(finer, toward), -1.0, 1.0);
 }
 
 float exaggerated_four(
@@ -765,41 +322,32 @@ float exaggerated_four(
     metal::float3 smooth_3_,
     metal::float3 smooth_4_
 ) {
-    float _e8 = bounded(contrast_1);
-    float a_8 = metal::clamp(_e8, 0.0, 50.0);
-    float _e12 = bounded(detail);
-    float _e17 = exp2_stable(-(metal::clamp(_e12, -8.0, 8.0)));
-    metal::float3 _e22 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e23 = normalize_or(smooth_1_, _e22);
-    metal::float3 _e24 = normalize_or(smooth_2_, _e23);
-    metal::float3 _e25 = normalize_or(smooth_3_, _e24);
-    metal::float3 _e26 = normalize_or(smooth_4_, _e25);
-    metal::float3 l_1 = light_2.direction;
-    float _e28 = detail_lit(_e24, _e25, l_1, a_8);
-    float _e29 = detail_lit(_e25, _e26, l_1, a_8);
-    float coarse = _e28 + (_e17 * (_e29 + (_e17 * metal::dot(_e26, l_1))));
-    float _e35 = detail_lit(_e22, _e23, l_1, a_8);
-    float _e36 = detail_lit(_e23, _e24, l_1, a_8);
-    float sum = _e35 + (_e17 * (_e36 + (_e17 * coarse)));
-    return metal::clamp(0.5 + ((0.5 * sum) / (1.0 + (_e17 * (1.0 + (_e17 * (1.0 + (_e17 * (1.0 + _e17)))))))), 0.0, 1.0);
+    float _e9 = exp2_stable(-(detail));
+    metal::float3 _e10 = normalize_or(smooth_1_, normal);
+    metal::float3 _e11 = normalize_or(smooth_2_, _e10);
+    metal::float3 _e12 = normalize_or(smooth_3_, _e11);
+    metal::float3 _e13 = normalize_or(smooth_4_, _e12);
+    float _e16 = detail_lit(_e11, _e12, light_2.direction, 7.0);
+    float _e19 = detail_lit(_e12, _e13, light_2.direction, 7.0);
+    float coarse = _e16 + (_e9 * (_e19 + (_e9 * metal::dot(_e13, light_2.direction))));
+    float _e28 = detail_lit(normal, _e10, light_2.direction, 7.0);
+    float _e31 = detail_lit(_e10, _e11, light_2.direction, 7.0);
+    float sum = _e28 + (_e9 * (_e31 + (_e9 * coarse)));
+    return metal::clamp(0.5 + ((0.5 * sum) / (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + (_e9 * (1.0 + _e9)))))))), 0.0, 1.0);
 }
 
 float outer_contour(
-    float width_1,
+    float width,
     metal::float3 normal_1,
     metal::float3 view,
     metal::float2 viewport
 ) {
-    metal::float3 _e6 = normalize_or(normal_1, metal::float3(0.0));
-    float facing = metal::clamp(metal::dot(_e6, view), 0.0, 1.0);
-    float _e11 = bounded(width_1);
-    float pixels = (metal::clamp(_e11, 0.0, 10000.0) * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
-    float _e22 = footprint_of(facing);
-    float distance_1 = facing / metal::max(2.0 * _e22, 0.000001);
-    float _e30 = eased(facing, 0.45, 0.75);
-    float near = 1.0 - _e30;
-    float _e33 = line_covers(distance_1, pixels);
-    return _e33 * near;
+    float facing = metal::clamp(metal::dot(normal_1, view), 0.0, 1.0);
+    float pixels = (3.0 * metal::clamp(viewport.y, 1.0, 100000.0)) / 1000.0;
+    float _e16 = footprint_of(facing);
+    float distance = facing / metal::max(2.0 * _e16, 0.000001);
+    float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
+    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 metal::float4 shade(
@@ -811,10 +359,8 @@ metal::float4 shade(
     Color _e13 = ramp_oklab(_e11, from_dusk_to_sun);
     metal::float2 _e19 = look.viewport;
     float _e20 = outer_contour(3.0, surface_1.normal, surface_1.view, _e19);
-    Color _e26 = mix_colors_normal(_e13, metal::float4(0.098, 0.1059, 0.2, 1.0), _e20);
-    Composite _e27 = premultiplied(_e26);
-    Color _e28 = output(_e27);
-    return _e28;
+    metal::float4 output = metal::mix(_e13, metal::float4(0.098, 0.1059, 0.2, 1.0), _e20);
+    return output;
 }
 
 struct vs_mainInput {
@@ -870,29 +416,25 @@ fragment fs_mainOutput fs_main(
 ) {
     const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_2 = is_front ? _e3 : -(_e3);
     surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
-    metal::float4 _e40 = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e46 = view_1.camera_from_world;
-    surface.smooth_normal_1_ = (metal::float4(_e40.xyz, 0.0) * _e46).xyz;
-    metal::float4 _e55 = smooth_normal_2_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e61 = view_1.camera_from_world;
-    surface.smooth_normal_2_ = (metal::float4(_e55.xyz, 0.0) * _e61).xyz;
-    metal::float4 _e70 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e76 = view_1.camera_from_world;
-    surface.smooth_normal_3_ = (metal::float4(_e70.xyz, 0.0) * _e76).xyz;
-    metal::float4 _e85 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
-    metal::float4x4 _e91 = view_1.camera_from_world;
-    surface.smooth_normal_4_ = (metal::float4(_e85.xyz, 0.0) * _e91).xyz;
-    Surface _e94 = surface;
-    metal::float4 _e95 = shade(_e94, look);
-    metal::float4 _e96 = finite_vec4_(_e95);
-    return fs_mainOutput { _e96 };
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
+    metal::float4 _e27 = smooth_normal_1_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e33 = view_1.camera_from_world;
+    surface.smooth_normal_1_ = (metal::float4(_e27.xyz, 0.0) * _e33).xyz;
+    metal::float4 _e42 = smooth_normal_2_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e48 = view_1.camera_from_world;
+    surface.smooth_normal_2_ = (metal::float4(_e42.xyz, 0.0) * _e48).xyz;
+    metal::float4 _e57 = smooth_normal_3_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e63 = view_1.camera_from_world;
+    surface.smooth_normal_3_ = (metal::float4(_e57.xyz, 0.0) * _e63).xyz;
+    metal::float4 _e72 = smooth_normal_4_map.read(metal::uint2(naga_f2i32(in.clip.xy)), 0);
+    metal::float4x4 _e78 = view_1.camera_from_world;
+    surface.smooth_normal_4_ = (metal::float4(_e72.xyz, 0.0) * _e78).xyz;
+    Surface _e81 = surface;
+    metal::float4 _e82 = shade(_e81, look);
+    return fs_mainOutput { _e82 };
 }

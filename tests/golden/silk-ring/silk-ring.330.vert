@@ -34,18 +34,9 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float PI = 3.1415927;
 const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
 const float LOG2_E = 1.442695;
-const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint PROFILE_STEP = 1u;
-const uint PROFILE_AMBIENT = 2u;
 const uint NOISE_PERLIN = 1u;
-const uint NOISE_SIMPLEX = 2u;
-const uint NOISE_WORLEY = 3u;
-const float SIMPLEX_SCALE = 38.4553;
-const float WORLEY_MEAN = 0.5205;
 const ProfileShape lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);
 const ProfileShape band_shape = ProfileShape(0.9998875, 0.014999437, 9.541332, 4.980432, 0.03, 0.07759806, 0.03648918, 0u);
 const ProfileShape second_band_shape = ProfileShape(1.0, 0.0, 6.6917324, 12.899528, 0.0, 0.07171497, 0.035865854, 0u);

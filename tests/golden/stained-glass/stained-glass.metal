@@ -92,23 +92,11 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float PI = 3.1415927;
 constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
 constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint INTERPOLATION_SMOOTH = 1u;
-constant uint INTERPOLATION_STEPPED = 2u;
-constant uint PROFILE_STEP = 1u;
-constant uint PROFILE_AMBIENT = 2u;
 constant uint NOISE_PERLIN = 1u;
-constant uint NOISE_SIMPLEX = 2u;
-constant uint NOISE_WORLEY = 3u;
-constant float SIMPLEX_SCALE = 38.4553;
-constant float WORLEY_MEAN = 0.5205;
 constant float CELL_REACH = 1.25;
-constant float CELL_BORDER_MEAN = 0.1301;
-constant float CELL_DISTANCE_MEAN = 0.491;
 constant Ramp colors_1 = Ramp {type_5 {{metal::float4(0.0706, 0.1882, 0.4784, 1.0), metal::float4(0.1216, 0.4784, 0.6902, 1.0), metal::float4(0.1137, 0.5412, 0.3529, 1.0), metal::float4(0.9098, 0.6902, 0.1255, 1.0), metal::float4(0.8471, 0.3255, 0.1098, 1.0), metal::float4(0.6902, 0.0706, 0.2196, 1.0), metal::float4(0.3529, 0.102, 0.4784, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_6 {{metal::float4(0.0, 0.22, 0.4, 0.58), metal::float4(0.75, 0.9, 1.0, 0.0), metal::float4(0.0), metal::float4(0.0)}}, 7u, 2u};
 constant ProfileShape through_the_glass_shape = ProfileShape {0.9950042, 0.099833414, 1.1883951, 1.4967098, 0.2, 1.0679889, 0.45520553, 0u};
 constant ProfileShape on_the_glass_shape = ProfileShape {0.99875027, 0.04997917, 1.2766062, 1.3888036, 0.1, 1.0089166, 0.41697913, 0u};
@@ -121,93 +109,55 @@ bool is_finite(
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
 metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
+    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
+    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+        return otherwise;
     }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
+    metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
 }
 
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+float exp2_stable(
+    float x_1
+) {
+    float whole = metal::rint(x_1);
+    float f = x_1 - whole;
+    float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
+    return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float exp2_stable(
+float exp2_stable_2_(
     float x_2
 ) {
-    float clamped_3 = metal::clamp(x_2, -150.0, 127.99999);
-    float whole = metal::rint(clamped_3);
-    float f = (clamped_3 - whole) * LN_2_;
-    float p_7 = 1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127)))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), 2);
-    float _e33 = power_of_two(half_whole);
-    float _e37 = power_of_two(as_type<int>(as_type<uint>(naga_f2i32(whole)) - as_type<uint>(half_whole)));
-    return (p_7 * _e33) * _e37;
+    float clamped_2 = metal::max(x_2, -126.0);
+    float whole_1 = metal::rint(clamped_2);
+    float f_1 = clamped_2 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
-float log_stable(
+float log2_stable(
     float x_3
 ) {
     uint bits = as_type<uint>(x_3);
-    int shift_2 = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent_1 = (shift_2 >= 256) ? as_type<int>(as_type<uint>(shift_2) - as_type<uint>(512)) : shift_2;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent_1) << 23u));
+    int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent_1) * LN_2_) + series;
+    return static_cast<float>(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
 float log1p_negative_small(
@@ -218,25 +168,28 @@ float log1p_negative_small(
     return (-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111))))))));
 }
 
-metal::float2 sin_cos_quarter(
+metal::float2 sin_cos_tiny(
     float x_4
 ) {
-    float h = 0.5 * x_4;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float y_2 = x_4 * x_4;
+    float s = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * 0.008333334))));
+    float c = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * 0.0013888889)))));
+    return metal::float2(s, c);
 }
 
-Angle angle_between(
-    metal::float3 d,
-    metal::float3 l
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise_1
 ) {
-    float p_8 = metal::length(d - l);
-    float s_1 = metal::length(d + l);
-    float k = 1.0 / metal::sqrt(metal::max((p_8 * p_8) + (s_1 * s_1), 0.000000000000000000000000000001));
-    return Angle {p_8 * k, s_1 * k};
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(
@@ -248,58 +201,45 @@ float atan2_positive(
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_6 = small / large;
-    bool is_wide = t_6 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_6;
+    float t_3 = small / large;
+    bool is_wide = t_3 > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t_3;
     float r2_ = r * r;
-    float series_1 = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_5 = is_wide ? (series_1 + 0.7853982) : series_1;
-    return (y_1 > x_5) ? (HALF_PI - a_5) : a_5;
+    float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
+    float a = is_wide ? (series + 0.7853982) : series;
+    return (y_1 > x_5) ? (HALF_PI - a) : a;
 }
 
-float angle_radians(
+float angle_footprint(
     Angle u
 ) {
-    float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return 2.0 * _e3;
+    metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
+    metal::float2 dx = metal::dfdx(half_);
+    metal::float2 dy = metal::dfdy(half_);
+    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_5, 0.5);
 }
 
 Angle angle_turned(
     Angle u_1,
     metal::float2 t
 ) {
-    bool local_1 = {};
-    float s_2 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
+    float s_1 = (u_1.half_sin * t.y) - (u_1.half_cos * t.x);
     float c_1 = (u_1.half_cos * t.y) + (u_1.half_sin * t.x);
-    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_1);
-    if (s_2 <= 0.0) {
-        local_1 = s_2 < c_1;
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    metal::float2 turned = _e32 ? metal::float2(0.0, 1.0) : upper;
+    metal::float2 upper = (c_1 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_1, c_1);
+    metal::float2 turned = ((s_1 <= 0.0) & (s_1 < c_1)) ? metal::float2(0.0, 1.0) : upper;
     return Angle {turned.x, turned.y};
 }
 
-Angle angle_shifted(
+Angle angle_turned_2_(
     Angle u_2,
-    float shift
+    metal::float2 t_1
 ) {
-    metal::float2 _e7 = sin_cos_quarter(0.5 * metal::clamp(shift, -3.1415927, PI));
-    Angle _e8 = angle_turned(u_2, _e7);
-    return _e8;
-}
-
-float angle_footprint(
-    Angle u_3
-) {
-    metal::float2 half_ = metal::float2(u_3.half_sin, u_3.half_cos);
-    metal::float2 dx = metal::dfdx(half_);
-    metal::float2 dy = metal::dfdy(half_);
-    float w_5 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    float _e13 = finite_or(w_5, 0.5);
-    return metal::min(_e13, 0.5);
+    float s_2 = u_2.half_sin - (u_2.half_cos * 0.0);
+    float c_2 = u_2.half_cos + (u_2.half_sin * 0.0);
+    metal::float2 upper_1 = (c_2 <= 0.0) ? metal::float2(1.0, 0.0) : metal::float2(s_2, c_2);
+    metal::float2 turned_1 = ((s_2 <= 0.0) & (s_2 < c_2)) ? metal::float2(0.0, 1.0) : upper_1;
+    return Angle {turned_1.x, turned_1.y};
 }
 
 float bounded(
@@ -311,191 +251,41 @@ float bounded(
     return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
-metal::float3 bounded_vec3_(
+float length_of(
     metal::float3 v_3
 ) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    float _e6 = bounded(v_3.z);
-    return metal::float3(_e2, _e4, _e6);
-}
-
-metal::float4 bounded_vec4_(
-    metal::float4 v_4
-) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    float _e8 = bounded(v_4.w);
-    return metal::float4(_e2, _e4, _e6, _e8);
-}
-
-float divided(
-    float a,
-    float b
-) {
-    if (metal::abs(b) < SMALLEST_NORMAL) {
-        return 0.0;
-    }
-    float _e7 = bounded(a / b);
-    return _e7;
-}
-
-float mixed(
-    float a_1,
-    float b_1,
-    float t_1
-) {
-    float _e4 = bounded(b_1 - a_1);
-    float _e14 = bounded((t_1 < 0.5) ? (a_1 + (t_1 * _e4)) : (b_1 - ((1.0 - t_1) * _e4)));
-    return _e14;
-}
-
-metal::float3 mixed_vec3_(
-    metal::float3 a_2,
-    metal::float3 b_2,
-    float t_2
-) {
-    float _e5 = mixed(a_2.x, b_2.x, t_2);
-    float _e8 = mixed(a_2.y, b_2.y, t_2);
-    float _e11 = mixed(a_2.z, b_2.z, t_2);
-    return metal::float3(_e5, _e8, _e11);
-}
-
-metal::float4 mixed_vec4_(
-    metal::float4 a_3,
-    metal::float4 b_3,
-    float t_3
-) {
-    metal::float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_3);
-    float _e8 = mixed(a_3.w, b_3.w, t_3);
-    return metal::float4(_e5, _e8);
-}
-
-float place_between(
-    float x_7,
-    float low,
-    float high
-) {
-    float span = high - low;
-    if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_7 >= high) ? 1.0 : 0.0;
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded((x_7 - low) / _e12);
-    return _e14;
-}
-
-float eased(
-    float x_8,
-    float low_1,
-    float high_1
-) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_7 = metal::clamp(_e6, 0.0, 1.0);
-    return (t_7 * t_7) * (3.0 - (2.0 * t_7));
-}
-
-float length_of(
-    metal::float3 v_5
-) {
-    metal::float3 _e1 = bounded_vec3_(v_5);
-    float largest_2 = metal::max(metal::max(metal::abs(_e1.x), metal::abs(_e1.y)), metal::abs(_e1.z));
+    float largest_2 = metal::max(metal::max(metal::abs(v_3.x), metal::abs(v_3.y)), metal::abs(v_3.z));
     if (largest_2 < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e17 = bounded(largest_2 * metal::length(_e1 / metal::float3(largest_2)));
-    return _e17;
+    float _e16 = bounded(largest_2 * metal::length(v_3 / metal::float3(largest_2)));
+    return _e16;
 }
 
 float footprint_of(
-    float x_9
+    float x_7
 ) {
-    float _e1 = metal::dfdx(x_9);
-    float _e2 = metal::dfdy(x_9);
-    metal::float2 d_3 = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d_3, d_3)));
-    return _e6;
+    float _e1 = metal::dfdx(x_7);
+    float _e2 = metal::dfdy(x_7);
+    metal::float2 d_1 = metal::float2(_e1, _e2);
+    return metal::sqrt(metal::dot(d_1, d_1));
 }
 
 float footprint_of_vec3_(
-    metal::float3 v_6
+    metal::float3 v_4
 ) {
-    metal::float3 dx_1 = metal::dfdx(v_6);
-    metal::float3 dy_1 = metal::dfdy(v_6);
-    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
-    return _e7;
-}
-
-float edge_width(
-    float w,
-    float softness
-) {
-    float _e4 = bounded(softness);
-    return metal::length(metal::float2(metal::min(w, 1000000000000000.0), metal::clamp(_e4, 0.0, 1000000000000000.0)));
+    metal::float3 dx_1 = metal::dfdx(v_4);
+    metal::float3 dy_1 = metal::dfdy(v_4);
+    return metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1)));
 }
 
 float step_filtered(
-    float x_10,
+    float x_8,
     float edge,
-    float w_1
+    float w
 ) {
-    float _e4 = bounded(x_10 - edge);
-    if (w_1 < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w_1);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
-}
-
-metal::float4 hermite(
-    metal::float4 a_4,
-    metal::float4 b_4,
-    metal::float4 from_a,
-    metal::float4 to_b,
-    float t_4
-) {
-    metal::float4 d_4 = b_4 - a_4;
-    return a_4 + (t_4 * (from_a + (t_4 * ((((3.0 * d_4) - (2.0 * from_a)) - to_b) + (t_4 * ((from_a + to_b) - (2.0 * d_4)))))));
-}
-
-float harmonic_slope(
-    float before,
-    float span_before,
-    float after,
-    float span_after
-) {
-    if ((before * after) <= 0.0) {
-        return 0.0;
-    }
-    float weight_before = (2.0 * span_after) + span_before;
-    float weight_after = span_after + (2.0 * span_before);
-    float _e18 = divided(weight_before + weight_after, (weight_before / before) + (weight_after / after));
-    return _e18;
-}
-
-metal::float4 ramp_slope(
-    metal::float4 rise_before,
-    float span_before_1,
-    metal::float4 rise_after,
-    float span_after_1
-) {
-    float _e5 = divided(rise_before.x, span_before_1);
-    float _e7 = divided(rise_after.x, span_after_1);
-    float _e8 = harmonic_slope(_e5, span_before_1, _e7, span_after_1);
-    float _e10 = divided(rise_before.y, span_before_1);
-    float _e12 = divided(rise_after.y, span_after_1);
-    float _e13 = harmonic_slope(_e10, span_before_1, _e12, span_after_1);
-    float _e15 = divided(rise_before.z, span_before_1);
-    float _e17 = divided(rise_after.z, span_after_1);
-    float _e18 = harmonic_slope(_e15, span_before_1, _e17, span_after_1);
-    float _e20 = divided(rise_before.w, span_before_1);
-    float _e22 = divided(rise_after.w, span_after_1);
-    float _e23 = harmonic_slope(_e20, span_before_1, _e22, span_after_1);
-    return metal::float4(_e8, _e13, _e18, _e23);
+    float d_2 = x_8 - edge;
+    return (w < 0.000000000000000000000000000001) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_2 / w), 0.0, 1.0);
 }
 
 uint naga_div(uint lhs, uint rhs) {
@@ -508,155 +298,44 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_11,
-    float w_2
+    float x_9,
+    float w_1
 ) {
     type_5 colors = {};
     type_6 places = {};
     metal::float4 color = {};
     uint i = 1u;
-    uint at = 0u;
-    uint i_1 = 1u;
-    bool local_2 = {};
-    metal::float4 from_a_1 = metal::float4(0.0);
-    metal::float4 to_b_1 = metal::float4(0.0);
-    uint count = metal::min(ramp.count, 16u);
-    if (count == 0u) {
-        return metal::float4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if (ramp.interpolation == INTERPOLATION_STEPPED) {
-        metal::float4 _e18 = colors.inner[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = _e47 + 1u;
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if (_e22 < count) {
-            } else {
-                break;
-            }
-            {
-                metal::float4 _e24 = color;
-                uint _e25 = i;
-                metal::float4 _e27 = colors.inner[_e25];
-                uint _e28 = i;
-                metal::float4 _e32 = colors.inner[_e28 - 1u];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
-                float _e43 = step_filtered(x_11, _e42, w_2);
-                color = _e24 + ((_e27 - _e32) * _e43);
-            }
-        }
-        metal::float4 _e49 = color;
-        metal::float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    metal::float4 _e8 = colors.inner[0];
+    color = _e8;
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = _e71 + 1u;
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e38 = i;
+            i = _e38 + 1u;
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if (_e55 < count) {
-        } else {
+        loop_init = false;
+        uint _e12 = i;
+        if (!((_e12 < 7u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places.inner[naga_div(_e59, 4u)][naga_mod(_e63, 4u)];
-            at = (_e67 <= x_11) ? _e58 : _e57;
-        }
+        metal::float4 _e16 = color;
+        uint _e17 = i;
+        metal::float4 _e19 = colors.inner[_e17];
+        uint _e20 = i;
+        metal::float4 _e24 = colors.inner[_e20 - 1u];
+        uint _e26 = i;
+        uint _e30 = i;
+        float _e34 = places.inner[naga_div(_e26, 4u)][naga_mod(_e30, 4u)];
+        float _e35 = step_filtered(x_9, _e34, w_1);
+        color = _e16 + ((_e19 - _e24) * _e35);
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place = places.inner[naga_div(_e73, 4u)][naga_mod(_e77, 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count))) {
-        local_2 = x_11 <= place;
-    } else {
-        local_2 = true;
-    }
-    bool _e91 = local_2;
-    if (_e91) {
-        uint _e92 = at;
-        metal::float4 _e94 = colors.inner[_e92];
-        metal::float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
-    }
-    uint _e96 = at;
-    uint after_1 = _e96 + 1u;
-    float _e105 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span_1 = _e105 - place;
-    float _e108 = divided(x_11 - place, span_1);
-    float t_8 = metal::clamp(_e108, 0.0, 1.0);
-    if (ramp.interpolation != INTERPOLATION_SMOOTH) {
-        uint _e115 = at;
-        metal::float4 _e117 = colors.inner[_e115];
-        metal::float4 _e119 = colors.inner[after_1];
-        metal::float4 _e120 = mixed_vec4_(_e117, _e119, t_8);
-        return _e120;
-    }
-    uint _e127 = at;
-    if (_e127 > 0u) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places.inner[naga_div(_e130 - 1u, 4u)][naga_mod(_e136 - 1u, 4u)];
-        uint _e143 = at;
-        metal::float4 _e145 = colors.inner[_e143];
-        uint _e146 = at;
-        metal::float4 _e150 = colors.inner[_e146 - 1u];
-        metal::float4 _e154 = colors.inner[after_1];
-        uint _e155 = at;
-        metal::float4 _e157 = colors.inner[_e155];
-        metal::float4 _e159 = ramp_slope(_e145 - _e150, place - before_1, _e154 - _e157, span_1);
-        from_a_1 = _e159;
-    }
-    if ((after_1 + 1u) < count) {
-        float _e173 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e173 - (place + span_1);
-        metal::float4 _e177 = colors.inner[after_1];
-        uint _e178 = at;
-        metal::float4 _e180 = colors.inner[_e178];
-        metal::float4 _e185 = colors.inner[after_1 + 1u];
-        metal::float4 _e187 = colors.inner[after_1];
-        metal::float4 _e189 = ramp_slope(_e177 - _e180, span_1, _e185 - _e187, next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    metal::float4 _e192 = colors.inner[_e190];
-    metal::float4 _e194 = colors.inner[after_1];
-    metal::float4 _e195 = from_a_1;
-    metal::float4 _e197 = to_b_1;
-    metal::float4 _e199 = hermite(_e192, _e194, span_1 * _e195, span_1 * _e197, t_8);
-    metal::float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
+    metal::float4 _e41 = color;
+    return _e41;
 }
 
 metal::float3 bumped_normal(
@@ -664,36 +343,26 @@ metal::float3 bumped_normal(
     metal::float4 along_y,
     metal::float3 normal
 ) {
-    bool local_3 = {};
-    metal::float3 _e7 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float4 _e8 = bounded_vec4_(along_x);
-    metal::float4 _e9 = bounded_vec4_(along_y);
-    float _e11 = length_of(_e8.xyz);
-    float _e13 = length_of(_e9.xyz);
-    float largest_3 = metal::max(_e11, _e13);
-    if (!((largest_3 < 0.000000000000000001))) {
-        local_3 = largest_3 > 1000000000000000000.0;
-    } else {
-        local_3 = true;
+    float _e4 = length_of(along_x.xyz);
+    float _e6 = length_of(along_y.xyz);
+    float largest_3 = metal::max(_e4, _e6);
+    if ((largest_3 < 0.000000000000000001) | (largest_3 > 1000000000000000000.0)) {
+        return normal;
     }
-    bool _e23 = local_3;
-    if (_e23) {
-        return _e7;
-    }
-    metal::float3 s_3 = _e8.xyz / metal::float3(largest_3);
-    metal::float3 t_9 = _e9.xyz / metal::float3(largest_3);
-    metal::float2 rise = metal::clamp(metal::float2(_e8.w, _e9.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 right = metal::cross(t_9, _e7);
-    metal::float3 up = metal::cross(_e7, s_3);
+    metal::float3 s_3 = along_x.xyz / metal::float3(largest_3);
+    metal::float3 t_4 = along_y.xyz / metal::float3(largest_3);
+    metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
+    metal::float3 right = metal::cross(t_4, normal);
+    metal::float3 up = metal::cross(normal, s_3);
     float area = metal::dot(s_3, right);
     if (metal::abs(area) < 0.000001) {
-        return _e7;
+        return normal;
     }
     metal::float3 slope = ((rise.x * right) + (rise.y * up)) / metal::float3(area);
     float steepness = metal::length(slope);
     metal::float3 limited = slope * (metal::min(steepness, 10.0) / metal::max(steepness, 0.00000000000000000001));
-    metal::float3 _e61 = normalize_or(_e7 - limited, _e7);
-    return _e61;
+    metal::float3 _e50 = normalize_or(normal - limited, normal);
+    return _e50;
 }
 
 metal::float3 bump_map(
@@ -702,98 +371,54 @@ metal::float3 bump_map(
     metal::float3 normal_1,
     metal::float3 position
 ) {
-    float _e5 = bounded(height * scale);
-    metal::float3 _e6 = metal::dfdx(position);
-    float _e7 = metal::dfdx(_e5);
-    metal::float4 along_x_1 = metal::float4(_e6, _e7);
-    metal::float3 _e9 = metal::dfdy(position);
-    float _e10 = metal::dfdy(_e5);
-    metal::float4 along_y_1 = metal::float4(_e9, _e10);
-    metal::float3 _e12 = bumped_normal(along_x_1, along_y_1, normal_1);
-    metal::float3 _e13 = bounded_vec3_(normal_1);
-    return (scale == 0.0) ? _e13 : _e12;
-}
-
-Composite blend_finish(
-    Composite below,
-    metal::float3 blended,
-    float alpha,
-    float opacity,
-    bool clamped
-) {
-    if (opacity <= 0.0) {
-        return below;
-    }
-    metal::float4 mixed_1 = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
-    return clamped ? metal::clamp(mixed_1, metal::float4(0.0), metal::float4(1.0)) : mixed_1;
+    float raised = height * scale;
+    metal::float3 _e5 = metal::dfdx(position);
+    float _e6 = metal::dfdx(raised);
+    metal::float4 along_x_1 = metal::float4(_e5, _e6);
+    metal::float3 _e8 = metal::dfdy(position);
+    float _e9 = metal::dfdy(raised);
+    metal::float4 along_y_1 = metal::float4(_e8, _e9);
+    metal::float3 _e11 = bumped_normal(along_x_1, along_y_1, normal_1);
+    return _e11;
 }
 
 Composite blend_add(
-    Composite below_1,
+    Composite below,
     Color color_1,
     float tone,
-    float opacity_1,
-    bool clamped_1
+    float opacity,
+    bool clamped
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color_1.xyz), below_1.w, opacity_1 * color_1.w, clamped_1);
-    return _e12;
+    return metal::max(metal::float4(below.xyz + (opacity * ((below.xyz + color_1.xyz) - below.xyz)), 1.0), metal::float4(0.0));
 }
 
 Composite blend_alpha(
-    Composite below_2,
+    Composite below_1,
     Color color_2,
     float tone_1,
-    float opacity_2,
-    bool clamped_2
+    float opacity_1,
+    bool clamped_1
 ) {
-    float a_6 = opacity_2 * color_2.w;
-    float alpha_1 = below_2.w + ((tone_1 * a_6) * (1.0 - below_2.w));
-    Composite _e20 = blend_finish(below_2, below_2.xyz + (tone_1 * (color_2.xyz - below_2.xyz)), alpha_1, a_6, clamped_2);
-    return _e20;
-}
-
-Color output(
-    Composite color_3
-) {
-    Color _e1 = straight(color_3);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-metal::float2 light_split(
-    float intensity
-) {
-    return metal::float2(metal::min(intensity, 1.0), metal::max(intensity, 1.0));
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_2.xyz - below_1.xyz))) - below_1.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
     Light light,
-    Color color_4,
+    Color color_3,
     float tone_2
 ) {
-    metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_4.xyz * light.color) * _e4.y, color_4.w), tone_2 * _e4.x};
-}
-
-Angle parametrization_diffuse(
-    Light light_1,
-    metal::float3 normal_2
-) {
-    metal::float3 _e6 = normalize_or(normal_2, metal::float3(0.0, 0.0, 1.0));
-    Angle _e8 = angle_between(_e6, light_1.direction);
-    return _e8;
+    metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
+    return LitLayer {metal::float4((color_3.xyz * light.color) * split.y, 1.0), tone_2 * split.x};
 }
 
 Angle parametrization_specular(
-    Light light_2,
-    metal::float3 normal_3,
+    Light light_1,
+    metal::float3 normal_2,
     metal::float3 view
 ) {
-    metal::float3 _e7 = normalize_or(normal_3, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 mirrored = ((2.0 * metal::dot(_e7, view)) * _e7) - view;
-    metal::float3 _e13 = normalize_or(mirrored, _e7);
-    Angle _e15 = angle_between(_e13, light_2.direction);
-    return _e15;
+    metal::float3 mirrored = ((2.0 * metal::dot(normal_2, view)) * normal_2) - view;
+    metal::float3 _e8 = normalize_moderate(mirrored, normal_2);
+    return Angle {0.5 * metal::length(_e8 - light_1.direction), 0.5 * metal::length(_e8 + light_1.direction)};
 }
 
 float profile_power(
@@ -805,153 +430,160 @@ float profile_power(
         return 0.0;
     }
     if (q < 0.5) {
-        float _e10 = log1p_negative_small(q * q);
-        log_base = _e10;
+        float _e11 = log1p_negative_small(q * q);
+        log_base = LOG2_E * _e11;
     } else {
-        float _e16 = log_stable((1.0 - q) * (1.0 + q));
-        log_base = _e16;
+        float _e18 = log2_stable((1.0 - q) * (1.0 + q));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable((exponent * LOG2_E) * _e19);
-    return metal::clamp(_e21, 0.0, 1.0);
+    float _e21 = exp2_stable(exponent * _e19);
+    return metal::min(_e21, 1.0);
 }
 
 float profile_point(
-    Angle u_4,
+    Angle u_3,
     ProfileShape shape
 ) {
-    bool local_4 = {};
-    float s_4 = (u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset);
-    if (!((s_4 <= 0.0))) {
-        local_4 = shape.kind == PROFILE_AMBIENT;
-    } else {
-        local_4 = true;
-    }
-    bool _e18 = local_4;
-    if (_e18) {
+    float s_4 = (u_3.half_sin * shape.half_cos_offset) - (u_3.half_cos * shape.half_sin_offset);
+    if ((s_4 <= 0.0) | false) {
         return 1.0;
     }
-    if (shape.kind == PROFILE_STEP) {
-        return (s_4 <= 0.0000004) ? 1.0 : 0.0;
+    float q_2 = s_4 * shape.scale;
+    float _e17 = profile_power(q_2, shape.exponent);
+    return _e17;
+}
+
+float profile_power_2_(
+    float q_1,
+    float exponent_1
+) {
+    float log_base_1 = 0.0;
+    if (q_1 >= 1.0) {
+        return 0.0;
     }
-    float q_1 = s_4 * shape.scale;
-    float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    if (q_1 < 0.5) {
+        float _e11 = log1p_negative_small(q_1 * q_1);
+        log_base_1 = LOG2_E * _e11;
+    } else {
+        float _e18 = log2_stable((1.0 - q_1) * (1.0 + q_1));
+        log_base_1 = _e18;
+    }
+    float _e19 = log_base_1;
+    float _e21 = exp2_stable_2_(exponent_1 * _e19);
+    return metal::min(_e21, 1.0);
+}
+
+float profile_point_2_(
+    Angle u_4,
+    ProfileShape shape_1
+) {
+    float s_5 = (u_4.half_sin * shape_1.half_cos_offset) - (u_4.half_cos * shape_1.half_sin_offset);
+    if ((s_5 <= 0.0) | false) {
+        return 1.0;
+    }
+    float q_3 = s_5 * shape_1.scale;
+    float _e17 = profile_power_2_(q_3, shape_1.exponent);
+    return _e17;
 }
 
 float profile_filtered(
     Angle u_5,
-    float w_3,
-    ProfileShape shape_1
+    float w_2,
+    ProfileShape shape_2
 ) {
-    bool local_5 = {};
-    bool local_6 = {};
-    float _e3 = profile_point(u_5, shape_1);
-    if (!((w_3 <= 0.0))) {
-        local_5 = shape_1.kind == PROFILE_AMBIENT;
-    } else {
-        local_5 = true;
-    }
-    bool _e13 = local_5;
-    if (_e13) {
+    float _e3 = profile_point(u_5, shape_2);
+    bool is_wide_1 = w_2 < (0.1 * shape_2.edge_deviation);
+    if ((is_wide_1 | (w_2 <= 0.0)) | false) {
         return _e3;
     }
-    if (shape_1.edge_deviation < 0.145) {
-        local_6 = w_3 >= (3.4641016 * shape_1.edge_deviation);
-    } else {
-        local_6 = false;
-    }
-    bool _e24 = local_6;
-    if (_e24) {
-        float width = metal::sqrt((w_3 * w_3) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation));
-        float _e36 = angle_radians(u_5);
-        return metal::clamp(0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width), 0.0, 1.0);
-    }
-    if (w_3 < (0.1 * shape_1.edge_deviation)) {
+    metal::float2 _e15 = sin_cos_tiny(0.19364917 * w_2);
+    Angle _e16 = angle_turned(u_5, _e15);
+    float _e17 = profile_point(_e16, shape_2);
+    Angle _e22 = angle_turned(u_5, metal::float2(-(_e15.x), _e15.y));
+    float _e23 = profile_point(_e22, shape_2);
+    return (((5.0 * _e17) + (8.0 * _e3)) + (5.0 * _e23)) / 18.0;
+}
+
+float profile_filtered_2_(
+    Angle u_6,
+    float w_3,
+    ProfileShape shape_3
+) {
+    float _e3 = profile_point_2_(u_6, shape_3);
+    bool is_wide_2 = w_3 < (0.1 * shape_3.edge_deviation);
+    if ((is_wide_2 | (w_3 <= 0.0)) | false) {
         return _e3;
     }
-    metal::float2 _e50 = sin_cos_quarter(0.19364917 * w_3);
-    Angle _e51 = angle_turned(u_5, _e50);
-    float _e52 = profile_point(_e51, shape_1);
-    Angle _e57 = angle_turned(u_5, metal::float2(-(_e50.x), _e50.y));
-    float _e58 = profile_point(_e57, shape_1);
-    return (((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0;
+    if (true & (w_3 >= (3.4641016 * shape_3.edge_deviation))) {
+        float width = metal::sqrt((w_3 * w_3) + ((12.0 * shape_3.edge_deviation) * shape_3.edge_deviation));
+        float _e32 = atan2_positive(u_6.half_sin, u_6.half_cos);
+        return metal::clamp(0.5 + (((shape_3.offset + shape_3.edge_mean) - (2.0 * _e32)) / width), 0.0, 1.0);
+    }
+    metal::float2 _e44 = sin_cos_tiny(0.19364917 * w_3);
+    Angle _e45 = angle_turned(u_6, _e44);
+    float _e46 = profile_point_2_(_e45, shape_3);
+    Angle _e51 = angle_turned(u_6, metal::float2(-(_e44.x), _e44.y));
+    float _e52 = profile_point_2_(_e51, shape_3);
+    return (((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0;
 }
 
 float profile(
     Angle angle,
+    float shift,
+    ProfileShape shape_4
+) {
+    Angle _e6 = angle_turned_2_(angle, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
+}
+
+float profile_2_(
+    Angle angle_1,
     float shift_1,
-    ProfileShape shape_2
+    ProfileShape shape_5
 ) {
-    Angle _e3 = angle_shifted(angle, shift_1);
-    float _e4 = angle_footprint(_e3);
-    float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
-}
-
-Color ramp_plain(
-    float value,
-    Ramp ramp_1
-) {
-    float _e2 = footprint_of(value);
-    float _e3 = bounded(value);
-    Color _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
-}
-
-float threshold(
-    float value_1,
-    float edge_1,
-    float softness_1
-) {
-    float _e3 = footprint_of(value_1);
-    float _e4 = bounded(value_1);
-    float _e5 = bounded(edge_1);
-    float _e6 = edge_width(_e3, softness_1);
-    float _e7 = step_filtered(_e4, _e5, _e6);
-    return _e7;
+    Angle _e6 = angle_turned_2_(angle_1, metal::float2(0.0, 1.0));
+    float _e7 = angle_footprint(_e6);
+    float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_7 = {};
-    v_7 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_7.x;
-    uint _e10 = v_7.y;
-    uint _e12 = v_7.z;
-    v_7.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_7.y;
-    uint _e18 = v_7.z;
-    uint _e20 = v_7.x;
-    v_7.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_7.z;
-    uint _e26 = v_7.x;
-    uint _e28 = v_7.y;
-    v_7.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_7;
-    metal::uint3 _e32 = v_7;
-    v_7 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_7.x;
-    uint _e40 = v_7.y;
-    uint _e42 = v_7.z;
-    v_7.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_7.y;
-    uint _e48 = v_7.z;
-    uint _e50 = v_7.x;
-    v_7.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_7.z;
-    uint _e56 = v_7.x;
-    uint _e58 = v_7.y;
-    v_7.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_7;
+    metal::uint3 v_5 = {};
+    v_5 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_5.x;
+    uint _e10 = v_5.y;
+    uint _e12 = v_5.z;
+    v_5.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_5.y;
+    uint _e18 = v_5.z;
+    uint _e20 = v_5.x;
+    v_5.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_5.z;
+    uint _e26 = v_5.x;
+    uint _e28 = v_5.y;
+    v_5.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_5;
+    metal::uint3 _e32 = v_5;
+    v_5 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_5.x;
+    uint _e40 = v_5.y;
+    uint _e42 = v_5.z;
+    v_5.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_5.y;
+    uint _e48 = v_5.z;
+    uint _e50 = v_5.x;
+    v_5.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_5.z;
+    uint _e56 = v_5.x;
+    uint _e58 = v_5.y;
+    v_5.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_5;
     return _e61;
-}
-
-metal::float3 unit_of_hash(
-    metal::uint3 hash
-) {
-    return static_cast<metal::float3>(hash >> metal::uint3(8u)) * 0.000000059604645;
 }
 
 metal::uint3 lattice_hash(
@@ -963,145 +595,64 @@ metal::uint3 lattice_hash(
 }
 
 float gradient_dot(
-    metal::uint3 hash_1,
-    metal::float3 d_1
+    metal::uint3 hash,
+    metal::float3 d
 ) {
-    uint axis = naga_mod(hash_1.x >> 8u, 3u);
-    float a_7 = (axis == 0u) ? d_1.y : d_1.x;
-    float b_5 = (axis == 2u) ? d_1.y : d_1.z;
-    return (((hash_1.y >> 31u) == 0u) ? a_7 : -(a_7)) + (((hash_1.z >> 31u) == 0u) ? b_5 : -(b_5));
+    uint axis = naga_mod(hash.x >> 8u, 3u);
+    float a_1 = (axis == 0u) ? d.y : d.x;
+    float b = (axis == 2u) ? d.y : d.z;
+    return (((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b));
 }
 
 metal::float3 fade_quintic(
-    metal::float3 t_5
+    metal::float3 t_2
 ) {
-    return ((t_5 * t_5) * t_5) * ((t_5 * ((t_5 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    return ((t_2 * t_2) * t_2) * ((t_2 * ((t_2 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
 }
 
 metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float value_noise(
+float perlin_noise(
     metal::float3 p,
     uint seed_2
 ) {
     float sum = 0.0;
-    int i_2 = 0;
+    int i_1 = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 _e4 = fade_quintic(p - corner);
+    metal::float3 d_3 = p - corner;
+    metal::float3 _e4 = fade_quintic(d_3);
     metal::int3 cell_1 = naga_f2i32(corner);
-    uint2 loop_bound_2 = uint2(4294967295u);
-    bool loop_init_2 = true;
+    uint2 loop_bound_1 = uint2(4294967295u);
+    bool loop_init_1 = true;
     while(true) {
-        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
-        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
-        if (!loop_init_2) {
-            int _e45 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e45) + as_type<uint>(1));
+        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
+        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+        if (!loop_init_1) {
+            int _e46 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
         }
-        loop_init_2 = false;
-        int _e10 = i_2;
+        loop_init_1 = false;
+        int _e10 = i_1;
         if (_e10 < 8) {
         } else {
             break;
         }
         {
-            int _e13 = i_2;
-            int _e16 = i_2;
-            int _e21 = i_2;
-            metal::int3 at_1 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at_1 == metal::int3(1));
+            int _e13 = i_1;
+            int _e16 = i_1;
+            int _e21 = i_1;
+            metal::int3 at = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
+            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at == metal::int3(1));
             float _e32 = sum;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_1)), seed_2);
-            metal::float3 _e40 = unit_of_hash(_e39);
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e40.x);
+            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at)), seed_2);
+            float _e42 = gradient_dot(_e39, d_3 - static_cast<metal::float3>(at));
+            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
         }
     }
-    float _e47 = sum;
-    return _e47;
-}
-
-float perlin_noise(
-    metal::float3 p_1,
-    uint seed_3
-) {
-    float sum_1 = 0.0;
-    int i_3 = 0;
-    metal::float3 corner_1 = metal::floor(p_1);
-    metal::float3 d_5 = p_1 - corner_1;
-    metal::float3 _e4 = fade_quintic(d_5);
-    metal::int3 cell_2 = naga_f2i32(corner_1);
-    uint2 loop_bound_3 = uint2(4294967295u);
-    bool loop_init_3 = true;
-    while(true) {
-        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
-        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
-        if (!loop_init_3) {
-            int _e46 = i_3;
-            i_3 = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
-        }
-        loop_init_3 = false;
-        int _e10 = i_3;
-        if (_e10 < 8) {
-        } else {
-            break;
-        }
-        {
-            int _e13 = i_3;
-            int _e16 = i_3;
-            int _e21 = i_3;
-            metal::int3 at_2 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight_1 = metal::select(metal::float3(1.0) - _e4, _e4, at_2 == metal::int3(1));
-            float _e32 = sum_1;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_2)), seed_3);
-            float _e42 = gradient_dot(_e39, d_5 - static_cast<metal::float3>(at_2));
-            sum_1 = _e32 + (((weight_1.x * weight_1.y) * weight_1.z) * _e42);
-        }
-    }
-    float _e48 = sum_1;
+    float _e48 = sum;
     return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
-}
-
-float simplex_corner(
-    metal::float3 d_2,
-    metal::uint3 hash_2
-) {
-    float t_10 = metal::max(0.5 - metal::dot(d_2, d_2), 0.0);
-    float _e10 = gradient_dot(hash_2, d_2);
-    return (((t_10 * t_10) * t_10) * t_10) * _e10;
-}
-
-float simplex_noise(
-    metal::float3 p_2,
-    uint seed_4
-) {
-    float sum_2 = {};
-    metal::float3 corner_2 = metal::floor(p_2 + metal::float3(((p_2.x + p_2.y) + p_2.z) / 3.0));
-    metal::float3 d_6 = (p_2 - corner_2) + metal::float3(((corner_2.x + corner_2.y) + corner_2.z) / 6.0);
-    metal::bool3 is_first = metal::bool3(d_6.x >= d_6.y, d_6.y >= d_6.z, d_6.z > d_6.x);
-    metal::float3 g = metal::select(metal::float3(0.0), metal::float3(1.0), is_first);
-    metal::float3 l_1 = metal::float3(1.0) - g;
-    metal::float3 second = metal::min(g, l_1.zxy);
-    metal::float3 third = metal::max(g, l_1.zxy);
-    metal::int3 cell_3 = naga_f2i32(corner_2);
-    metal::uint3 _e45 = lattice_hash(cell_3, seed_4);
-    float _e46 = simplex_corner(d_6, _e45);
-    sum_2 = _e46;
-    float _e48 = sum_2;
-    metal::uint3 _e55 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(naga_f2i32(second))), seed_4);
-    float _e56 = simplex_corner((d_6 - second) + metal::float3(0.16666667), _e55);
-    sum_2 = _e48 + _e56;
-    float _e58 = sum_2;
-    metal::uint3 _e65 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(naga_f2i32(third))), seed_4);
-    float _e66 = simplex_corner((d_6 - third) + metal::float3(0.33333334), _e65);
-    sum_2 = _e58 + _e66;
-    float _e68 = sum_2;
-    metal::uint3 _e75 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(metal::int3(1))), seed_4);
-    float _e76 = simplex_corner(d_6 - metal::float3(0.5), _e75);
-    sum_2 = _e68 + _e76;
-    float _e79 = sum_2;
-    return metal::clamp(0.5 + (SIMPLEX_SCALE * _e79), 0.0, 1.0);
 }
 
 int naga_mod(int lhs, int rhs) {
@@ -1109,239 +660,152 @@ int naga_mod(int lhs, int rhs) {
     return lhs - (lhs / divisor) * divisor;
 }
 
-float worley_noise(
-    metal::float3 p_3,
-    uint seed_5
+int naga_div(int lhs, int rhs) {
+    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
+}
+
+Cell nearest_cell(
+    metal::float3 p_1,
+    uint seed_3
 ) {
-    float nearest = 1.0;
-    int i_4 = 0;
-    metal::float3 corner_3 = metal::floor(p_3);
-    metal::float3 d_7 = p_3 - corner_3;
-    metal::int3 cell_4 = naga_f2i32(corner_3);
+    int i_2 = 0;
+    metal::uint3 hash_1 = metal::uint3(0u);
+    metal::float3 nearest = metal::float3(4.0);
+    float border = {};
+    int i_2_ = 0;
+    metal::float3 corner_1 = metal::floor(p_1);
+    metal::float3 d_4 = p_1 - corner_1;
+    metal::int3 cell_2 = naga_f2i32(corner_1);
+    uint2 loop_bound_2 = uint2(4294967295u);
+    bool loop_init_2 = true;
+    while(true) {
+        if (metal::all(loop_bound_2 == uint2(0u))) { break; }
+        loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
+        if (!loop_init_2) {
+            int _e62 = i_2;
+            i_2 = as_type<int>(as_type<uint>(_e62) + as_type<uint>(1));
+        }
+        loop_init_2 = false;
+        int _e13 = i_2;
+        if (!((_e13 < 27))) {
+            break;
+        }
+        int _e17 = i_2;
+        int _e22 = i_2;
+        int _e29 = i_2;
+        metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e17, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e22, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e29, 9)) - as_type<uint>(1)));
+        metal::uint3 _e42 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_1))) + metal::uint3(2027808484u, 397355436u, 181057748u));
+        metal::float3 offset = ((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * (static_cast<metal::float3>(_e42 >> metal::uint3(8u)) * 0.000000059604645))) - d_4;
+        metal::float3 _e58 = nearest;
+        metal::float3 _e59 = nearest;
+        if (metal::dot(offset, offset) < metal::dot(_e58, _e59)) {
+            nearest = offset;
+            hash_1 = _e42;
+        }
+    }
+    metal::float3 _e65 = nearest;
+    float distance = metal::length(_e65);
+    border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
+    uint2 loop_bound_3 = uint2(4294967295u);
+    bool loop_init_3 = true;
+    while(true) {
+        if (metal::all(loop_bound_3 == uint2(0u))) { break; }
+        loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
+        if (!loop_init_3) {
+            int _e133 = i_2_;
+            i_2_ = as_type<int>(as_type<uint>(_e133) + as_type<uint>(1));
+        }
+        loop_init_3 = false;
+        int _e76 = i_2_;
+        if (!((_e76 < 27))) {
+            break;
+        }
+        int _e80 = i_2_;
+        int _e85 = i_2_;
+        int _e92 = i_2_;
+        metal::int3 at_2_ = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e80, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e85, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e92, 9)) - as_type<uint>(1)));
+        metal::uint3 _e109 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_2_))) + metal::uint3(2027808484u, 397355436u, 181057748u));
+        metal::float3 _e120 = nearest;
+        metal::float3 apart = (((static_cast<metal::float3>(at_2_) + metal::float3(0.25)) + (0.5 * (static_cast<metal::float3>(_e109 >> metal::uint3(8u)) * 0.000000059604645))) - d_4) - _e120;
+        float between = metal::length(apart);
+        if (between > 0.25) {
+            float _e125 = border;
+            metal::float3 _e126 = nearest;
+            border = metal::min(_e125, metal::dot(_e126 + (0.5 * apart), apart) / between);
+        }
+    }
+    float _e136 = border;
+    metal::uint3 _e139 = hash_1;
+    metal::uint3 _e140 = hash_pcg3d(_e139);
+    return Cell {metal::max(_e136, 0.0), (static_cast<metal::float3>(_e140 >> metal::uint3(8u)) * 0.000000059604645).x, distance};
+}
+
+float fractal_noise(
+    uint kind,
+    metal::float3 p_2,
+    int octaves,
+    float roughness,
+    int seed_4,
+    float w_4
+) {
+    float octave = {};
+    int i_3 = 0;
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum_1 = 0.0;
     uint2 loop_bound_4 = uint2(4294967295u);
     bool loop_init_4 = true;
     while(true) {
         if (metal::all(loop_bound_4 == uint2(0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e40 = i_4;
-            i_4 = as_type<int>(as_type<uint>(_e40) + as_type<uint>(1));
+            int _e67 = i_3;
+            i_3 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
         }
         loop_init_4 = false;
-        int _e9 = i_4;
-        if (_e9 < 27) {
-        } else {
+        int _e17 = i_3;
+        if (!((_e17 < 2))) {
             break;
         }
-        {
-            int _e12 = i_4;
-            int _e17 = i_4;
-            int _e24 = i_4;
-            metal::int3 at_3 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e12, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e17, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e24, 9)) - as_type<uint>(1)));
-            metal::uint3 _e32 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_4) + as_type<metal::uint3>(at_3)), seed_5);
-            metal::float3 _e33 = unit_of_hash(_e32);
-            metal::float3 offset = (static_cast<metal::float3>(at_3) + _e33) - d_7;
-            float _e36 = nearest;
-            nearest = metal::min(_e36, metal::dot(offset, offset));
+        float _e21 = frequency;
+        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_4 * _e21);
+        octave = 0.5;
+        if (visible > 0.0) {
+            float _e31 = frequency;
+            int _e33 = i_3;
+            metal::float3 place = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            int _e47 = i_3;
+            float _e50 = perlin_noise(place, 0u + static_cast<uint>(_e47));
+            octave = metal::mix(0.5, _e50, visible);
         }
+        float _e53 = sum_1;
+        float _e54 = strength;
+        float _e55 = octave;
+        sum_1 = _e53 + (_e54 * _e55);
+        float _e58 = total;
+        float _e59 = strength;
+        total = _e58 + _e59;
+        float _e61 = strength;
+        strength = _e61 * 0.5;
+        float _e64 = frequency;
+        frequency = _e64 * 2.0;
     }
-    float _e42 = nearest;
-    return metal::sqrt(_e42);
-}
-
-Cell nearest_cell(
-    metal::float3 p_4,
-    uint seed_6
-) {
-    metal::float3 nearest_1 = metal::float3(4.0);
-    metal::uint3 hash_3 = metal::uint3(0u);
-    int i_5 = 0;
-    float border = {};
-    int i_6 = 0;
-    metal::float3 corner_4 = metal::floor(p_4);
-    metal::float3 d_8 = p_4 - corner_4;
-    metal::int3 cell_5 = naga_f2i32(corner_4);
-    uint2 loop_bound_5 = uint2(4294967295u);
-    bool loop_init_5 = true;
-    while(true) {
-        if (metal::all(loop_bound_5 == uint2(0u))) { break; }
-        loop_bound_5 -= uint2(loop_bound_5.y == 0u, 1u);
-        if (!loop_init_5) {
-            int _e51 = i_5;
-            i_5 = as_type<int>(as_type<uint>(_e51) + as_type<uint>(1));
-        }
-        loop_init_5 = false;
-        int _e13 = i_5;
-        if (_e13 < 27) {
-        } else {
-            break;
-        }
-        {
-            int _e16 = i_5;
-            int _e21 = i_5;
-            int _e28 = i_5;
-            metal::int3 at_4 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e16, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e21, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e28, 9)) - as_type<uint>(1)));
-            metal::uint3 _e35 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_5) + as_type<metal::uint3>(at_4)), seed_6);
-            metal::float3 _e40 = unit_of_hash(_e35);
-            metal::float3 offset_1 = ((static_cast<metal::float3>(at_4) + metal::float3(0.25)) + (0.5 * _e40)) - d_8;
-            metal::float3 _e46 = nearest_1;
-            metal::float3 _e47 = nearest_1;
-            if (metal::dot(offset_1, offset_1) < metal::dot(_e46, _e47)) {
-                nearest_1 = offset_1;
-                hash_3 = _e35;
-            }
-        }
-    }
-    metal::float3 _e53 = nearest_1;
-    float distance = metal::length(_e53);
-    border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
-    uint2 loop_bound_6 = uint2(4294967295u);
-    bool loop_init_6 = true;
-    while(true) {
-        if (metal::all(loop_bound_6 == uint2(0u))) { break; }
-        loop_bound_6 -= uint2(loop_bound_6.y == 0u, 1u);
-        if (!loop_init_6) {
-            int _e110 = i_6;
-            i_6 = as_type<int>(as_type<uint>(_e110) + as_type<uint>(1));
-        }
-        loop_init_6 = false;
-        int _e64 = i_6;
-        if (_e64 < 27) {
-        } else {
-            break;
-        }
-        {
-            int _e67 = i_6;
-            int _e72 = i_6;
-            int _e79 = i_6;
-            metal::int3 at_5 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e67, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e72, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e79, 9)) - as_type<uint>(1)));
-            metal::uint3 _e90 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_5) + as_type<metal::uint3>(at_5)), seed_6);
-            metal::float3 _e91 = unit_of_hash(_e90);
-            metal::float3 _e96 = nearest_1;
-            metal::float3 apart = (((static_cast<metal::float3>(at_5) + metal::float3(0.25)) + (0.5 * _e91)) - d_8) - _e96;
-            float between = metal::length(apart);
-            if (between > 0.25) {
-                float _e101 = border;
-                metal::float3 _e102 = nearest_1;
-                border = metal::min(_e101, metal::dot(_e102 + (0.5 * apart), apart) / between);
-            }
-        }
-    }
-    float _e112 = border;
-    metal::uint3 _e115 = hash_3;
-    metal::uint3 _e116 = hash_pcg3d(_e115);
-    metal::float3 _e117 = unit_of_hash(_e116);
-    return Cell {metal::max(_e112, 0.0), _e117.x, distance};
-}
-
-float noise_octave(
-    uint kind,
-    metal::float3 p_5,
-    uint seed_7
-) {
-    switch(kind) {
-        case 1u: {
-            float _e3 = perlin_noise(p_5, seed_7);
-            return _e3;
-        }
-        case 2u: {
-            float _e4 = simplex_noise(p_5, seed_7);
-            return _e4;
-        }
-        case 3u: {
-            float _e5 = worley_noise(p_5, seed_7);
-            return _e5;
-        }
-        default: {
-            float _e6 = value_noise(p_5, seed_7);
-            return _e6;
-        }
-    }
-}
-
-float fractal_noise(
-    uint kind_1,
-    metal::float3 p_6,
-    int octaves,
-    float roughness,
-    int seed_8,
-    float w_4
-) {
-    float sum_3 = 0.0;
-    float total = 0.0;
-    float strength = 1.0;
-    float frequency = 1.0;
-    int i_7 = 0;
-    float octave = {};
-    float mean = (kind_1 == NOISE_WORLEY) ? WORLEY_MEAN : 0.5;
-    float _e11 = bounded(roughness);
-    float gain = metal::clamp(_e11, 0.0, 1.0);
-    uint2 loop_bound_7 = uint2(4294967295u);
-    bool loop_init_7 = true;
-    while(true) {
-        if (metal::all(loop_bound_7 == uint2(0u))) { break; }
-        loop_bound_7 -= uint2(loop_bound_7.y == 0u, 1u);
-        if (!loop_init_7) {
-            int _e75 = i_7;
-            i_7 = as_type<int>(as_type<uint>(_e75) + as_type<uint>(1));
-        }
-        loop_init_7 = false;
-        int _e25 = i_7;
-        if (_e25 < metal::clamp(octaves, 1, 8)) {
-        } else {
-            break;
-        }
-        {
-            float _e30 = frequency;
-            float _e34 = eased(w_4 * _e30, 0.5, 1.0);
-            float visible = 1.0 - _e34;
-            octave = mean;
-            if (visible > 0.0) {
-                float _e40 = frequency;
-                int _e42 = i_7;
-                metal::float3 place_1 = metal::clamp((p_6 * _e40) + (static_cast<float>(_e42) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-                int _e56 = i_7;
-                float _e59 = noise_octave(kind_1, place_1, as_type<uint>(seed_8) + static_cast<uint>(_e56));
-                octave = metal::mix(mean, _e59, visible);
-            }
-            float _e61 = sum_3;
-            float _e62 = strength;
-            float _e63 = octave;
-            sum_3 = _e61 + (_e62 * _e63);
-            float _e66 = total;
-            float _e67 = strength;
-            total = _e66 + _e67;
-            float _e69 = strength;
-            strength = _e69 * gain;
-            float _e71 = frequency;
-            frequency = _e71 * 2.0;
-        }
-    }
-    float _e77 = sum_3;
-    float _e78 = total;
-    return metal::clamp(_e77 / _e78, 0.0, 1.0);
-}
-
-float invert(
-    float value_2
-) {
-    float _e3 = bounded(1.0 - value_2);
-    return _e3;
+    float _e70 = sum_1;
+    return metal::min(_e70 / 1.5, 1.0);
 }
 
 Cells cells(
     metal::float3 position_1,
     float scale_1,
-    int seed_9
+    int seed_5
 ) {
-    metal::float3 _e4 = bounded_vec3_(position_1 * scale_1);
-    metal::float3 p_9 = metal::clamp(_e4, metal::float3(-4194304.0), metal::float3(4194304.0));
-    Cell _e11 = nearest_cell(p_9, as_type<uint>(seed_9));
-    float _e12 = footprint_of_vec3_(p_9);
-    float _e15 = eased(_e12, 0.5, 1.0);
-    float visible_1 = 1.0 - _e15;
+    metal::float3 p_3 = metal::clamp(position_1 * scale_1, metal::float3(-4194304.0), metal::float3(4194304.0));
+    Cell _e10 = nearest_cell(p_3, 4u);
+    float _e11 = footprint_of_vec3_(p_3);
+    float visible_1 = 1.0 - metal::smoothstep(0.5, 1.0, _e11);
     metal::float3 average = metal::float3(0.1301, 0.5, 0.491);
-    metal::float3 seen = metal::mix(average, metal::float3(_e11.border, _e11.random, _e11.distance), visible_1);
+    metal::float3 seen = metal::mix(average, metal::float3(_e10.border, _e10.random, _e10.distance), visible_1);
     return Cells {seen.x, seen.y, seen.z};
 }
 
@@ -1350,12 +814,12 @@ float noise_perlin(
     float scale_2,
     int octaves_1,
     float roughness_1,
-    int seed_10
+    int seed_6
 ) {
-    metal::float3 _e6 = bounded_vec3_(position_2 * scale_2);
-    float _e8 = footprint_of_vec3_(_e6);
-    float _e9 = fractal_noise(NOISE_PERLIN, _e6, octaves_1, roughness_1, seed_10, _e8);
-    return _e9;
+    metal::float3 p_4 = position_2 * 5.0;
+    float _e11 = footprint_of_vec3_(p_4);
+    float _e12 = fractal_noise(NOISE_PERLIN, p_4, 2, 0.5, 0, _e11);
+    return _e12;
 }
 
 metal::float4 shade(
@@ -1363,40 +827,43 @@ metal::float4 shade(
     constant Look& look
 ) {
     Cells _e4 = cells(surface_1.position_object, 3.4, 4);
-    Color _e7 = ramp_plain(_e4.random, colors_1);
-    Composite _e16 = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), _e7, 1.0, 0.3, true);
-    float _e22 = noise_perlin(surface_1.position_object, 5.0, 2, 0.5, 0);
-    metal::float3 _e26 = bump_map(_e22, 0.03, surface_1.normal, surface_1.position);
-    Light _e29 = look.sun;
-    Angle _e30 = parametrization_diffuse(_e29, _e26);
-    float _e33 = profile(_e30, 0.0, through_the_glass_shape);
-    Composite _e36 = blend_add(_e16, _e7, _e33, 0.95, true);
-    Light _e39 = look.room;
-    Angle _e40 = parametrization_diffuse(_e39, _e26);
-    float _e43 = profile(_e40, 0.0, on_the_glass_shape);
-    Composite _e46 = blend_add(_e36, _e7, _e43, 0.45, true);
-    float _e50 = threshold(_e4.border, 0.035, 0.0);
-    float _e51 = invert(_e50);
-    Composite _e59 = blend_alpha(_e46, metal::float4(0.0824, 0.0863, 0.102, 1.0), _e51, 1.0, true);
-    Light _e62 = look.room;
-    Angle _e64 = parametrization_specular(_e62, _e26, surface_1.view);
-    float _e67 = profile(_e64, 0.0, gleam_tone_shape);
-    Light _e70 = look.room;
-    LitLayer _e76 = light_apply(_e70, metal::float4(1.0, 0.9647, 0.8941, 1.0), _e67);
-    Composite _e81 = blend_alpha(_e59, _e76.color, _e76.tone, 0.7, true);
-    Light _e84 = look.room;
-    Angle _e87 = parametrization_specular(_e84, surface_1.normal, surface_1.view);
-    float _e90 = profile(_e87, 0.0, edge_of_the_lead_tone_shape);
-    Light _e93 = look.room;
-    LitLayer _e99 = light_apply(_e93, metal::float4(0.1725, 0.1843, 0.2196, 1.0), _e90);
-    Composite _e104 = blend_add(_e81, _e99.color, _e99.tone, 0.35, true);
-    Color _e105 = output(_e104);
-    return _e105;
+    float _e8 = footprint_of(_e4.random);
+    Color _e9 = ramp_at(colors_1, _e4.random, _e8);
+    Composite _e18 = blend_add(metal::float4(0.0275, 0.0235, 0.0471, 1.0), _e9, 1.0, 0.3, true);
+    float _e24 = noise_perlin(surface_1.position_object, 5.0, 2, 0.5, 0);
+    metal::float3 _e28 = bump_map(_e24, 0.03, surface_1.normal, surface_1.position);
+    metal::float3 _e32 = look.sun.direction;
+    metal::float3 _e40 = look.sun.direction;
+    Angle sun_turn = Angle {0.5 * metal::length(_e28 - _e32), 0.5 * metal::length(_e28 + _e40)};
+    float _e48 = profile(sun_turn, 0.0, through_the_glass_shape);
+    metal::float4 light_through_it = metal::clamp(metal::float4(_e18.xyz + (0.95 * ((_e18.xyz + (_e48 * _e9.xyz)) - _e18.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e69 = look.room.direction;
+    metal::float3 _e77 = look.room.direction;
+    Angle room_turn = Angle {0.5 * metal::length(_e28 - _e69), 0.5 * metal::length(_e28 + _e77)};
+    float _e85 = profile(room_turn, 0.0, on_the_glass_shape);
+    metal::float4 light_on_it = metal::clamp(metal::float4(light_through_it.xyz + (0.45 * ((light_through_it.xyz + (_e85 * _e9.xyz)) - light_through_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e106 = footprint_of(_e4.border);
+    float _e110 = step_filtered(_e4.border, 0.035, metal::length(metal::float2(_e106, 0.0)));
+    float leading = 1.0 - _e110;
+    metal::float4 leading_2_ = metal::clamp(metal::float4(light_on_it.xyz + (leading * (metal::float3(0.0824, 0.0863, 0.102) - light_on_it.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e131 = look.room;
+    Angle _e133 = parametrization_specular(_e131, _e28, surface_1.view);
+    float _e136 = profile_2_(_e133, 0.0, gleam_tone_shape);
+    Light _e139 = look.room;
+    LitLayer _e145 = light_apply(_e139, metal::float4(1.0, 0.9647, 0.8941, 1.0), _e136);
+    Composite _e150 = blend_alpha(leading_2_, _e145.color, _e145.tone, 0.7, true);
+    Light _e153 = look.room;
+    Angle _e156 = parametrization_specular(_e153, surface_1.normal, surface_1.view);
+    float _e159 = profile_2_(_e156, 0.0, edge_of_the_lead_tone_shape);
+    Light _e162 = look.room;
+    LitLayer _e168 = light_apply(_e162, metal::float4(0.1725, 0.1843, 0.2196, 1.0), _e159);
+    metal::float4 output = metal::clamp(metal::float4(_e150.xyz + (0.35 * ((_e150.xyz + (_e168.tone * _e168.color.xyz)) - _e150.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {
     metal::float3 position_3 [[attribute(0)]];
-    metal::float3 normal_4 [[attribute(1)]];
+    metal::float3 normal_3 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -1409,7 +876,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position_3, varyings.normal_4 };
+    const Vertex vertex_ = { varyings.position_3, varyings.normal_3 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -1428,7 +895,7 @@ vertex vs_mainOutput vs_main(
 struct fs_mainInput {
     metal::float3 position_3 [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
-    metal::float3 normal_4 [[user(loc2), center_perspective]];
+    metal::float3 normal_3 [[user(loc2), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -1440,21 +907,17 @@ fragment fs_mainOutput fs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_3, varyings_1.position_object, varyings_1.normal_4 };
+    const Varyings in = { clip, varyings_1.position_3, varyings_1.position_object, varyings_1.normal_3 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_4 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_4;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_3 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_3;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
     surface.position = in.position;
     surface.position_object = in.position_object;
-    Surface _e38 = surface;
-    metal::float4 _e39 = shade(_e38, look);
-    metal::float4 _e40 = finite_vec4_(_e39);
-    return fs_mainOutput { _e40 };
+    Surface _e25 = surface;
+    metal::float4 _e26 = shade(_e25, look);
+    return fs_mainOutput { _e26 };
 }

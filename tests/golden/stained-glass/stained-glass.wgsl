@@ -78,9 +78,7 @@ struct Ramp {
     interpolation: u32,
 }
 
-const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
 /// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
 /// never happens.
@@ -88,27 +86,12 @@ fn is_finite(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
 }
 
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
+    if !((largest > 1e-30) & (largest < 1e30)) {
         return otherwise;
     }
     let scaled = v * (1.0 / largest);
@@ -120,38 +103,38 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -162,35 +145,25 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
 }
 
-/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
-fn angle_between(d: vec3f, l: vec3f) -> Angle {
-    let p = length(d - l);
-    let s = length(d + l);
-    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
-    return Angle(p * k, s * k);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
@@ -214,11 +187,6 @@ fn atan2_positive(y: f32, x: f32) -> f32 {
     return select(a, HALF_PI - a, y > x);
 }
 
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
-}
-
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
 /// needs no inverse trigonometry: |du| = 2 |d(sin u/2, cos u/2)|. Call it in uniform control flow.
 fn angle_footprint(u: Angle) -> f32 {
@@ -226,8 +194,7 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -237,7 +204,16 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    return Angle(turned.x, turned.y);
+}
+
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin - u.half_cos * 0.0;
+    let c = u.half_cos + u.half_sin * 0.0;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }
 
@@ -251,71 +227,19 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
-}
-
-/// a / b; 0 where b is 0.
-fn divided(a: f32, b: f32) -> f32 {
-    if abs(b) < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    return bounded(a / b);
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
-/// high, a step where they are equal.
-fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
-}
-
 /// The length of v, also where its square would over- or underflow.
 fn length_of(v: vec3f) -> f32 {
-    let w = bounded_vec3(v);
-    let largest = max(max(abs(w.x), abs(w.y)), abs(w.z));
+    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if largest < SMALLEST_NORMAL {
         return 0.0;
     }
-    return bounded(largest * length(w / largest));
+    return bounded(largest * length(v / largest));
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
+    return sqrt(dot(d, d));
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -323,110 +247,32 @@ fn footprint_of(x: f32) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
-}
-
-/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
-fn edge_width(w: f32, softness: f32) -> f32 {
-    return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
 /// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
 fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
-    let d = bounded(x - edge);
-    if w < 1e-30 {
-        return select(0.0, 1.0, d >= 0.0);
-    }
-    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
-}
-
-const INTERPOLATION_SMOOTH: u32 = 1u;
-const INTERPOLATION_STEPPED: u32 = 2u;
-/// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
-/// t.
-fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
-    let d = b - a;
-    return a + t * (from_a + t * (3.0 * d - 2.0 * from_a - to_b + t * (from_a + to_b - 2.0 * d)));
+    let d = x - edge;
+    return select(clamp(0.5 + d / w, 0.0, 1.0), select(0.0, 1.0, d >= 0.0), w < 1e-30);
 }
 
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
-    let count = min(ramp.count, 16u);
-    if count == 0u {
-        return vec4f(0.0);
-    }
     var colors = ramp.colors;
     var places = ramp.places;
-    if ramp.interpolation == INTERPOLATION_STEPPED {
-        var color = colors[0];
-        for (var i = 1u; i < count; i++) {
-            color += (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
+    var color = colors[0];
+    var i = 1u;
+    loop {
+        if !(i < 7u) {
+            break;
         }
-        return bounded_vec4(color);
+        color = color + (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
+        continuing {
+            i = i + 1u;
+        }
     }
-    var at = 0u;
-    for (var i = 1u; i < count; i++) {
-        at = select(at, i, places[i / 4u][i % 4u] <= x);
-    }
-    let place = places[at / 4u][at % 4u];
-    if at + 1u >= count || x <= place {
-        return bounded_vec4(colors[at]);
-    }
-    let after = at + 1u;
-    let span = places[after / 4u][after % 4u] - place;
-    let t = clamp(divided(x - place, span), 0.0, 1.0);
-    if ramp.interpolation != INTERPOLATION_SMOOTH {
-        return mixed_vec4(colors[at], colors[after], t);
-    }
-    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
-    var from_a = vec4f(0.0);
-    var to_b = vec4f(0.0);
-    if at > 0u {
-        let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
-        from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
-            - colors[at], span);
-    }
-    if after + 1u < count {
-        let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
-        to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
-            next);
-    }
-    return bounded_vec4(hermite(colors[at], colors[after], span * from_a, span * to_b, t));
-}
-
-/// The slope at a stop that keeps a cubic between its neighbors' values (Fritsch and Butland
-/// 1984): the weighted harmonic mean of the slopes before and after, 0 where these differ in sign.
-fn ramp_slope(rise_before: vec4f, span_before: f32, rise_after: vec4f, span_after: f32) -> vec4f {
-    return vec4f(
-        harmonic_slope(divided(rise_before.x, span_before), span_before,
-            divided(rise_after.x, span_after), span_after),
-        harmonic_slope(divided(rise_before.y, span_before), span_before,
-            divided(rise_after.y, span_after), span_after),
-        harmonic_slope(divided(rise_before.z, span_before), span_before,
-            divided(rise_after.z, span_after), span_after),
-        harmonic_slope(divided(rise_before.w, span_before), span_before,
-            divided(rise_after.w, span_after), span_after),
-    );
-}
-
-/// [`ramp_slope`] of one component.
-fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) -> f32 {
-    if before * after <= 0.0 {
-        return 0.0;
-    }
-    let weight_before = 2.0 * span_after + span_before;
-    let weight_after = span_after + 2.0 * span_before;
-    return divided(weight_before + weight_after, weight_before / before + weight_after / after);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
+    return color;
 }
 
 /// The normal of a surface that is raised by a height (Mikkelsen 2010): `along_x` and `along_y`
@@ -434,28 +280,23 @@ fn straight(composite: Composite) -> Color {
 /// change, or the surface is seen edge-on, the normal stays as it is. Slopes end at 10, which is 84
 /// degrees, so that silhouettes do not sparkle.
 fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let x = bounded_vec4(along_x);
-    let y = bounded_vec4(along_y);
-    let largest = max(length_of(x.xyz), length_of(y.xyz));
-    if largest < 1e-18 || largest > 1e18 {
-        return n;
+    let largest = max(length_of(along_x.xyz), length_of(along_y.xyz));
+    if (largest < 1e-18) | (largest > 1e18) {
+        return normal;
     }
-    // Derivatives are measured in the larger one, so that neither tiny nor huge scenes under- or
-    // overflow.
-    let s = x.xyz / largest;
-    let t = y.xyz / largest;
-    let rise = clamp(vec2f(x.w, y.w) / largest, vec2f(-1e6), vec2f(1e6));
-    let right = cross(t, n);
-    let up = cross(n, s);
+    let s = along_x.xyz / largest;
+    let t = along_y.xyz / largest;
+    let rise = clamp(vec2f(along_x.w, along_y.w) / largest, vec2f(-1000000.0), vec2f(1000000.0));
+    let right = cross(t, normal);
+    let up = cross(normal, s);
     let area = dot(s, right);
     if abs(area) < 1e-6 {
-        return n;
+        return normal;
     }
     let slope = (rise.x * right + rise.y * up) / area;
     let steepness = length(slope);
     let limited = slope * (min(steepness, 10.0) / max(steepness, 1e-20));
-    return normalize_or(n - limited, n);
+    return normalize_or(normal - limited, normal);
 }
 
 /// Bump map
@@ -463,49 +304,23 @@ fn bumped_normal(along_x: vec4f, along_y: vec4f, normal: vec3f) -> vec3f {
 /// Bends the normal as if the surface were raised by a height: from a picture, a noise or anything
 /// else. It needs no texture coordinates.
 fn bump_map(height: f32, scale: f32, normal: vec3f, position: vec3f) -> vec3f {
-    let raised = bounded(height * scale);
+    let raised = height * scale;
     let along_x = vec4f(dpdx(position), dpdx(raised));
     let along_y = vec4f(dpdy(position), dpdy(raised));
-    return select(bumped_normal(along_x, along_y, normal), bounded_vec3(normal), scale == 0.0);
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
+    return bumped_normal(along_x, along_y, normal);
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
+    return max(vec4f(below.xyz + opacity * (below.xyz + color.xyz - below.xyz), 1.0), vec4f(0.0));
 }
 
-fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    let a = opacity * color.w;
-    let alpha = below.w + tone * a * (1.0 - below.w);
-    return blend_finish(below, below.xyz + tone * (color.xyz - below.xyz), alpha, a, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
-/// least 1).
-fn light_split(intensity: f32) -> vec2f {
-    return vec2f(min(intensity, 1.0), max(intensity, 1.0));
+fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
+    -> Composite {
+    return clamp(vec4f(below.xyz + opacity * (below.xyz + tone * (color.xyz - below.xyz)
+        - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -513,8 +328,8 @@ fn light_split(intensity: f32) -> vec2f {
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = light_split(light.intensity);
-    return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -524,20 +339,10 @@ struct LitLayer {
     tone: f32,
 }
 
-/// Parametrization
-///
-/// The angle u between a light and a direction of the surface; it decides how shading moves.
-/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
-/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
-/// own axes.
-fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-}
-
 fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let mirrored = 2.0 * dot(n, view) * n - view;
-    return angle_between(normalize_or(mirrored, n), light.direction);
+    let mirrored = 2.0 * dot(normal, view) * normal - view;
+    let d = normalize_moderate(mirrored, normal);
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -559,20 +364,24 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
     let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    if (s <= 0.0) | false {
         return 1.0;
-    }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
     }
     let q = s * shape.scale;
     return profile_power(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power_2(q, shape.exponent);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -582,11 +391,25 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return min(exp2_stable(exponent * log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_2(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable_2(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -594,21 +417,33 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
     let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
+        return point;
+    }
+    if true & (w >= 3.46410161513775459 * shape.edge_deviation) {
+        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
+        return clamp(0.5 + (shape.offset + shape.edge_mean - 2.0 * atan2_positive(u.half_sin,
+            u.half_cos)) / width, 0.0, 1.0);
+    }
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_2(angle_turned(u, reach), shape);
+    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -620,34 +455,23 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
-/// Color ramp
+/// Profile
 ///
-/// Turns a number into a color along a ramp: a tone into paint. Before the first stop and after
-/// the last one the color stays; the edges of a stepped ramp are antialiased.
-fn ramp_plain(value: f32, ramp: Ramp) -> Color {
-    let w = footprint_of(value);
-    return ramp_at(ramp, bounded(value), w);
-}
-
-/// Threshold
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
 ///
-/// 0 below an edge, 1 from the edge on, antialiased by its own width on the screen: cuts a hard
-/// shape out of anything smooth. Where the value does not change on the screen the edge is hard,
-/// and the edge itself is 1.
-fn threshold(value: f32, edge: f32, softness: f32) -> f32 {
-    let w = footprint_of(value);
-    return step_filtered(bounded(value), bounded(edge), edge_width(w, softness));
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
 const NOISE_PERLIN: u32 = 1u;
-const NOISE_SIMPLEX: u32 = 2u;
-const NOISE_WORLEY: u32 = 3u;
-const SIMPLEX_SCALE: f32 = 38.4553;
-const WORLEY_MEAN: f32 = 0.5205;
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
@@ -660,11 +484,6 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
     v.y += v.z * v.x;
     v.z += v.x * v.y;
     return v;
-}
-
-/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
-fn unit_of_hash(hash: vec3u) -> vec3f {
-    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
 }
 
 /// The hash of a lattice point.
@@ -686,20 +505,6 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Value noise: random numbers at lattice points, smooth between them.
-fn value_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p);
-    let f = fade_quintic(p - corner);
-    let cell = vec3i(corner);
-    var sum = 0.0;
-    for (var i = 0; i < 8; i++) {
-        let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
-        let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * unit_of_hash(lattice_hash(cell + at, seed)).x;
-    }
-    return sum;
-}
-
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
@@ -717,46 +522,6 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
-/// cube's.
-fn simplex_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p + (p.x + p.y + p.z) / 3.0);
-    let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
-    // The tetrahedron's corners follow the order of the components.
-    let is_first = vec3<bool>(d.x >= d.y, d.y >= d.z, d.z > d.x);
-    let g = select(vec3f(0.0), vec3f(1.0), is_first);
-    let l = 1.0 - g;
-    let second = min(g, l.zxy);
-    let third = max(g, l.zxy);
-    let cell = vec3i(corner);
-    var sum = simplex_corner(d, lattice_hash(cell, seed));
-    sum += simplex_corner(d - second + 1.0 / 6.0, lattice_hash(cell + vec3i(second), seed));
-    sum += simplex_corner(d - third + 1.0 / 3.0, lattice_hash(cell + vec3i(third), seed));
-    sum += simplex_corner(d - 0.5, lattice_hash(cell + vec3i(1), seed));
-    return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
-}
-
-/// Contribution of one corner of a tetrahedron at the offset d from it.
-fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
-    let t = max(0.5 - dot(d, d), 0.0);
-    return t * t * t * t * gradient_dot(hash, d);
-}
-
-/// The distance to the nearest of one random point per cell (Worley 1996), at most 1.
-fn worley_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p);
-    let d = p - corner;
-    let cell = vec3i(corner);
-    // Beyond the neighbors every point is at least 1 away.
-    var nearest = 1.0;
-    for (var i = 0; i < 27; i++) {
-        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
-        let offset = vec3f(at) + unit_of_hash(lattice_hash(cell + at, seed)) - d;
-        nearest = min(nearest, dot(offset, offset));
-    }
-    return sqrt(nearest);
-}
-
 struct Cell {
     /// The distance to the nearest border, in cells.
     border: f32,
@@ -769,9 +534,6 @@ struct Cell {
 /// Least distance of the point of a cell that is no neighbor, in cells: points keep a quarter of a
 /// cell from their cell's sides.
 const CELL_REACH: f32 = 1.25;
-/// Averages of border and distance, measured in f64.
-const CELL_BORDER_MEAN: f32 = 0.1301;
-const CELL_DISTANCE_MEAN: f32 = 0.491;
 /// The cell around the nearest of one point per lattice cell, each in the middle half of its own.
 ///
 /// The distance to the border, which lies midway between the two nearest points, ends at (1.25 -
@@ -781,86 +543,78 @@ fn nearest_cell(p: vec3f, seed: u32) -> Cell {
     let corner = floor(p);
     let d = p - corner;
     let cell = vec3i(corner);
-    var nearest = vec3f(4.0);
+    var i = 0;
     var hash = vec3u(0u);
-    for (var i = 0; i < 27; i++) {
-        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
-        let own = lattice_hash(cell + at, seed);
-        let offset = vec3f(at) + 0.25 + 0.5 * unit_of_hash(own) - d;
+    var nearest = vec3f(4.0);
+    loop {
+        if !(i < 27) {
+            break;
+        }
+        let at = vec3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        let own = hash_pcg3d(bitcast<vec3u>(cell + at) + 4u * vec3u(0x9e3779b9u, 0x85ebca6bu,
+            0xc2b2ae35u));
+        let offset = vec3f(at) + 0.25 + 0.5 * (vec3f(own >> vec3u(8u)) * 5.9604644775390625e-8) - d;
         if dot(offset, offset) < dot(nearest, nearest) {
             nearest = offset;
             hash = own;
         }
+        continuing {
+            i = i + 1;
+        }
     }
     let distance = length(nearest);
     var border = max(0.5 * (CELL_REACH - distance), 0.0);
-    for (var i = 0; i < 27; i++) {
-        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
-        let apart = vec3f(at) + 0.25 + 0.5 * unit_of_hash(lattice_hash(cell + at, seed)) - d
-            - nearest;
+    var i_2 = 0;
+    loop {
+        if !(i_2 < 27) {
+            break;
+        }
+        let at_2 = vec3i(i_2 % 3 - 1, i_2 / 3 % 3 - 1, i_2 / 9 - 1);
+        let apart = vec3f(at_2) + 0.25 + 0.5 * (vec3f(hash_pcg3d(bitcast<vec3u>(cell + at_2) + 4u
+            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8)
+            - d - nearest;
         let between = length(apart);
-        // Points are half a cell apart at least; a nearer one is the cell's own.
         if between > 0.25 {
             border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
-    }
-    // The number has a hash other than that of the point's place, or it would tell where in its
-    // cell the point lies.
-    return Cell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance);
-}
-
-/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
-fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
-    switch kind {
-        case NOISE_PERLIN: {
-            return perlin_noise(p, seed);
-        }
-        case NOISE_SIMPLEX: {
-            return simplex_noise(p, seed);
-        }
-        case NOISE_WORLEY: {
-            return worley_noise(p, seed);
-        }
-        default: {
-            return value_noise(p, seed);
+        continuing {
+            i_2 = i_2 + 1;
         }
     }
+    return Cell(max(border, 0.0), (vec3f(hash_pcg3d(hash) >> vec3u(8u)) * 5.9604644775390625e-8).x,
+        distance);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
 /// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
 /// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
-    let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
-    let gain = clamp(bounded(roughness), 0.0, 1.0);
-    var sum = 0.0;
-    var total = 0.0;
-    var strength = 1.0;
+    var octave: f32;
+    var i = 0;
     var frequency = 1.0;
-    for (var i = 0; i < clamp(octaves, 1, 8); i++) {
-        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
-        var octave = mean;
+    var strength = 1.0;
+    var total = 0.0;
+    var sum = 0.0;
+    loop {
+        if !(i < 2) {
+            break;
+        }
+        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        octave = 0.5;
         if visible > 0.0 {
-            // Octaves are taken from different places, so that their lattices do not meet at the
-            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
-            octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
+            octave = mix(0.5, perlin_noise(place, 0u + u32(i)), visible);
         }
-        sum += strength * octave;
-        total += strength;
-        strength *= gain;
-        frequency *= 2.0;
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * 0.5;
+        frequency = frequency * 2.0;
+        continuing {
+            i = i + 1;
+        }
     }
-    return clamp(sum / total, 0.0, 1.0);
-}
-
-/// Invert
-///
-/// 1 minus the number: light becomes dark, a mask becomes what it left out. A color keeps its
-/// alpha.
-fn invert(value: f32) -> f32 {
-    return bounded(1.0 - value);
+    return min(sum / 1.5, 1.0);
 }
 
 /// Cells
@@ -869,11 +623,10 @@ fn invert(value: f32) -> f32 {
 /// tiles, cracks. A Threshold of the border draws the seams, a Ramp of the number gives every piece
 /// its color.
 fn cells(position: vec3f, scale: f32, seed: i32) -> Cells {
-    let p = clamp(bounded_vec3(position * scale), vec3f(-4194304.0), vec3f(4194304.0));
-    let cell = nearest_cell(p, bitcast<u32>(seed));
-    // Cells that the screen cannot show fade to their average rather than flicker.
-    let visible = 1.0 - eased(footprint_of_vec3(p), 0.5, 1.0);
-    let average = vec3f(CELL_BORDER_MEAN, 0.5, CELL_DISTANCE_MEAN);
+    let p = clamp(position * scale, vec3f(-4194304.0), vec3f(4194304.0));
+    let cell = nearest_cell(p, 4u);
+    let visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p));
+    let average = vec3f(0.1301, 0.5, 0.491);
     let seen = mix(average, vec3f(cell.border, cell.random, cell.distance), visible);
     return Cells(seen.x, seen.y, seen.z);
 }
@@ -888,8 +641,8 @@ struct Cells {
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = bounded_vec3(position * scale);
-    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
+    let p = position * 5.0;
+    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 0, footprint_of_vec3(p));
 }
 
 const colors = Ramp(array(vec4f(0.0706, 0.1882, 0.4784, 1.0), vec4f(0.1216, 0.4784, 0.6902, 1.0), vec4f(0.1137, 0.5412, 0.3529, 1.0), vec4f(0.9098, 0.6902, 0.1255, 1.0), vec4f(0.8471, 0.3255, 0.1098, 1.0), vec4f(0.6902, 0.0706, 0.2196, 1.0), vec4f(0.3529, 0.102, 0.4784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.22, 0.4, 0.58), vec4f(0.75, 0.9, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 2u);
@@ -901,29 +654,29 @@ const edge_of_the_lead_tone_shape = ProfileShape(0.9887711, 0.14943813, 3.383863
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let panes = cells(surface.position_object, 3.4, 4i);
-    let colors_2 = ramp_plain(panes.random, colors);
+    let colors_2 = ramp_at(colors, panes.random, footprint_of(panes.random));
     let glass_in_shade = blend_add(vec4f(0.0275, 0.0235, 0.0471, 1.0), colors_2, 1.0, 0.3, true);
     let wavering_glass = noise_perlin(surface.position_object, 5.0, 2i, 0.5, 0i);
     let glass = bump_map(wavering_glass, 0.03, surface.normal, surface.position);
-    let sun_turn = parametrization_diffuse(look.sun, glass);
+    let sun_turn = Angle(0.5 * length(glass - look.sun.direction), 0.5 * length(glass + look.sun.direction));
     let through_the_glass = profile(sun_turn, 0.0, through_the_glass_shape);
-    let light_through_it = blend_add(glass_in_shade, colors_2, through_the_glass, 0.95, true);
-    let room_turn = parametrization_diffuse(look.room, glass);
+    let light_through_it = clamp(vec4f(glass_in_shade.xyz + 0.95 * (glass_in_shade.xyz + through_the_glass * colors_2.xyz - glass_in_shade.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let room_turn = Angle(0.5 * length(glass - look.room.direction), 0.5 * length(glass + look.room.direction));
     let on_the_glass = profile(room_turn, 0.0, on_the_glass_shape);
-    let light_on_it = blend_add(light_through_it, colors_2, on_the_glass, 0.45, true);
-    let seam = threshold(panes.border, 0.035, 0.0);
-    let leading = invert(seam);
-    let leading_2 = blend_alpha(light_on_it, vec4f(0.0824, 0.0863, 0.102, 1.0), leading, 1.0, true);
+    let light_on_it = clamp(vec4f(light_through_it.xyz + 0.45 * (light_through_it.xyz + on_the_glass * colors_2.xyz - light_through_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let seam = step_filtered(panes.border, 0.035, length(vec2f(footprint_of(panes.border), 0.0)));
+    let leading = 1.0 - seam;
+    let leading_2 = clamp(vec4f(light_on_it.xyz + leading * (vec4f(0.0824, 0.0863, 0.102, 1.0).xyz - light_on_it.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let gleam_angle = parametrization_specular(look.room, glass, surface.view);
-    let gleam_tone = profile(gleam_angle, 0.0, gleam_tone_shape);
+    let gleam_tone = profile_2(gleam_angle, 0.0, gleam_tone_shape);
     let gleam_lit = light_apply(look.room, vec4f(1.0, 0.9647, 0.8941, 1.0), gleam_tone);
     let gleam_blend = blend_alpha(leading_2, gleam_lit.color, gleam_lit.tone, 0.7, true);
     let edge_of_the_lead_angle = parametrization_specular(look.room, surface.normal, surface.view);
-    let edge_of_the_lead_tone = profile(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
+    let edge_of_the_lead_tone = profile_2(edge_of_the_lead_angle, 0.0, edge_of_the_lead_tone_shape);
     let edge_of_the_lead_lit = light_apply(look.room, vec4f(0.1725, 0.1843, 0.2196, 1.0), edge_of_the_lead_tone);
-    let edge_of_the_lead_blend = blend_add(gleam_blend, edge_of_the_lead_lit.color, edge_of_the_lead_lit.tone, 0.35, true);
-    let output_2 = output(edge_of_the_lead_blend);
-    return output_2;
+    let edge_of_the_lead_blend = clamp(vec4f(gleam_blend.xyz + 0.35 * (gleam_blend.xyz + edge_of_the_lead_lit.tone * edge_of_the_lead_lit.color.xyz - gleam_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let output = edge_of_the_lead_blend;
+    return output;
 }
 
 struct Vertex {
@@ -951,13 +704,13 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.position = in.position;
     surface.position_object = in.position_object;
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

@@ -39,12 +39,6 @@ struct Surface {
 @group(0) @binding(1) var<uniform> object: Object;
 @group(0) @binding(2) var<uniform> look: Look;
 
-/// Straight RGBA.
-alias Color = vec4f;
-
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -57,111 +51,42 @@ struct Light {
     intensity: f32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
-const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
-    let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
-/// quarter turn.
-fn sin_cos(x: f32) -> vec2f {
-    let turns = round(x * 0.318309886183790672);
-    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
-        - turns * 6.27832957300962643e-7;
-    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
-    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
-const SMALLEST_NORMAL: f32 = 1.17549435e-38;
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
 /// is infinite.
 fn bounded(x: f32) -> f32 {
@@ -173,107 +98,27 @@ fn bounded(x: f32) -> f32 {
 
 /// [`bounded`], component by component.
 fn bounded_vec2(v: vec2f) -> vec2f {
-    return vec2f(bounded(v.x), bounded(v.y));
+    let bits = bitcast<vec2u>(v);
+    let magnitude = bits & vec2u(0x7fffffffu);
+    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
+    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
+    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
 fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
-}
-
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
-/// makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
-    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+    let bits = bitcast<vec3u>(v);
+    let magnitude = bits & vec3u(0x7fffffffu);
+    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
+    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
+    return select(numbers, v, magnitude < vec3u(0x7f800000u));
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - 0.75) / 0.75), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
-}
-
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
-/// result lies in [-1, 1].
-fn sin_cos_of(x: f32) -> vec2f {
-    return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
-}
-
-/// Premultiplied RGBA of a straight color.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// Mix colors
-///
-/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
-/// knows tones and transparency.
-fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
-    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
-}
-
-/// Facing ratio
-///
-/// 1 where the surface faces the eye, 0 at its rim: for rim light, outlines, dusty cloth and candy
-/// edges.
-fn facing(normal: vec3f, view: vec3f) -> f32 {
-    return clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
 }
 
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
@@ -288,16 +133,6 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
     v.y += v.z * v.x;
     v.z += v.x * v.y;
     return v;
-}
-
-/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
-fn unit_of_hash(hash: vec3u) -> vec3f {
-    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
-}
-
-/// The hash of a lattice point.
-fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
-    return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
@@ -326,7 +161,7 @@ fn place_in_picture(pixel: vec2f, viewport: vec2f) -> vec2f {
 /// inclusive.
 fn disk_filtered(d: f32, r: f32, w: f32) -> f32 {
     if w < 1e-30 {
-        return select(0.0, 1.0, d <= r && r > 0.0);
+        return select(0.0, 1.0, (d <= r) & (r > 0.0));
     }
     // A ramp as wide as a pixel adds pi w^2/12 to a disk's area. A disk too small to give that back
     // is drawn fainter.
@@ -408,11 +243,6 @@ fn blue_index(cell: vec2i) -> u32 {
     return 8u * at.y + (at.x >> 2u);
 }
 
-/// Threshold of a cell within its number of the tile, between 0 and 1.
-fn blue_part(four: u32, cell: vec2i) -> f32 {
-    return (f32((four >> (8u * (bitcast<u32>(cell.x) & 3u))) & 0xffu) + 0.5) * 0.00390625;
-}
-
 /// A place for marks.
 struct StretchedPlace {
     /// Coordinates along the strokes and across them.
@@ -425,13 +255,12 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = sin_cos_of(angle);
-    let x = bounded_vec3(turn.y * along + turn.x * across);
-    let y = bounded_vec3(turn.y * across - turn.x * along);
+    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
+    let x = turn.y * along + turn.x * across;
+    let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);
     let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
-    let most = vec3f(1e15);
-    let stretch = clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most);
+    let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
     return StretchedPlace(bounded_vec2(turned), stretch);
 }
 
@@ -444,13 +273,10 @@ struct SpacedPlace {
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 a float has nothing left between whole numbers.
+    let scale = select(210.0, 210.0 / max(viewport.y, 1.0), is_pixel);
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
-    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
+    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -459,12 +285,6 @@ fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPl
 fn area_square(stretch: vec3f) -> f32 {
     let sum = stretch.x + stretch.z;
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
-}
-
-/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
-/// must lie, for a squared stretch; within +-16.
-fn octave_of(square: f32) -> f32 {
-    return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
 }
 
 /// Style of dots.
@@ -488,26 +308,33 @@ fn picture_square(offset: vec2f, stretch: vec3f) -> f32 {
 /// The ink of one octave's dots, of which the share `ink` is drawn; `stretch` is that of a unit of
 /// the octave.
 fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, style: Dots) -> f32 {
-    let p = clamp(place * power_of_two(zoom), vec2f(-4194304.0), vec2f(4194304.0));
+    let p = clamp(place * bitcast<f32>(u32(zoom + 127) << 23u), vec2f(-4194304.0),
+        vec2f(4194304.0));
     let corner = floor(p);
-    // Within this distance every dot is in one of the nine cells around.
     let reach = 1.0 - 0.5 * style.scatter;
-    var tile = BLUE_TILE;
+    var i = 0;
     var sum = 0.0;
-    for (var i = 0; i < 9; i++) {
+    var tile = BLUE_TILE;
+    loop {
+        if !(i < 9) {
+            break;
+        }
         let cell = vec2i(corner) + vec2i(i % 3 - 1, i / 3 - 1);
-        let chance = unit_of_hash(lattice_hash(vec3i(cell, zoom), style.seed));
+        let chance = vec3f(hash_pcg3d(bitcast<vec3u>(vec3i(cell, zoom)) + 0u * vec3u(0x9e3779b9u,
+            0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
-        // The blue noise tells when a dot's turn is; the dot then grows within 1/32 of all ink.
-        let turning = cell + vec2i(i32(style.seed & 31u), zoom * 7);
-        let turn = 0.96875 * blue_part(tile[blue_index(turning)], turning);
+        let turning = cell + vec2i(0, zoom * 7);
+        let turn = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u * (bitcast<u32>(turning.x)
+            & 3u))) & 0xffu) + 0.5) * 0.00390625);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
         let radius = 0.5 * style.size * sqrt(grown);
-        // Dots that are drawn out far beyond their cell are cut round.
         let far = length(offset) / reach;
         let d = max(sqrt(picture_square(offset, stretch)), far * far * radius);
         sum = max(sum, disk_filtered(d, radius, w));
+        continuing {
+            i = i + 1;
+        }
     }
     return sum;
 }
@@ -517,31 +344,27 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
     let dx = dpdx(at.place);
     let dy = dpdy(at.place);
     let w = bounded(sqrt(max(picture_square(dx, at.stretch), picture_square(dy, at.stretch))));
-    let amount = clamp(bounded(ink), 0.0, 1.0);
-    let s = at.stretch;
-    let level = octave_of(sqrt(area_square(s)));
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
-    // The coarser octave goes as the finer one comes, so that together they are as many as before.
     let coarse_cells = exp2_stable(-2.0 * f);
     let coarse = 1.0 - f;
     let fine = (1.0 - coarse * coarse_cells) / (4.0 * coarse_cells);
-    var dots = dots_of_octave(at.place, i32(zoom), amount * coarse, s * exp2_stable(2.0 * zoom), w,
-        style);
+    var dots = dots_of_octave(at.place, i32(zoom), ink * coarse, at.stretch * exp2_stable(2.0
+        * zoom), w, style);
     if fine > 0.0 {
-        let finer = dots_of_octave(at.place, i32(zoom) + 1, amount * fine,
-            s * exp2_stable(2.0 * zoom + 2.0), w, style);
+        let finer = dots_of_octave(at.place, i32(zoom) + 1, ink * fine, at.stretch
+            * exp2_stable(2.0 * zoom + 2.0), w, style);
         dots = max(dots, finer);
     }
-    // Dots finer than a pixel are their average.
-    let mean = amount * min(0.785398163397448310 * style.size * style.size, 1.0);
+    let mean = ink * (0.785398163397448310 * style.size * style.size);
     return mix(dots, mean, eased(w, 0.75, 1.5));
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.0);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -552,61 +375,18 @@ struct MarkPlace {
     stretch: vec3f,
 }
 
-/// Stippling
-///
-/// Draws a tone by dots of one size: darker means more of them, and every dot of a lighter tone is
-/// there in a darker one. Dots are as large on the picture as they are, however far the surface is;
-/// which come first is blue noise, so that they lie evenly.
-fn stippling(
-    value: f32,
-    place: vec2f,
-    stretch: vec3f,
-    count: f32,
-    size: f32,
-    scatter: f32,
-    seed: i32,
-    viewport: vec2f,
-) -> f32 {
-    let style = Dots(clamp(bounded(size), 0.0, 1.4), clamp(bounded(scatter), 0.0, 1.0),
-        bitcast<u32>(seed));
-    return stippled(spaced(place, stretch, viewport, count), 1.0 - factor_of(value, true), style);
-}
-
-fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {
-    let w = clamp(bounded(wrap), 0.0, 1.0);
-    let cosine = dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-    return max((cosine + w) / (1.0 + w), 0.0);
-}
-
-/// Map range
-///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
-/// range is empty, all that is below it becomes the new low and the rest the new high. A color
-/// keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    return remapped(value, from_low, from_high, to_low, to_high, clamped);
-}
-
-/// Multiply
-///
-/// The product of two numbers, vectors or colors, component by component: scales, masks and tints.
-fn multiply(a: f32, b: f32) -> f32 {
-    return bounded(a * b);
-}
-
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let light_and_shade = reflectance_wrap(look.key, surface.normal, 0.3);
-    let facing_2 = facing(surface.normal, surface.view);
-    let darker_at_the_rim = map_range(facing_2, 0.0, 0.55, 0.0, 1.0, true);
-    let both = multiply(light_and_shade, darker_at_the_rim);
-    let tone_to_draw = map_range(both, 0.0, 0.85, 0.0, 1.0, true);
+    let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.3) / (1.0 + 0.3), 0.0);
+    let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
+    let darker_at_the_rim = min((facing - 0.0) / (0.55 - 0.0), 1.0);
+    let both = light_and_shade * darker_at_the_rim;
+    let tone_to_draw = min((both - 0.0) / (0.85 - 0.0), 1.0);
     let moves_along = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
-    let dots = stippling(tone_to_draw, moves_along.place, moves_along.stretch, 210.0, 0.85, 0.8, 0i, look.viewport);
-    let ink_on_paper = mix_colors_normal(vec4f(0.965, 0.95, 0.915, 1.0), vec4f(0.09, 0.12, 0.22, 1.0), dots);
-    let output_2 = output(premultiplied(ink_on_paper));
-    return output_2;
+    let dots = stippled(spaced(moves_along.place, moves_along.stretch, look.viewport, 210.0), 1.0 - tone_to_draw, Dots(0.85, 0.8, 0u));
+    let ink_on_paper = mix(vec4f(0.965, 0.95, 0.915, 1.0), vec4f(0.09, 0.12, 0.22, 1.0), dots);
+    let output = ink_on_paper;
+    return output;
 }
 
 struct Vertex {
@@ -632,13 +412,13 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
     surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

@@ -109,12 +109,8 @@ ProfileShape ConstructProfileShape(float arg0, float arg1, float arg2, float arg
     return ret;
 }
 
-static const float PI = 3.1415927;
 static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
 static const float LOG2_E = 1.442695;
-static const uint PROFILE_STEP = 1u;
-static const uint PROFILE_AMBIENT = 2u;
 static const ProfileShape metal_tone_shape = ConstructProfileShape(0.99820054, 0.059964005, 7.166244, 3.1997643, 0.12, 0.124456726, 0.0556771, 0u);
 static const ProfileShape contour_tone_shape = ConstructProfileShape(0.8253356, 0.5646425, 0.0, 1.0, 1.2, 0.0, 0.0, 1u);
 
@@ -125,103 +121,55 @@ Texture2D<float4> curvature_map : register(t0);
 
 struct VertexOutput_vs_main {
     float3 position : LOC0;
-    float3 position_object_2 : LOC1;
+    float3 position_object : LOC1;
     float3 normal_3 : LOC2;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
     float3 position_1 : LOC0;
-    float3 position_object_3 : LOC1;
+    float3 position_object_1 : LOC1;
     float3 normal_4 : LOC2;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float4 finite_vec4_(float4 v)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
-}
-
-float finite_or(float x_1, float otherwise)
-{
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square = dot(scaled, scaled);
-    const bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
+    uint4 exponent_1 = (2139095040u).xxxx;
+    return (((asuint(v) & exponent_1) != exponent_1) ? v : (0.0).xxxx);
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x_2)
+float exp2_stable(float x)
 {
-    float clamped_4 = clamp(x_2, -150.0, 127.99999);
-    float whole = round(clamped_4);
-    float f = ((clamped_4 - whole) * LN_2_);
-    float p = (1.0 + (f * (1.0 + (f * (0.5 + (f * (0.16666667 + (f * (0.041666668 + (f * (0.008333334 + (f * (0.0013888889 + (f * 0.0001984127))))))))))))));
-    int half_whole = naga_div(naga_f2i32(whole), int(2));
-    const float _e33 = power_of_two(half_whole);
-    const float _e37 = power_of_two(asint(asuint(naga_f2i32(whole)) - asuint(half_whole)));
-    return ((p * _e33) * _e37);
+    float clamped_1 = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped_1);
+    float f = (clamped_1 - whole);
+    float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
+    return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log_stable(float x_3)
+float exp2_stable_2_(float x_1)
 {
-    uint bits = asuint(x_3);
-    int shift_2 = int(((bits - 1060439283u) >> 23u));
-    int exponent_1 = ((shift_2 >= int(256)) ? asint(asuint(shift_2) - asuint(int(512))) : shift_2);
-    float mantissa = asfloat((bits - (uint(exponent_1) << 23u)));
+    float clamped_2 = max(x_1, -126.0);
+    float whole_1 = round(clamped_2);
+    float f_1 = (clamped_2 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
+float log2_stable(float x_2)
+{
+    uint bits = asuint(x_2);
+    int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent_1) * LN_2_) + series);
+    return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
 float log1p_negative_small(float y)
@@ -231,30 +179,38 @@ float log1p_negative_small(float y)
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-float2 sin_cos_quarter(float x_4)
+float2 sin_cos_eighth(float x_3)
 {
-    float h = (0.5 * x_4);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float y_2 = (x_3 * x_3);
+    float s = (x_3 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+    float c = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
+    return float2(s, c);
 }
 
-Angle ConstructAngle(float arg0, float arg1) {
-    Angle ret = (Angle)0;
-    ret.half_sin = arg0;
-    ret.half_cos = arg1;
-    return ret;
+float2 sin_cos_tiny(float x_4)
+{
+    float y_3 = (x_4 * x_4);
+    float s_1 = (x_4 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+    float c_1 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
+    return float2(s_1, c_1);
 }
 
-Angle angle_between(float3 d, float3 l)
+float3 normalize_moderate(float3 v_1, float3 otherwise)
 {
-    float p_1 = length((d - l));
-    float s_1 = length((d + l));
-    float k = (1.0 / sqrt(max(((p_1 * p_1) + (s_1 * s_1)), 1e-30)));
-    const Angle angle_1 = ConstructAngle((p_1 * k), (s_1 * k));
-    return angle_1;
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
+}
+
+float3 normalize_moderate_2_(float3 v_2, float3 otherwise_1)
+{
+    float square_1 = dot(v_2, v_2);
+    return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : float3(0.0, 0.0, 1.0));
+}
+
+float3 normalize_seen(float3 v_3)
+{
+    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float atan2_positive(float y_1, float x_5)
@@ -264,118 +220,65 @@ float atan2_positive(float y_1, float x_5)
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_3 = (small / large);
-    bool is_wide = (t_3 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_3);
+    float t_1 = (small / large);
+    bool is_wide = (t_1 > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
     float r2_ = (r * r);
-    float series_1 = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_3 = (is_wide ? (series_1 + 0.7853982) : series_1);
-    return ((y_1 > x_5) ? (HALF_PI - a_3) : a_3);
+    float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
+    float a = (is_wide ? (series + 0.7853982) : series);
+    return ((y_1 > x_5) ? (HALF_PI - a) : a);
 }
 
-float angle_radians(Angle u)
+float angle_footprint(Angle u)
 {
-    const float _e3 = atan2_positive(u.half_sin, u.half_cos);
-    return (2.0 * _e3);
+    float2 half_ = float2(u.half_sin, u.half_cos);
+    float2 dx = ddx(half_);
+    float2 dy = ddy(half_);
+    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_3, 0.5);
+}
+
+Angle ConstructAngle(float arg0, float arg1) {
+    Angle ret = (Angle)0;
+    ret.half_sin = arg0;
+    ret.half_cos = arg1;
+    return ret;
 }
 
 Angle angle_turned(Angle u_1, float2 t)
 {
-    bool local_1 = (bool)0;
-
     float s_2 = ((u_1.half_sin * t.y) - (u_1.half_cos * t.x));
-    float c_1 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
-    float2 upper = ((c_1 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_1));
-    if ((s_2 <= 0.0)) {
-        local_1 = (s_2 < c_1);
-    } else {
-        local_1 = false;
-    }
-    bool _e32 = local_1;
-    float2 turned = (_e32 ? float2(0.0, 1.0) : upper);
+    float c_2 = ((u_1.half_cos * t.y) + (u_1.half_sin * t.x));
+    float2 upper = ((c_2 <= 0.0) ? float2(1.0, 0.0) : float2(s_2, c_2));
+    float2 turned = (((s_2 <= 0.0) & (s_2 < c_2)) ? float2(0.0, 1.0) : upper);
     const Angle angle_2 = ConstructAngle(turned.x, turned.y);
     return angle_2;
-}
-
-Angle angle_shifted(Angle u_2, float shift)
-{
-    const float2 _e7 = sin_cos_quarter((0.5 * clamp(shift, -3.1415927, PI)));
-    const Angle _e8 = angle_turned(u_2, _e7);
-    const Angle angle_3 = _e8;
-    return angle_3;
-}
-
-float angle_footprint(Angle u_3)
-{
-    float2 half_ = float2(u_3.half_sin, u_3.half_cos);
-    float2 dx = ddx(half_);
-    float2 dy = ddy(half_);
-    float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    const float _e13 = finite_or(w_3, 0.5);
-    return min(_e13, 0.5);
 }
 
 float bounded(float x_6)
 {
     uint bits_1 = asuint(x_6);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float3 bounded_vec3_(float3 v_3)
+float footprint_of(float x_7)
 {
-    const float _e2 = bounded(v_3.x);
-    const float _e4 = bounded(v_3.y);
-    const float _e6 = bounded(v_3.z);
-    return float3(_e2, _e4, _e6);
+    float _e1 = ddx(x_7);
+    float _e2 = ddy(x_7);
+    float2 d = float2(_e1, _e2);
+    return sqrt(dot(d, d));
 }
 
-float mixed(float a, float b, float t_1)
+float step_filtered(float x_8, float edge, float w)
 {
-    const float _e4 = bounded((b - a));
-    const float _e14 = bounded(((t_1 < 0.5) ? (a + (t_1 * _e4)) : (b - ((1.0 - t_1) * _e4))));
-    return _e14;
-}
-
-float3 mixed_vec3_(float3 a_1, float3 b_1, float t_2)
-{
-    const float _e5 = mixed(a_1.x, b_1.x, t_2);
-    const float _e8 = mixed(a_1.y, b_1.y, t_2);
-    const float _e11 = mixed(a_1.z, b_1.z, t_2);
-    return float3(_e5, _e8, _e11);
-}
-
-float factor_of(float x_7, bool clamped)
-{
-    const float _e2 = bounded(x_7);
-    const float _e3 = bounded(x_7);
-    return (clamped ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-float footprint_of(float x_8)
-{
-    float _e1 = ddx(x_8);
-    float _e2 = ddy(x_8);
-    float2 d_1 = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d_1, d_1)));
-    return _e6;
-}
-
-float edge_width(float w, float softness)
-{
-    const float _e4 = bounded(softness);
-    return length(float2(min(w, 1000000000000000.0), clamp(_e4, 0.0, 1000000000000000.0)));
-}
-
-float step_filtered(float x_9, float edge, float w_1)
-{
-    const float _e4 = bounded((x_9 - edge));
-    if ((w_1 < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
+    float d_1 = (x_8 - edge);
+    if ((w < 1e-30)) {
+        return ((d_1 >= 0.0) ? 1.0 : 0.0);
     }
-    const float _e13 = bounded((_e4 / w_1));
-    return clamp((0.5 + _e13), 0.0, 1.0);
+    const float _e12 = bounded((d_1 / w));
+    return clamp((0.5 + _e12), 0.0, 1.0);
 }
 
 float4 premultiplied(float4 color)
@@ -391,86 +294,47 @@ float4 straight(float4 composite)
     return float4((composite.xyz / (composite.w).xxx), composite.w);
 }
 
-float4 set_alpha(float4 color_1, float alpha)
-{
-    return float4(color_1.xyz, alpha);
-}
-
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * (convex - concave)));
+    return (concave + (convexity * ((1.0).xxxx - concave)));
 }
 
-float kappa_safe(float kappa)
+float curvature_signed(float kappa, float slope)
 {
-    bool is_nan = ((asuint(kappa) & 2147483647u) > 2139095040u);
-    return (is_nan ? 0.0 : clamp(kappa, -10000.0, 10000.0));
-}
-
-float curvature_signed(float kappa_1, float slope)
-{
-    const float _e2 = kappa_safe(kappa_1);
-    const float _e4 = finite_or(slope, 0.0);
-    float a_4 = (_e2 * clamp(_e4, -1e30, 1e30));
-    float magnitude_1 = min(abs(a_4), 50.0);
+    float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
+    float magnitude_1 = min(abs(a_1), 50.0);
     if ((magnitude_1 < 0.0625)) {
-        float a2_ = (a_4 * a_4);
-        return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
+        float a2_ = (a_1 * a_1);
+        return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
-    const float _e28 = exp2_stable((-2.88539 * magnitude_1));
-    float t_4 = ((1.0 - _e28) / (1.0 + _e28));
-    return ((a_4 >= 0.0) ? t_4 : -(t_4));
+    const float _e33 = exp2_stable((-2.88539 * magnitude_1));
+    float t_2 = ((1.0 - _e33) / (1.0 + _e33));
+    return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-float transition(float kappa_2, float slope_1)
+float curvature_signed_2_(float kappa_1, float slope_1)
 {
-    const float _e2 = curvature_signed(kappa_2, slope_1);
-    return (0.5 + (0.5 * _e2));
-}
-
-float warp(float convexity_1, float amount)
-{
-    return (((2.0 * convexity_1) - 1.0) * clamp(amount, -3.1415927, 3.1415927));
-}
-
-float3 position_object(float3 position_object_1)
-{
-    return position_object_1;
-}
-
-float4 blend_finish(float4 below, float3 blended, float alpha_1, float opacity, bool clamped_1)
-{
-    if ((opacity <= 0.0)) {
-        return below;
+    float a_2 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope_1);
+    float magnitude_2 = min(abs(a_2), 50.0);
+    if ((magnitude_2 < 0.0625)) {
+        float a2_1 = (a_2 * a_2);
+        return (a_2 * (1.0 - (a2_1 * (0.33333334 - (a2_1 * (0.13333334 - (a2_1 * 0.053968254)))))));
     }
-    float4 mixed_1 = float4((below.xyz + (opacity * (blended - below.xyz))), alpha_1);
-    return (clamped_1 ? clamp(mixed_1, (0.0).xxxx, (1.0).xxxx) : mixed_1);
+    const float _e32 = exp2_stable((-2.88539 * magnitude_2));
+    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-float4 blend_multiply(float4 below_1, float4 color_2, float tone, float opacity_1, bool clamped_2)
+float4 blend_alpha(float4 below, float4 color_1, float tone, float opacity, bool clamped)
 {
-    const float4 _e12 = blend_finish(below_1, (below_1.xyz * (tone * color_2.xyz)), below_1.w, (opacity_1 * color_2.w), clamped_2);
-    return _e12;
+    return clamp(float4((below.xyz + (opacity * ((below.xyz + (tone * (color_1.xyz - below.xyz))) - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
-float4 blend_alpha(float4 below_2, float4 color_3, float tone_1, float opacity_2, bool clamped_3)
+float4 output(float4 color_2)
 {
-    float a_5 = (opacity_2 * color_3.w);
-    float alpha_2 = (below_2.w + ((tone_1 * a_5) * (1.0 - below_2.w)));
-    const float4 _e20 = blend_finish(below_2, (below_2.xyz + (tone_1 * (color_3.xyz - below_2.xyz))), alpha_2, a_5, clamped_3);
-    return _e20;
-}
-
-float4 output(float4 color_4)
-{
-    const float4 _e1 = straight(color_4);
+    const float4 _e1 = straight(color_2);
     const float4 _e2 = finite_vec4_(_e1);
     return _e2;
-}
-
-float2 light_split(float intensity)
-{
-    return float2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -480,31 +344,34 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_5, float tone_2)
+LitLayer light_apply(Light light, float4 color_3, float tone_1)
 {
-    const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_5.xyz * light.color) * _e4.y), color_5.w), (tone_2 * _e4.x));
+    float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_3.xyz * light.color) * split.y), 1.0), split.x);
     return litlayer;
 }
 
-Angle parametrization_specular(Light light_1, float3 normal, float3 view)
+LitLayer light_apply_2_(Light light_1, float4 color_4, float tone_2)
 {
-    const float3 _e7 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    float3 mirrored = (((2.0 * dot(_e7, view)) * _e7) - view);
-    const float3 _e13 = normalize_or(mirrored, _e7);
-    const Angle _e15 = angle_between(_e13, light_1.direction);
-    const Angle angle_4 = _e15;
-    return angle_4;
+    float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4((light_1.color * split_1.y), 1.0), (tone_2 * split_1.x));
+    return litlayer_1;
 }
 
-Angle parametrization_screen_aligned(Light light_2, float3 normal_1, float3x3 camera_from_world)
+Angle parametrization_specular(Light light_2, float3 normal, float3 view)
 {
-    const float3 _e7 = normalize_or(normal_1, float3(0.0, 0.0, 1.0));
-    float3 n_1 = mul(_e7, camera_from_world);
-    const float3 _e13 = normalize_or(n_1, float3(0.0, 0.0, 1.0));
-    const Angle _e15 = angle_between(_e13, light_2.own_direction);
-    const Angle angle_5 = _e15;
-    return angle_5;
+    float3 mirrored = (((2.0 * dot(normal, view)) * normal) - view);
+    const float3 _e8 = normalize_moderate(mirrored, normal);
+    const Angle angle_3 = ConstructAngle((0.5 * length((_e8 - light_2.direction))), (0.5 * length((_e8 + light_2.direction))));
+    return angle_3;
+}
+
+Angle parametrization_screen_aligned(Light light_3, float3 normal_1, float3x3 camera_from_world)
+{
+    float3 n = mul(normal_1, camera_from_world);
+    const float3 _e8 = normalize_moderate_2_(n, float3(0.0, 0.0, 1.0));
+    const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
+    return angle_4;
 }
 
 float profile_power(float q, float exponent)
@@ -515,119 +382,89 @@ float profile_power(float q, float exponent)
         return 0.0;
     }
     if ((q < 0.5)) {
-        const float _e10 = log1p_negative_small((q * q));
-        log_base = _e10;
+        const float _e11 = log1p_negative_small((q * q));
+        log_base = (LOG2_E * _e11);
     } else {
-        const float _e16 = log_stable(((1.0 - q) * (1.0 + q)));
-        log_base = _e16;
+        const float _e18 = log2_stable(((1.0 - q) * (1.0 + q)));
+        log_base = _e18;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable(((exponent * LOG2_E) * _e19));
-    return clamp(_e21, 0.0, 1.0);
+    const float _e21 = exp2_stable_2_((exponent * _e19));
+    return min(_e21, 1.0);
 }
 
-float profile_point(Angle u_4, ProfileShape shape)
+float profile_point(Angle u_2, ProfileShape shape)
 {
-    bool local_2 = (bool)0;
-
-    float s_3 = ((u_4.half_sin * shape.half_cos_offset) - (u_4.half_cos * shape.half_sin_offset));
-    if (!((s_3 <= 0.0))) {
-        local_2 = (shape.kind == PROFILE_AMBIENT);
-    } else {
-        local_2 = true;
-    }
-    bool _e18 = local_2;
-    if (_e18) {
+    float s_3 = ((u_2.half_sin * shape.half_cos_offset) - (u_2.half_cos * shape.half_sin_offset));
+    if (((s_3 <= 0.0) | false)) {
         return 1.0;
     }
-    if ((shape.kind == PROFILE_STEP)) {
-        return ((s_3 <= 4e-7) ? 1.0 : 0.0);
-    }
     float q_1 = (s_3 * shape.scale);
-    const float _e31 = profile_power(q_1, shape.exponent);
-    return _e31;
+    const float _e17 = profile_power(q_1, shape.exponent);
+    return _e17;
 }
 
-float profile_filtered(Angle u_5, float w_2, ProfileShape shape_1)
+float profile_point_2_(Angle u_3, ProfileShape shape_1)
 {
-    bool local_3 = (bool)0;
-    bool local_4 = (bool)0;
+    float s_4 = ((u_3.half_sin * shape_1.half_cos_offset) - (u_3.half_cos * shape_1.half_sin_offset));
+    return (((s_4 <= 0.0) | false) ? 1.0 : ((s_4 <= 4e-7) ? 1.0 : 0.0));
+}
 
-    const float _e3 = profile_point(u_5, shape_1);
-    if (!((w_2 <= 0.0))) {
-        local_3 = (shape_1.kind == PROFILE_AMBIENT);
-    } else {
-        local_3 = true;
-    }
-    bool _e13 = local_3;
-    if (_e13) {
+float profile_filtered(Angle u_4, float w_1, ProfileShape shape_2)
+{
+    const float _e3 = profile_point(u_4, shape_2);
+    bool is_wide_1 = (w_1 < (0.1 * shape_2.edge_deviation));
+    if (((is_wide_1 | (w_1 <= 0.0)) | false)) {
         return _e3;
     }
-    if ((shape_1.edge_deviation < 0.145)) {
-        local_4 = (w_2 >= (3.4641016 * shape_1.edge_deviation));
-    } else {
-        local_4 = false;
+    if ((true & (w_1 >= (3.4641016 * shape_2.edge_deviation)))) {
+        float width = sqrt(((w_1 * w_1) + ((12.0 * shape_2.edge_deviation) * shape_2.edge_deviation)));
+        const float _e32 = atan2_positive(u_4.half_sin, u_4.half_cos);
+        return clamp((0.5 + (((shape_2.offset + shape_2.edge_mean) - (2.0 * _e32)) / width)), 0.0, 1.0);
     }
-    bool _e24 = local_4;
-    if (_e24) {
-        float width = sqrt(((w_2 * w_2) + ((12.0 * shape_1.edge_deviation) * shape_1.edge_deviation)));
-        const float _e36 = angle_radians(u_5);
-        return clamp((0.5 + (((shape_1.offset + shape_1.edge_mean) - _e36) / width)), 0.0, 1.0);
-    }
-    if ((w_2 < (0.1 * shape_1.edge_deviation))) {
+    const float2 _e44 = sin_cos_tiny((0.19364917 * w_1));
+    const Angle _e45 = angle_turned(u_4, _e44);
+    const float _e46 = profile_point(_e45, shape_2);
+    const Angle _e51 = angle_turned(u_4, float2(-(_e44.x), _e44.y));
+    const float _e52 = profile_point(_e51, shape_2);
+    return ((((5.0 * _e46) + (8.0 * _e3)) + (5.0 * _e52)) / 18.0);
+}
+
+float profile_filtered_2_(Angle u_5, float w_2, ProfileShape shape_3)
+{
+    const float _e3 = profile_point_2_(u_5, shape_3);
+    if (((false | (w_2 <= 0.0)) | false)) {
         return _e3;
     }
-    const float2 _e50 = sin_cos_quarter((0.19364917 * w_2));
-    const Angle _e51 = angle_turned(u_5, _e50);
-    const float _e52 = profile_point(_e51, shape_1);
-    const Angle _e57 = angle_turned(u_5, float2(-(_e50.x), _e50.y));
-    const float _e58 = profile_point(_e57, shape_1);
-    return ((((5.0 * _e52) + (8.0 * _e3)) + (5.0 * _e58)) / 18.0);
+    float width_1 = sqrt((w_2 * w_2));
+    const float _e15 = atan2_positive(u_5.half_sin, u_5.half_cos);
+    return clamp((0.5 + ((shape_3.offset - (2.0 * _e15)) / width_1)), 0.0, 1.0);
 }
 
-float profile(Angle angle, float shift_1, ProfileShape shape_2)
+float profile(Angle angle, float shift, ProfileShape shape_4)
 {
-    const Angle _e3 = angle_shifted(angle, shift_1);
-    const float _e4 = angle_footprint(_e3);
-    const float _e5 = profile_filtered(_e3, _e4, shape_2);
-    return _e5;
+    const float2 _e5 = sin_cos_tiny((0.5 * shift));
+    const Angle _e6 = angle_turned(angle, _e5);
+    const float _e7 = angle_footprint(_e6);
+    const float _e8 = profile_filtered(_e6, _e7, shape_4);
+    return _e8;
 }
 
-float threshold(float value, float edge_1, float softness_1)
+float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 {
-    const float _e3 = footprint_of(value);
-    const float _e4 = bounded(value);
-    const float _e5 = bounded(edge_1);
-    const float _e6 = edge_width(_e3, softness_1);
-    const float _e7 = step_filtered(_e4, _e5, _e6);
-    return _e7;
+    const float2 _e5 = sin_cos_eighth((0.5 * shift_1));
+    const Angle _e6 = angle_turned(angle_1, _e5);
+    const float _e7 = angle_footprint(_e6);
+    const float _e8 = profile_filtered_2_(_e6, _e7, shape_5);
+    return _e8;
 }
 
-float4 gooch(Light light_3, float3 normal_2, float4 color_6, float4 cool, float4 warm, float cool_amount, float warm_amount)
+float4 gooch(Light light_4, float3 normal_2, float4 color_5, float4 cool, float4 warm, float cool_amount, float warm_amount)
 {
-    const float3 _e11 = normalize_or(normal_2, float3(0.0, 0.0, 1.0));
-    float t_5 = (0.5 + (0.5 * dot(_e11, light_3.direction)));
-    const float3 _e19 = bounded_vec3_(color_6.xyz);
-    const float _e22 = factor_of(cool_amount, true);
-    const float3 _e25 = bounded_vec3_((cool.xyz + (_e22 * _e19)));
-    const float _e28 = factor_of(warm_amount, true);
-    const float3 _e31 = bounded_vec3_((warm.xyz + (_e28 * _e19)));
-    const float3 _e35 = mixed_vec3_(_e25, _e31, clamp(t_5, 0.0, 1.0));
-    const float _e37 = bounded(color_6.w);
-    return float4(_e35, _e37);
-}
-
-float invert(float value_1)
-{
-    const float _e3 = bounded((1.0 - value_1));
-    return _e3;
-}
-
-float minimum(float a_2, float b_2)
-{
-    const float _e2 = bounded(a_2);
-    const float _e3 = bounded(b_2);
-    return min(_e2, _e3);
+    float t_4 = (0.5 + (0.5 * dot(normal_2, light_4.direction)));
+    float3 far = (cool.xyz + (cool_amount * color_5.xyz));
+    float3 near = (warm.xyz + (warm_amount * color_5.xyz));
+    return float4(lerp(far, near, clamp(t_4, 0.0, 1.0)), 1.0);
 }
 
 VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
@@ -636,12 +473,6 @@ VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
     ret.y = arg1;
     ret.z = arg2;
     return ret;
-}
-
-VectorParts separate_vector(float3 vector_)
-{
-    const VectorParts vectorparts = ConstructVectorParts(vector_.x, vector_.y, vector_.z);
-    return vectorparts;
 }
 
 Shaded ConstructShaded(float4 arg0, float4 arg1, float arg2) {
@@ -656,41 +487,45 @@ Shaded shade(Surface surface_1)
 {
     Light _e3 = look.key;
     const float4 _e22 = gooch(_e3, surface_1.normal, float4(0.8314, 0.8392, 0.8549, 1.0), float4(0.1725, 0.2902, 0.4863, 1.0), float4(0.4196, 0.3529, 0.1961, 1.0), 0.35, 0.6);
-    const float4 _e28 = blend_alpha((1.0).xxxx, _e22, 1.0, 1.0, true);
-    const float _e31 = transition(surface_1.kappa, 0.25);
-    const float4 _e39 = curvature_color(_e31, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
-    Light _e42 = look.key;
-    const LitLayer _e44 = light_apply(_e42, _e39, 1.0);
-    const float4 _e49 = blend_multiply(_e28, _e44.color, _e44.tone, 0.8, true);
-    Light _e52 = look.key;
-    const Angle _e55 = parametrization_specular(_e52, surface_1.normal, surface_1.view);
-    const float _e58 = transition(surface_1.kappa, 0.2);
-    const float _e60 = warp(_e58, 0.05);
-    const float _e62 = profile(_e55, _e60, metal_tone_shape);
-    Light _e65 = look.key;
-    const LitLayer _e68 = light_apply(_e65, (1.0).xxxx, _e62);
-    const float4 _e73 = blend_alpha(_e49, _e68.color, _e68.tone, 0.8, true);
-    Light _e76 = look.eye;
-    float3x3 _e80 = look.camera_from_world;
-    const Angle _e81 = parametrization_screen_aligned(_e76, surface_1.normal, _e80);
-    const float _e84 = transition(surface_1.kappa, 0.12);
-    const float _e86 = warp(_e84, 0.25);
-    const float _e88 = profile(_e81, _e86, contour_tone_shape);
-    Light _e91 = look.eye;
-    const LitLayer _e94 = light_apply(_e91, (1.0).xxxx, _e88);
-    const float4 _e99 = blend_multiply(_e73, _e94.color, _e94.tone, 1.0, true);
-    const float3 _e101 = position_object(surface_1.position_object);
-    const VectorParts _e102 = separate_vector(_e101);
-    const float _e105 = minimum(_e102.x, _e102.z);
-    const float _e108 = threshold(_e105, -0.012, 0.0);
-    const float4 _e116 = blend_alpha(_e99, float4(0.8471, 0.1569, 0.1098, 1.0), _e108, 1.0, true);
-    const float _e119 = threshold(_e105, 0.02, 0.0);
-    const float _e120 = invert(_e119);
-    const float4 _e121 = straight(_e116);
-    const float4 _e122 = set_alpha(_e121, _e120);
-    const float4 _e123 = premultiplied(_e122);
-    const float4 _e124 = output(_e123);
-    const Shaded shaded = ConstructShaded(_e124, _e124, 0.5);
+    float4 cool_to_warm_2_ = float4(((1.0).xxx + (_e22.xyz - (1.0).xxx)), 1.0);
+    const float _e34 = curvature_signed(surface_1.kappa, 0.25);
+    float hollows_convexity = (0.5 + (0.5 * _e34));
+    const float4 _e46 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.5412, 0.5804, 0.6588, 1.0));
+    Light _e49 = look.key;
+    const LitLayer _e51 = light_apply(_e49, _e46, 1.0);
+    float4 hollows_blend = clamp(float4((cool_to_warm_2_.xyz + (0.8 * ((cool_to_warm_2_.xyz * (_e51.tone * _e51.color.xyz)) - cool_to_warm_2_.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e73 = look.key;
+    const Angle _e76 = parametrization_specular(_e73, surface_1.normal, surface_1.view);
+    const float _e79 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float metal_convexity = (0.5 + (0.5 * _e79));
+    float metal_warp = (((2.0 * metal_convexity) - 1.0) * 0.05);
+    const float _e91 = profile(_e76, metal_warp, metal_tone_shape);
+    Light _e94 = look.key;
+    const LitLayer _e97 = light_apply_2_(_e94, (1.0).xxxx, _e91);
+    const float4 _e102 = blend_alpha(hollows_blend, _e97.color, _e97.tone, 0.8, true);
+    Light _e105 = look.eye;
+    float3x3 _e109 = look.camera_from_world;
+    const Angle _e110 = parametrization_screen_aligned(_e105, surface_1.normal, _e109);
+    const float _e113 = curvature_signed_2_(surface_1.kappa, 0.12);
+    float contour_convexity = (0.5 + (0.5 * _e113));
+    float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.25);
+    const float _e125 = profile_2_(_e110, contour_warp, contour_tone_shape);
+    Light _e128 = look.eye;
+    const LitLayer _e131 = light_apply_2_(_e128, (1.0).xxxx, _e125);
+    float4 contour_blend = clamp(float4((_e102.xyz + ((_e102.xyz * (_e131.tone * _e131.color.xyz)) - _e102.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 place = surface_1.position_object;
+    VectorParts parts = ConstructVectorParts(place.x, place.y, place.z);
+    float into_the_corner = min(parts.x, parts.z);
+    const float _e158 = footprint_of(into_the_corner);
+    const float _e164 = step_filtered(into_the_corner, -0.012, length(float2(min(_e158, 1000000000000000.0), 0.0)));
+    float4 section_line = clamp(float4((contour_blend.xyz + (_e164 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e182 = footprint_of(into_the_corner);
+    const float _e188 = step_filtered(into_the_corner, 0.02, length(float2(min(_e182, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - _e188);
+    float4 cut = float4(section_line.xyz, kept);
+    const float4 _e193 = premultiplied(cut);
+    const float4 _e194 = output(_e193);
+    const Shaded shaded = ConstructShaded(_e194, _e194, 0.5);
     return shaded;
 }
 
@@ -718,27 +553,24 @@ int2 naga_f2i32(float2 value) {
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_3, fragmentinput_fs_main.normal_4 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_1, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_4 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_5 = (is_front ? _e7 : -(_e7));
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_5 = (is_front ? _e3 : -(_e3));
     surface.normal = normal_5;
-    float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    float4 _e26 = view_1.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
+    float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
     surface.position_object = in_.position_object;
-    float4 _e42 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
-    surface.kappa = _e42.x;
-    Surface _e44 = surface;
-    const Shaded _e45 = shade(_e44);
-    if ((_e45.color.w < _e45.cutoff)) {
+    float4 _e29 = curvature_map.Load(int3(naga_f2i32(in_.clip_.xy), int(0)));
+    surface.kappa = _e29.x;
+    Surface _e31 = surface;
+    const Shaded _e32 = shade(_e31);
+    if ((_e32.color.w < _e32.cutoff)) {
         discard;
     }
-    const float4 _e51 = finite_vec4_(_e45.value);
-    return _e51;
+    const float4 _e38 = finite_vec4_(_e32.value);
+    return _e38;
 }

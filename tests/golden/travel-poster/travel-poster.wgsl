@@ -78,80 +78,51 @@ struct Ramp {
     interpolation: u32,
 }
 
-const PI: f32 = 3.14159265358979323846;
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
 const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^x: a polynomial of degree 7 on [-1/2, 1/2] (relative error below 1e-7), scaled by powers of
-/// two. 0 below -149, the largest finite number above 128.
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = clamp(x, -150.0, 127.999992);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
-    let f = (clamped - whole) * LN_2;
-    let p = 1.0 + f * (1.0 + f * (0.5 + f * (0.166666666666666667
-        + f * (0.0416666666666666667 + f * (0.00833333333333333333
-        + f * (0.00138888888888888889 + f * 0.000198412698412698413))))));
-    // The power is applied in two steps, because 2^-150 is no normal number.
-    let half_whole = i32(whole) / 2;
-    return p * power_of_two(half_whole) * power_of_two(i32(whole) - half_whole);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
+    let whole = round(x);
+    let f = x - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_3(x: f32) -> f32 {
+    let clamped = max(x, -126.0);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
 /// ln(1 - y) for y in [0, 1/4], by the series of atanh.
@@ -162,61 +133,25 @@ fn log1p_negative_small(y: f32) -> f32 {
         + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`sin_cos_quarter`] for |x| <= 0.1.
+fn sin_cos_tiny(x: f32) -> vec2f {
+    let y = x * x;
+    let s = x * (1.0 + y * (-0.166666666666666667 + y * 0.00833333333333333333));
+    let c = 1.0 - y * (0.5 + y * (-0.0416666666666666667 + y * 0.00138888888888888889));
+    return vec2f(s, c);
 }
 
-/// The angle between the unit vectors d and l, from the chords |d - l| and |d + l|.
-fn angle_between(d: vec3f, l: vec3f) -> Angle {
-    let p = length(d - l);
-    let s = length(d + l);
-    let k = 1.0 / sqrt(max(p * p + s * s, 1e-30));
-    return Angle(p * k, s * k);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// The angle u in radians.
-fn angle_radians(u: Angle) -> f32 {
-    return 2.0 * atan2_positive(u.half_sin, u.half_cos);
-}
-
-/// atan2(y, x) for y, x >= 0, not both 0: a series on [0, tan(pi/8)], because WGSL allows 4096 ULP.
-fn atan2_positive(y: f32, x: f32) -> f32 {
-    let small = min(y, x);
-    let large = max(y, x);
-    if large <= 0.0 {
-        return 0.0;
-    }
-    let t = small / large;
-    // atan t = pi/4 + atan((t - 1) / (t + 1)) brings everything to |r| <= 0.4143.
-    let is_wide = t > 0.41421356;
-    let r = select(t, (small - large) / (small + large), is_wide);
-    let r2 = r * r;
-    let series = r * (1.0 + r2 * (-0.333333333333333333
-        + r2 * (0.2 + r2 * (-0.142857142857142857
-        + r2 * (0.111111111111111111 + r2 * (-0.0909090909090909091
-        + r2 * (0.0769230769230769231 + r2 * (-0.0666666666666666667
-            + r2 * 0.0588235294117647059))))))));
-    let a = select(series, series + 0.785398163397448310, is_wide);
-    return select(a, HALF_PI - a, y > x);
-}
-
-/// u - shift, clamped to [0, pi], for |shift| <= pi (BADF eq. 8 and docs/math.md D3).
-fn angle_shifted(u: Angle, shift: f32) -> Angle {
-    return angle_turned(u, sin_cos_quarter(0.5 * clamp(shift, -PI, PI)));
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -226,8 +161,7 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    // An infinite or NaN derivative at a silhouette gives the widest footprint.
-    return min(finite_or(w, 0.5), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -237,170 +171,119 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     // Beyond either end the smaller of s and c tells which: a turn by pi may leave the other just
     // below 0.
-    let turned = select(upper, vec2f(0.0, 1.0), s <= 0.0 && s < c);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
+    return Angle(turned.x, turned.y);
+}
+
+/// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
+fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
+    let s = u.half_sin - u.half_cos * 0.0;
+    let c = u.half_cos + u.half_sin * 0.0;
+    let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
+    let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
-/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
-/// is infinite.
-fn bounded(x: f32) -> f32 {
-    let bits = bitcast<u32>(x);
-    let magnitude = bits & 0x7fffffffu;
-    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
-    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
-}
-
-/// [`bounded`], component by component.
-fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
-}
-
 /// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
 /// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
 /// by 0 is; 0^0 is 1.
 fn powered(base: f32, exponent: f32) -> f32 {
-    let b = bounded(base);
-    let e = bounded(exponent);
-    // The result is exact, because an exponent of 1 lets the compiler leave the node out.
-    if e == 1.0 {
-        return b;
-    }
-    if e == 0.0 {
-        return 1.0;
-    }
-    if e == 2.0 {
-        return bounded(b * b);
-    }
-    let magnitude = abs(b);
-    if magnitude < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    let raised = exp2_stable(bounded(e * (LOG2_E * log_stable(magnitude))));
-    let is_even = floor(e * 0.5) == e * 0.5;
-    return select(raised, -raised, b < 0.0 && !is_even);
-}
-
-/// The length of v, also where its square would over- or underflow.
-fn length_of(v: vec3f) -> f32 {
-    let w = bounded_vec3(v);
-    let largest = max(max(abs(w.x), abs(w.y)), abs(w.z));
-    if largest < SMALLEST_NORMAL {
-        return 0.0;
-    }
-    return bounded(largest * length(w / largest));
+    let magnitude = abs(base);
+    let raised = exp2_stable_2(exponent * log2_stable(max(magnitude, SMALLEST_NORMAL)));
+    return select(raised, 0.0, magnitude < SMALLEST_NORMAL);
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
-}
-
-/// The width of an edge whose own width is `softness`, seen through a footprint of `w`.
-fn edge_width(w: f32, softness: f32) -> f32 {
-    return length(vec2f(min(w, 1e15), clamp(bounded(softness), 0.0, 1e15)));
-}
-
-/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
-fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
-    let d = bounded(x - edge);
-    if w < 1e-30 {
-        return select(0.0, 1.0, d >= 0.0);
-    }
-    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
+    return sqrt(dot(d, d));
 }
 
 /// The stairs floor(x) from 0 to `count` - 1, averaged over a footprint of `w`; x in [0, count],
 /// count at least 2.
 fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
     if w <= 1.0 {
-        // At most one edge lies in the footprint: the nearest.
-        let edge = clamp(round(x), 1.0, count - 1.0);
-        return edge - 1.0 + step_filtered(x, edge, w);
+        let edge = clamp(round(x), 1.0, 6.0);
+        return edge - 1.0 + clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
-    // Beyond a million stairs to the pixel the average does not change any more, and digits would
-    // be lost.
-    let half = 0.5 * min(w, 1e3 * count);
-    return (stairs_integral(x + half, count) - stairs_integral(x - half, count)) / (2.0 * half);
-}
-
-/// A value from 0 to 1 in `count` flat steps (at least 2), the first 0 and the last 1, seen through
-/// a footprint of `w`; `softness` is the share of a step that its edge takes.
-fn stepped_tone(value: f32, w: f32, count: i32, softness: f32) -> f32 {
-    let n = f32(clamp(count, 2, 1024));
-    let width = edge_width(n * w, min(softness, 1.0));
-    return clamp(stairs_filtered(n * clamp(bounded(value), 0.0, 1.0), n, width) / (n - 1.0), 0.0,
-        1.0);
+    let half = 0.5 * w;
+    return (stairs_integral(x + half, 7.0) - stairs_integral_2(x - half, 7.0)) / (2.0 * half);
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
 fn stairs_integral(x: f32, count: f32) -> f32 {
-    let inside = clamp(x, 0.0, count);
-    let stair = min(floor(inside), count - 1.0);
-    let beyond = max(x - count, 0.0);
-    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * (count - 1.0);
+    let inside = min(x, 7.0);
+    let stair = min(floor(inside), 6.0);
+    let beyond = max(x - 7.0, 0.0);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 6.0;
+}
+
+/// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
+fn stairs_integral_2(x: f32, count: f32) -> f32 {
+    let inside = max(x, 0.0);
+    let stair = floor(inside);
+    return stair * (0.5 * (stair - 1.0) + inside - stair) + 0.0;
 }
 
 /// sRGB-coded to linear light (IEC 61966-2-1, the exact curve); a negative number is decoded by its
 /// size.
 fn linear_of_srgb(coded: f32) -> f32 {
-    let size = abs(bounded(coded));
-    let value = select(powered((size + 0.055) / 1.055, 2.4), size / 12.92, size <= 0.04045);
-    return select(value, -value, coded < 0.0);
+    let size = abs(coded);
+    let value = select(exp2_stable_2(2.4 * log2_stable((size + 0.055) / 1.055)), size / 12.92,
+        size <= 0.04045);
+    return value;
 }
 
 /// Linear light to sRGB-coded (IEC 61966-2-1, the exact curve); a negative number is coded by its
 /// size.
 fn srgb_of_linear(light: f32) -> f32 {
-    let size = abs(bounded(light));
-    let value = select(1.055 * powered(size, 1.0 / 2.4) - 0.055, size * 12.92, size <= 0.0031308);
-    return bounded(select(value, -value, light < 0.0));
-}
-
-/// `rgb` with each component clamped to [0, 1].
-fn within_unit(rgb: vec3f) -> vec3f {
-    return clamp(bounded_vec3(rgb), vec3f(0.0), vec3f(1.0));
-}
-
-/// The cube root, with the sign of x.
-fn cube_root(x: f32) -> f32 {
-    let root = powered(abs(x), 1.0 / 3.0);
-    return select(root, -root, x < 0.0);
+    let size = abs(light);
+    let value = select(1.055 * powered(size, 0.41666666) - 0.055, size * 12.92, size <= 0.0031308);
+    return select(value, -value, light < 0.0);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
 /// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
-    let c = clamp(bounded_vec3(rgb), vec3f(-1e9), vec3f(1e9));
-    let l = cube_root(dot(c, vec3f(0.4122214708, 0.5363325363, 0.0514459929)));
-    let m = cube_root(dot(c, vec3f(0.2119034982, 0.6806995451, 0.1073969566)));
-    let s = cube_root(dot(c, vec3f(0.0883024619, 0.2817188376, 0.6299787005)));
-    return vec3f(
-        0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-        1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-        0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
-    );
+    let l = powered(abs(dot(rgb, vec3f(0.4122214708, 0.5363325363, 0.0514459929))), 0.33333334);
+    let m = powered(abs(dot(rgb, vec3f(0.2119034982, 0.6806995451, 0.1073969566))), 0.33333334);
+    let s = powered(abs(dot(rgb, vec3f(0.0883024619, 0.2817188376, 0.6299787005))), 0.33333334);
+    return vec3f(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l
+        - 2.4285922050 * m + 0.4505937099 * s, 0.0259040371 * l + 0.7827717662 * m - 0.8086757660
+        * s);
+}
+
+/// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
+/// steps that eyes judge as even.
+fn oklab_of_linear_2(rgb: vec3f) -> vec3f {
+    let l = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.4122214708, 0.5363325363,
+        0.0514459929))));
+    let m = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.2119034982, 0.6806995451,
+        0.1073969566))));
+    let s = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.0883024619, 0.2817188376,
+        0.6299787005))));
+    return vec3f(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l
+        - 2.4285922050 * m + 0.4505937099 * s, 0.0259040371 * l + 0.7827717662 * m - 0.8086757660
+        * s);
 }
 
 /// Linear sRGB of an Oklab color, the inverse of [`oklab_of_linear`].
 fn linear_of_oklab(lab: vec3f) -> vec3f {
-    let c = clamp(bounded_vec3(lab), vec3f(-1e6), vec3f(1e6));
-    let l = c.x + 0.3963377774 * c.y + 0.2158037573 * c.z;
-    let m = c.x - 0.1055613458 * c.y - 0.0638541728 * c.z;
-    let s = c.x - 0.0894841775 * c.y - 1.2914855480 * c.z;
+    let l = lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z;
+    let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
+    let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(
-        dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)),
-        dot(cubes, vec3f(-1.2684380046, 2.6097574011, -0.3413193965)),
-        dot(cubes, vec3f(-0.0041960863, -0.7034186147, 1.7076147010)),
-    );
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077116, 0.2309699292)), dot(cubes,
+        vec3f(-1.268438, 2.6097574011, -0.34131938)), dot(cubes, vec3f(-0.0041960864, -0.7034186,
+        1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.
 fn oklab_of_srgb(coded: vec3f) -> vec3f {
-    return oklab_of_linear(vec3f(linear_of_srgb(coded.x), linear_of_srgb(coded.y),
-        linear_of_srgb(coded.z)));
+    return oklab_of_linear_2(vec3f(exp2_stable_2(2.4 * log2_stable((coded.x + 0.055) / 1.055)),
+        exp2_stable_2(2.4 * log2_stable((coded.y + 0.055) / 1.055)), exp2_stable_2(2.4
+        * log2_stable((coded.z + 0.055) / 1.055))));
 }
 
 /// sRGB-coded color of an Oklab color, the inverse of [`oklab_of_srgb`].
@@ -412,52 +295,25 @@ fn srgb_of_oklab(lab: vec3f) -> vec3f {
 /// The color of a palette (the stops of a ramp) that is nearest to `rgb` in Oklab, alone or blended
 /// there with the colors that are up to `softness` farther. Black for a palette without colors.
 fn palette_blend(palette: Ramp, rgb: vec3f, softness: f32) -> vec3f {
-    let count = min(palette.count, 16u);
     var colors = palette.colors;
-    let wanted = oklab_of_srgb(rgb);
-    var nearest = 1e30;
+    let wanted = oklab_of_linear(vec3f(linear_of_srgb(rgb.x), linear_of_srgb(rgb.y),
+        linear_of_srgb(rgb.z)));
+    var i = 0u;
     var found = vec3f(0.0);
-    for (var i = 0u; i < count; i++) {
+    var nearest = 1e30;
+    loop {
+        if !(i < 7u) {
+            break;
+        }
         let lab = oklab_of_srgb(colors[i].xyz);
-        let far = min(length_of(lab - wanted), 1e29);
-        found = select(found, bounded_vec3(colors[i].xyz), far < nearest);
+        let far = min(length(lab - wanted), 1e29);
+        found = select(found, colors[i].xyz, far < nearest);
         nearest = min(nearest, far);
+        continuing {
+            i = i + 1u;
+        }
     }
-    if softness <= 0.0 || count == 0u {
-        return found;
-    }
-    var sum = vec3f(0.0);
-    var total = 0.0;
-    for (var i = 0u; i < count; i++) {
-        let lab = oklab_of_srgb(colors[i].xyz);
-        let near = clamp(1.0 - (length_of(lab - wanted) - nearest) / softness, 0.0, 1.0);
-        // Weights are squared, so that colors come and go without a kink.
-        sum += near * near * lab;
-        total += near * near;
-    }
-    return bounded_vec3(srgb_of_oklab(sum / max(total, 1e-6)));
-}
-
-/// Premultiplied RGBA of a straight color.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// Palette
-///
-/// Brings colors into a palette, as a printer's or a game's: the nearest one to the eye, several
-/// blended where they are about as near, or one by its number.
-fn palette_nearest(color: Color, palette: Ramp) -> Color {
-    return vec4f(palette_blend(palette, bounded_vec3(color.xyz), 0.0), bounded(color.w));
+    return found;
 }
 
 /// Posterize
@@ -466,12 +322,13 @@ fn palette_nearest(color: Color, palette: Ramp) -> Color {
 /// and only light and dark are cut, in steps that look even; by channel the hue shifts too, which
 /// is the look of early computers.
 fn posterize_lightness(color: Color, steps: i32, softness: f32) -> Color {
-    let lab = oklab_of_srgb(within_unit(color.xyz));
-    let stepped = stepped_tone(lab.x, footprint_of(lab.x), steps, softness);
-    // Colorfulness goes with the lightness, so that what becomes black has no color.
+    let lab = oklab_of_linear(vec3f(linear_of_srgb(color.x), linear_of_srgb(color.y),
+        linear_of_srgb(color.z)));
+    let stepped = clamp(stairs_filtered(7.0 * clamp(lab.x, 0.0, 1.0), 7.0, length(vec2f(7.0
+        * footprint_of(lab.x), softness))) / 6.0, 0.0, 1.0);
     let kept = select(0.0, stepped / max(lab.x, 1e-4), lab.x > 1e-4);
-    return vec4f(within_unit(srgb_of_oklab(vec3f(stepped, lab.yz * min(kept, 1.0)))),
-        bounded(color.w));
+    return vec4f(clamp(srgb_of_oklab(vec3f(stepped, lab.yz * min(kept, 1.0))), vec3f(0.0),
+        vec3f(1.0)), 1.0);
 }
 
 /// Convex/concave color
@@ -481,74 +338,27 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// kappa fit for use: 0 where it is NaN, within +-1e4.
-fn kappa_safe(kappa: f32) -> f32 {
-    // An infinite curvature keeps its sign; only NaN has none.
-    let is_nan = (bitcast<u32>(kappa) & 0x7fffffffu) > 0x7f800000u;
-    return select(clamp(kappa, -1e4, 1e4), 0.0, is_nan);
-}
-
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
-    let a = kappa_safe(kappa) * clamp(finite_or(slope, 0.0), -1e30, 1e30);
+    let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
+        > 0x7f800000u) * slope;
     let magnitude = min(abs(a), 50.0);
     if magnitude < 0.0625 {
-        // 1 - z cancels for small a; the series does not.
         let a2 = a * a;
-        return a * (1.0 - a2 * (0.333333333333333333
-            - a2 * (0.133333333333333333 - a2 * 0.0539682539682539683)));
+        return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
+            * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.0 * LOG2_E * magnitude);
+    let z = exp2_stable(-2.88539 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Curvature transition
-///
-/// From concave (0) over flat (0.5) to convex (1), as softly or sharply as you choose. (The BADF
-/// paper writes it lambda = 0.5 + 0.5 tanh(slope * kappa), with kappa for the curvature.)
-fn transition(kappa: f32, slope: f32) -> f32 {
-    return 0.5 + 0.5 * curvature_signed(kappa, slope);
-}
-
-/// Curvature warp
-///
-/// How far curvature moves the angle that a profile sees: convex parts by plus, concave parts by
-/// minus the amount.
-fn warp(convexity: f32, amount: f32) -> f32 {
-    return (2.0 * convexity - 1.0) * clamp(amount, -3.14159265358979324, 3.14159265358979324);
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
-    clamped: bool) -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
-    return select(mixed, clamp(mixed, vec4f(0.0), vec4f(1.0)), clamped);
 }
 
 /// Blend
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, below.w, opacity * color.w, clamped);
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
-/// least 1).
-fn light_split(intensity: f32) -> vec2f {
-    return vec2f(min(intensity, 1.0), max(intensity, 1.0));
+    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
+        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -556,8 +366,8 @@ fn light_split(intensity: f32) -> vec2f {
 /// Gives a layer its light's color and intensity: below 1 the intensity fades the tone, above 1 it
 /// brightens the color, so that a light that goes out leaves the layers below as they are.
 fn light_apply(light: Light, color: Color, tone: f32) -> LitLayer {
-    let split = light_split(light.intensity);
-    return LitLayer(vec4f(color.xyz * light.color * split.y, color.w), tone * split.x);
+    let split = vec2f(min(light.intensity, 1.0), max(light.intensity, 1.0));
+    return LitLayer(vec4f(color.xyz * light.color * split.y, 1.0), tone * split.x);
 }
 
 struct LitLayer {
@@ -567,20 +377,10 @@ struct LitLayer {
     tone: f32,
 }
 
-/// Parametrization
-///
-/// The angle u between a light and a direction of the surface; it decides how shading moves.
-/// Diffuse stays on the surface, Specular moves with the eye, Half-vector is Blinn's highlight,
-/// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
-/// own axes.
-fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    return angle_between(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-}
-
 fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
-    let n = normalize_or(normal, vec3f(0.0, 0.0, 1.0));
-    let mirrored = 2.0 * dot(n, view) * n - view;
-    return angle_between(normalize_or(mirrored, n), light.direction);
+    let mirrored = 2.0 * dot(normal, view) * normal - view;
+    let d = normalize_moderate(mirrored, normal);
+    return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -602,20 +402,24 @@ struct ProfileShape {
     kind: u32,
 }
 
-const PROFILE_STEP: u32 = 1u;
-const PROFILE_AMBIENT: u32 = 2u;
 /// alpha at one angle, without antialiasing; `u` is warped already.
 fn profile_point(u: Angle, shape: ProfileShape) -> f32 {
-    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
-    if s <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let s = u.half_sin - u.half_cos * 0.0;
+    if (s <= 0.0) | false {
         return 1.0;
-    }
-    if shape.kind == PROFILE_STEP {
-        // Inclusive (D4), also where rounding puts u = tau on the far side.
-        return select(0.0, 1.0, s <= 4e-7);
     }
     let q = s * shape.scale;
     return profile_power(q, shape.exponent);
+}
+
+/// alpha at one angle, without antialiasing; `u` is warped already.
+fn profile_point_2(u: Angle, shape: ProfileShape) -> f32 {
+    let s = u.half_sin * shape.half_cos_offset - u.half_cos * shape.half_sin_offset;
+    if (s <= 0.0) | false {
+        return 1.0;
+    }
+    let q = s * shape.scale;
+    return profile_power_2(q, shape.exponent);
 }
 
 /// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
@@ -625,11 +429,25 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     }
     var log_base = 0.0;
     if q < 0.5 {
-        log_base = log1p_negative_small(q * q);
+        log_base = LOG2_E * log1p_negative_small(q * q);
     } else {
-        log_base = log_stable((1.0 - q) * (1.0 + q));
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return clamp(exp2_stable(exponent * LOG2_E * log_base), 0.0, 1.0);
+    return min(exp2_stable_2(exponent * log_base), 1.0);
+}
+
+/// (1 - q^2)^exponent for q >= 0; 0 from q = 1 on.
+fn profile_power_2(q: f32, exponent: f32) -> f32 {
+    if q >= 1.0 {
+        return 0.0;
+    }
+    var log_base = 0.0;
+    if q < 0.5 {
+        log_base = LOG2_E * log1p_negative_small(q * q);
+    } else {
+        log_base = log2_stable((1.0 - q) * (1.0 + q));
+    }
+    return min(exp2_stable_3(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -637,21 +455,28 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
 /// quadrature where it is narrow, the point value where it is wide.
 fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
     let point = profile_point(u, shape);
-    if w <= 0.0 || shape.kind == PROFILE_AMBIENT {
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
         return point;
     }
-    // No footprint is above 0.5, so that this branch is not even compiled for an edge that is known
-    // to be softer.
-    if shape.edge_deviation < 0.145 && w >= 3.46410161513775459 * shape.edge_deviation {
-        let width = sqrt(w * w + 12.0 * shape.edge_deviation * shape.edge_deviation);
-        return clamp(0.5 + (shape.offset + shape.edge_mean - angle_radians(u)) / width, 0.0, 1.0);
-    }
-    if w < 0.1 * shape.edge_deviation {
-        return point;
-    }
-    let reach = sin_cos_quarter(0.193649167310370844 * w);
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
     let before = profile_point(angle_turned(u, reach), shape);
     let after = profile_point(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
+    return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
+}
+
+/// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
+/// ramp of the gradient's width where the edge is narrower than a pixel, three-point Gauss
+/// quadrature where it is narrow, the point value where it is wide.
+fn profile_filtered_2(u: Angle, w: f32, shape: ProfileShape) -> f32 {
+    let point = profile_point_2(u, shape);
+    let is_wide = w < 0.1 * shape.edge_deviation;
+    if is_wide | (w <= 0.0) | false {
+        return point;
+    }
+    let reach = sin_cos_tiny(0.193649167310370844 * w);
+    let before = profile_point_2(angle_turned(u, reach), shape);
+    let after = profile_point_2(angle_turned(u, vec2f(-reach.x, reach.y)), shape);
     return (5.0 * before + 8.0 * point + 5.0 * after) / 18.0;
 }
 
@@ -663,8 +488,32 @@ fn profile_filtered(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_shifted(angle, shift);
+    let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
     return profile_filtered(warped, angle_footprint(warped), shape);
+}
+
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered(warped, angle_footprint(warped), shape);
+}
+
+/// Profile
+///
+/// Turns an angle into a tone: 1 up to the offset, then falling to 0 at the cut-off, steepest at
+/// the fall-off. Edges are as sharp as asked and antialiased by their width on the screen.
+///
+/// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
+/// beyond that the curve is still falling, but it is steepest elsewhere too.
+fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
+    let warped = angle_turned_2(angle, vec2f(0.0, 1.0));
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
 const evening_sun_tone_shape = ProfileShape(1.0, 0.0, 1.0955735, 1.6395584, 0.0, 1.1385497, 0.5052584, 0u);
@@ -674,25 +523,25 @@ const seven_inks = Ramp(array(vec4f(0.0863, 0.1333, 0.2471, 1.0), vec4f(0.1725, 
 
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
-    let evening_sun_convexity = transition(surface.kappa, 0.12);
+    let evening_sun_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.12);
     let evening_sun_color = curvature_color(evening_sun_convexity, vec4f(0.93, 0.62, 0.36, 1.0), vec4f(0.66, 0.24, 0.24, 1.0));
-    let evening_sun_angle = parametrization_diffuse(look.key, surface.normal);
-    let evening_sun_warp = warp(evening_sun_convexity, 0.1);
+    let evening_sun_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
+    let evening_sun_warp = (2.0 * evening_sun_convexity - 1.0) * 0.1;
     let evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     let evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
     let evening_sun_blend = blend_add(vec4f(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
-    let sky_angle = parametrization_diffuse(look.sky, surface.normal);
-    let sky_tone = profile(sky_angle, 0.0, sky_tone_shape);
+    let sky_angle = Angle(0.5 * length(surface.normal - look.sky.direction), 0.5 * length(surface.normal + look.sky.direction));
+    let sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     let sky_lit = light_apply(look.sky, vec4f(0.02, 0.24, 0.3, 1.0), sky_tone);
-    let sky_blend = blend_add(evening_sun_blend, sky_lit.color, sky_lit.tone, 1.0, true);
+    let sky_blend = clamp(vec4f(evening_sun_blend.xyz + (evening_sun_blend.xyz + sky_lit.tone * sky_lit.color.xyz - evening_sun_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let glow_angle = parametrization_specular(look.key, surface.normal, surface.view);
-    let glow_tone = profile(glow_angle, 0.0, glow_tone_shape);
+    let glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     let glow_lit = light_apply(look.key, vec4f(0.42, 0.38, 0.24, 1.0), glow_tone);
-    let glow_blend = blend_add(sky_blend, glow_lit.color, glow_lit.tone, 1.0, true);
-    let seven_lightnesses = posterize_lightness(straight(glow_blend), 7i, 0.02);
-    let seven_inks_2 = palette_nearest(seven_lightnesses, seven_inks);
-    let output_2 = output(premultiplied(seven_inks_2));
-    return output_2;
+    let glow_blend = clamp(vec4f(sky_blend.xyz + (sky_blend.xyz + glow_lit.tone * glow_lit.color.xyz - sky_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let seven_lightnesses = posterize_lightness(glow_blend, 7i, 0.02);
+    let seven_inks_2 = vec4f(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
+    let output = seven_inks_2;
+    return output;
 }
 
 struct Vertex {
@@ -718,12 +567,12 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.kappa = textureLoad(curvature_map, vec2i(in.clip.xy), 0).x;
     let shaded = shade(surface);
-    return finite_vec4(shaded);
+    return shaded;
 }

@@ -34,11 +34,6 @@ struct Varyings {
     metal::float3 position;
     metal::float3 normal;
 };
-struct Fragment {
-    metal::float4 normal;
-    float depth;
-    char _pad2[12];
-};
 
 bool is_finite(
     float x
@@ -46,53 +41,51 @@ bool is_finite(
     return (as_type<uint>(x) & 2139095040u) != 2139095040u;
 }
 
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
 metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
+    metal::float3 v,
+    metal::float3 otherwise
 ) {
-    bool local_1 = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local_1 = largest < 1000000000000000000000000000000.0;
-    } else {
-        local_1 = false;
+    float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
+    if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
+        return otherwise;
     }
-    bool _e17 = local_1;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
+    metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square);
-    if (!(_e23)) {
-        return otherwise_1;
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
     }
     return scaled * (1.0 / metal::sqrt(square));
+}
+
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise_1
+) {
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
+}
+
+metal::float3 normalize_seen(
+    metal::float3 v_2
+) {
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
+}
+
+metal::float2 slope_of(
+    metal::float3 normal
+) {
+    return normal.xy / metal::float2(metal::max(normal.z, 0.2));
+}
+
+metal::float4 surface_texel(
+    metal::float3 normal_1,
+    float depth,
+    float number
+) {
+    metal::float2 _e3 = slope_of(normal_1);
+    return metal::float4(_e3, depth, (normal_1.z < 0.0) ? -(number) : number);
 }
 
 metal::float3 shade(
@@ -103,7 +96,7 @@ metal::float3 shade(
 
 struct vs_mainInput {
     metal::float3 position [[attribute(0)]];
-    metal::float3 normal [[attribute(1)]];
+    metal::float3 normal_2 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -115,7 +108,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position, varyings.normal };
+    const Vertex vertex_ = { varyings.position, varyings.normal_2 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -132,11 +125,10 @@ vertex vs_mainOutput vs_main(
 
 struct fs_mainInput {
     metal::float3 position [[user(loc0), center_perspective]];
-    metal::float3 normal [[user(loc1), center_perspective]];
+    metal::float3 normal_2 [[user(loc1), center_perspective]];
 };
 struct fs_mainOutput {
-    metal::float4 normal [[color(0)]];
-    float depth [[color(1)]];
+    metal::float4 member_1 [[color(0)]];
 };
 fragment fs_mainOutput fs_main(
   fs_mainInput varyings_1 [[stage_in]]
@@ -145,28 +137,28 @@ fragment fs_mainOutput fs_main(
 , constant View& view [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Varyings in = { clip, varyings_1.position, varyings_1.normal };
+    const Varyings in = { clip, varyings_1.position, varyings_1.normal_2 };
     bool local = {};
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float4 _e10 = view.eye;
-    float _e15 = view.eye.w;
-    metal::float3 _e19 = normalize_or(_e10.xyz - (_e15 * in.position), _e7);
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float4 _e6 = view.eye;
+    float _e11 = view.eye.w;
+    metal::float3 _e15 = normalize_or(_e6.xyz - (_e11 * in.position), _e3);
     if (!(is_front)) {
-        local = metal::dot(_e7, _e19) < -0.1;
+        local = metal::dot(_e3, _e15) < -0.1;
     } else {
         local = false;
     }
     bool is_behind = local;
-    metal::float3 normal = is_behind ? -(_e7) : _e7;
-    surface.normal = normal;
-    Surface _e32 = surface;
-    metal::float3 _e33 = shade(_e32);
-    metal::float4x4 _e36 = view.camera_from_world;
-    metal::float3 seen = (_e36 * metal::float4(_e33, 0.0)).xyz;
-    metal::float4x4 _e43 = view.camera_from_world;
-    float depth = -((_e43 * metal::float4(in.position, 1.0)).z);
-    float _e52 = object.id;
-    const auto _tmp_1 = Fragment {metal::float4(seen, _e52 + 1.0), depth};
-    return fs_mainOutput { _tmp_1.normal, _tmp_1.depth };
+    metal::float3 normal_2 = is_behind ? -(_e3) : _e3;
+    surface.normal = normal_2;
+    Surface _e28 = surface;
+    metal::float3 _e29 = shade(_e28);
+    metal::float4x4 _e32 = view.camera_from_world;
+    metal::float3 seen = (_e32 * metal::float4(_e29, 0.0)).xyz;
+    metal::float4x4 _e39 = view.camera_from_world;
+    float depth_1 = -((_e39 * metal::float4(in.position, 1.0)).z);
+    float _e48 = object.id;
+    metal::float4 _e51 = surface_texel(seen, depth_1, _e48 + 1.0);
+    return fs_mainOutput { _e51 };
 }

@@ -31,17 +31,8 @@ struct Varyings {
     vec3 position_object;
     vec3 normal;
 };
-const float HALF_PI = 1.5707964;
-const float LN_2_ = 0.6931472;
-const float LOG2_E = 1.442695;
 const float SMALLEST_NORMAL = 1.1754944e-38;
-const uint INTERPOLATION_SMOOTH = 1u;
-const uint INTERPOLATION_STEPPED = 2u;
 const uint NOISE_PERLIN = 1u;
-const uint NOISE_SIMPLEX = 2u;
-const uint NOISE_WORLEY = 3u;
-const float SIMPLEX_SCALE = 38.4553;
-const float WORLEY_MEAN = 0.5205;
 const Ramp two_pigments = Ramp(vec4[16](vec4(0.1843, 0.4353, 0.5608, 1.0), vec4(0.2471, 0.6039, 0.5255, 1.0), vec4(0.7882, 0.6353, 0.2353, 1.0), vec4(0.8471, 0.451, 0.3529, 1.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0)), vec4[4](vec4(0.0, 0.45, 0.75, 1.0), vec4(0.0), vec4(0.0), vec4(0.0)), 4u, 1u);
 
 layout(std140, binding = 0) uniform ViewBlock { View u_view; };

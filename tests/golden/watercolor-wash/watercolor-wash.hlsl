@@ -122,17 +122,8 @@ Ramp ConstructRamp(float4 arg0[16], float4 arg1[4], uint arg2, uint arg3) {
     return ret;
 }
 
-static const float HALF_PI = 1.5707964;
-static const float LN_2_ = 0.6931472;
-static const float LOG2_E = 1.442695;
 static const float SMALLEST_NORMAL = 1.1754944e-38;
-static const uint INTERPOLATION_SMOOTH = 1u;
-static const uint INTERPOLATION_STEPPED = 2u;
 static const uint NOISE_PERLIN = 1u;
-static const uint NOISE_SIMPLEX = 2u;
-static const uint NOISE_WORLEY = 3u;
-static const float SIMPLEX_SCALE = 38.4553;
-static const float WORLEY_MEAN = 0.5205;
 static const Ramp two_pigments = ConstructRamp(Constructarray16_float4_(float4(0.1843, 0.4353, 0.5608, 1.0), float4(0.2471, 0.6039, 0.5255, 1.0), float4(0.7882, 0.6353, 0.2353, 1.0), float4(0.8471, 0.451, 0.3529, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), Constructarray4_float4_(float4(0.0, 0.45, 0.75, 1.0), (0.0).xxxx, (0.0).xxxx, (0.0).xxxx), 4u, 1u);
 
 cbuffer view_1 : register(b0) { View view_1; }
@@ -140,135 +131,81 @@ cbuffer object : register(b1) { Object object; }
 cbuffer look : register(b2) { Look look; }
 
 struct VertexOutput_vs_main {
-    float3 position_1 : LOC0;
+    float3 position_2 : LOC0;
     float3 position_object : LOC1;
-    float3 normal_2 : LOC2;
+    float3 normal_1 : LOC2;
     float4 clip_ : SV_Position;
 };
 
 struct FragmentInput_fs_main {
-    float3 position_2 : LOC0;
+    float3 position_3 : LOC0;
     float3 position_object_1 : LOC1;
-    float3 normal_3 : LOC2;
+    float3 normal_2 : LOC2;
     float4 clip_1 : SV_Position;
     bool is_front_1 : SV_IsFrontFace;
 };
 
-bool is_finite(float x)
+float4 finite_vec4_(float4 v)
 {
-    return ((asuint(x) & 2139095040u) != 2139095040u);
+    uint4 exponent = (2139095040u).xxxx;
+    return (((asuint(v) & exponent) != exponent) ? v : (0.0).xxxx);
 }
 
-float finite_or(float x_1, float otherwise)
+float log2_stable(float x)
 {
-    const bool _e2 = is_finite(x_1);
-    return (_e2 ? x_1 : otherwise);
-}
-
-float3 finite_vec3_(float3 v)
-{
-    const float _e3 = finite_or(v.x, 0.0);
-    const float _e6 = finite_or(v.y, 0.0);
-    const float _e9 = finite_or(v.z, 0.0);
-    return float3(_e3, _e6, _e9);
-}
-
-float4 finite_vec4_(float4 v_1)
-{
-    const float3 _e2 = finite_vec3_(v_1.xyz);
-    const float _e5 = finite_or(v_1.w, 0.0);
-    return float4(_e2, _e5);
-}
-
-float3 normalize_or(float3 v_2, float3 otherwise_1)
-{
-    bool local = (bool)0;
-
-    float largest = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if ((largest > 1e-30)) {
-        local = (largest < 1e30);
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    float3 scaled = (v_2 * (1.0 / largest));
-    float square_1 = dot(scaled, scaled);
-    const bool _e23 = is_finite(square_1);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return (scaled * (1.0 / sqrt(square_1)));
-}
-
-float power_of_two(int n)
-{
-    return asfloat((uint(asint(asuint(n) + asuint(int(127)))) << 23u));
-}
-
-float log_stable(float x_2)
-{
-    uint bits = asuint(x_2);
-    int shift = int(((bits - 1060439283u) >> 23u));
-    int exponent = ((shift >= int(256)) ? asint(asuint(shift) - asuint(int(512))) : shift);
-    float mantissa = asfloat((bits - (uint(exponent) << 23u)));
+    uint bits = asuint(x);
+    int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
+    float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
     float z2_ = (z * z);
-    float series = ((2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111)))))))));
-    return ((float(exponent) * LN_2_) + series);
+    return (float(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float2 sin_cos_quarter(float x_3)
+float3 normalize_moderate(float3 v_1, float3 otherwise)
 {
-    float h = (0.5 * x_3);
-    float h2_ = (h * h);
-    float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
-    float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
-    float c = (1.0 - one_minus_c);
-    return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
+    float square = dot(v_1, v_1);
+    return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float2 sin_cos(float x_4)
+float3 normalize_seen(float3 v_2)
 {
-    float turns = round((x_4 * 0.31830987));
-    float r = (((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
-    float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
-    const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
-    return (sign_ * _e27);
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
-float bounded(float x_5)
+float bounded(float x_1)
 {
-    uint bits_1 = asuint(x_5);
+    uint bits_1 = asuint(x_1);
     uint magnitude = (bits_1 & 2147483647u);
-    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
 float2 bounded_vec2_(float2 v_3)
 {
-    const float _e2 = bounded(v_3.x);
-    const float _e4 = bounded(v_3.y);
-    return float2(_e2, _e4);
+    uint2 bits_2 = asuint(v_3);
+    uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
+    float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
+    float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
+    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
 }
 
 float3 bounded_vec3_(float3 v_4)
 {
-    const float _e2 = bounded(v_4.x);
-    const float _e4 = bounded(v_4.y);
-    const float _e6 = bounded(v_4.z);
-    return float3(_e2, _e4, _e6);
+    uint3 bits_3 = asuint(v_4);
+    uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
+    float3 largest_2 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
+    float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
+    return ((magnitude_2 < (2139095040u).xxx) ? v_4 : numbers_1);
 }
 
 float4 bounded_vec4_(float4 v_5)
 {
-    const float _e2 = bounded(v_5.x);
-    const float _e4 = bounded(v_5.y);
-    const float _e6 = bounded(v_5.z);
-    const float _e8 = bounded(v_5.w);
-    return float4(_e2, _e4, _e6, _e8);
+    uint4 bits_4 = asuint(v_5);
+    uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
+    float4 largest_3 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
+    float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_3 : (0.0).xxxx);
+    return ((magnitude_3 < (2139095040u).xxxx) ? v_5 : numbers_2);
 }
 
 float divided(float a, float b)
@@ -280,110 +217,55 @@ float divided(float a, float b)
     return _e7;
 }
 
-float mixed(float a_1, float b_1, float t)
+float3 mixed_vec3_(float3 a_1, float3 b_1, float t)
 {
-    const float _e4 = bounded((b_1 - a_1));
-    const float _e14 = bounded(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
+    const float3 _e4 = bounded_vec3_((b_1 - a_1));
+    const float3 _e14 = bounded_vec3_(((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4))));
     return _e14;
 }
 
-float3 mixed_vec3_(float3 a_2, float3 b_2, float t_1)
+float3 mixed_vec3_2_(float3 a_2, float3 b_2, float t_1)
 {
-    const float _e5 = mixed(a_2.x, b_2.x, t_1);
-    const float _e8 = mixed(a_2.y, b_2.y, t_1);
-    const float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return float3(_e5, _e8, _e11);
+    float3 d_1 = (b_2 - a_2);
+    const float3 _e13 = bounded_vec3_(((t_1 < 0.5) ? (a_2 + (t_1 * d_1)) : (b_2 - ((1.0 - t_1) * d_1))));
+    return _e13;
 }
 
 float4 mixed_vec4_(float4 a_3, float4 b_3, float t_2)
 {
-    const float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    const float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return float4(_e5, _e8);
-}
-
-float place_between(float x_6, float low, float high)
-{
-    float span = (high - low);
-    if ((abs(span) < SMALLEST_NORMAL)) {
-        return ((x_6 >= high) ? 1.0 : 0.0);
-    }
-    const float _e12 = bounded(span);
-    const float _e14 = bounded(((x_6 - low) / _e12));
+    const float4 _e4 = bounded_vec4_((b_3 - a_3));
+    const float4 _e14 = bounded_vec4_(((t_2 < 0.5) ? (a_3 + (t_2 * _e4)) : (b_3 - ((1.0 - t_2) * _e4))));
     return _e14;
 }
 
-float remapped(float x_7, float from_low, float from_high, float to_low, float to_high, bool clamped)
+float eased(float x_2, float low, float high)
 {
-    const float _e6 = bounded(x_7);
-    const float _e7 = bounded(from_low);
-    const float _e8 = bounded(from_high);
-    const float _e9 = place_between(_e6, _e7, _e8);
-    const float _e10 = bounded(to_low);
-    const float _e11 = bounded(to_high);
-    const float _e16 = mixed(_e10, _e11, (clamped ? clamp(_e9, 0.0, 1.0) : _e9));
-    return _e16;
-}
-
-float eased(float x_8, float low_1, float high_1)
-{
-    const float _e3 = bounded(x_8);
-    const float _e4 = bounded(low_1);
-    const float _e5 = bounded(high_1);
-    const float _e6 = place_between(_e3, _e4, _e5);
-    float t_5 = clamp(_e6, 0.0, 1.0);
+    float t_5 = clamp(((x_2 - low) / (high - low)), 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
-float factor_of(float x_9, bool clamped_1)
+float footprint_of(float x_3)
 {
-    const float _e2 = bounded(x_9);
-    const float _e3 = bounded(x_9);
-    return (clamped_1 ? clamp(_e3, 0.0, 1.0) : _e2);
-}
-
-float2 sin_cos_of(float x_10)
-{
-    const float _e1 = bounded(x_10);
-    const float2 _e2 = sin_cos(_e1);
-    return clamp(_e2, (-1.0).xx, (1.0).xx);
-}
-
-float footprint_of(float x_11)
-{
-    float _e1 = ddx(x_11);
-    float _e2 = ddy(x_11);
+    float _e1 = ddx(x_3);
+    float _e2 = ddy(x_3);
     float2 d_2 = float2(_e1, _e2);
-    const float _e6 = bounded(sqrt(dot(d_2, d_2)));
-    return _e6;
+    return sqrt(dot(d_2, d_2));
 }
 
 float footprint_of_vec3_(float3 v_6)
 {
     float3 dx = ddx(v_6);
     float3 dy = ddy(v_6);
-    const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
-    return _e7;
-}
-
-float step_filtered(float x_12, float edge, float w)
-{
-    const float _e4 = bounded((x_12 - edge));
-    if ((w < 1e-30)) {
-        return ((_e4 >= 0.0) ? 1.0 : 0.0);
-    }
-    const float _e13 = bounded((_e4 / w));
-    return clamp((0.5 + _e13), 0.0, 1.0);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
 float4 color_mixed(float4 a_4, float3 blended, float factor)
 {
     const float3 _e4 = bounded_vec3_(a_4.xyz);
     const float3 _e5 = bounded_vec3_(blended);
-    const float _e7 = factor_of(factor, true);
-    const float3 _e8 = mixed_vec3_(_e4, _e5, _e7);
-    const float _e10 = bounded(a_4.w);
-    return float4(_e8, _e10);
+    const float3 _e7 = bounded_vec3_((_e5 - _e4));
+    const float3 _e10 = bounded_vec3_((_e4 + (factor * _e7)));
+    return float4(_e10, 1.0);
 }
 
 float4 hermite(float4 a_5, float4 b_4, float4 from_a, float4 to_b, float t_3)
@@ -420,204 +302,108 @@ float4 ramp_slope(float4 rise_before, float span_before_1, float4 rise_after, fl
     return float4(_e8, _e13, _e18, _e23);
 }
 
-uint naga_div(uint lhs, uint rhs) {
-    return lhs / (rhs == 0u ? 1u : rhs);
-}
-
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_13, float w_1)
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / (rhs == 0u ? 1u : rhs);
+}
+
+float4 ramp_at(Ramp ramp, float x_4, float w)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
-    float4 color = (float4)0;
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_1 = (bool)0;
     float4 from_a_1 = (0.0).xxxx;
     float4 to_b_1 = (0.0).xxxx;
 
-    uint count_2 = min(ramp.count, 16u);
-    if ((count_2 == 0u)) {
-        return (0.0).xxxx;
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if ((ramp.interpolation == INTERPOLATION_STEPPED)) {
-        float4 _e18 = colors[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u, 4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (all(loop_bound == uint2(0u, 0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = (_e47 + 1u);
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if ((_e22 < count_2)) {
-            } else {
-                break;
-            }
-            {
-                float4 _e24 = color;
-                uint _e25 = i;
-                float4 _e27 = colors[min(uint(_e25), 15u)];
-                uint _e28 = i;
-                float4 _e32 = colors[min(uint((_e28 - 1u)), 15u)];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places[min(uint(naga_div(_e34, 4u)), 3u)][min(uint(naga_mod(_e38, 4u)), 3u)];
-                const float _e43 = step_filtered(x_13, _e42, w_1);
-                color = (_e24 + ((_e27 - _e32) * _e43));
-            }
-        }
-        float4 _e49 = color;
-        const float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
-    bool loop_init_1 = true;
+    uint2 loop_bound = uint2(4294967295u, 4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = (_e71 + 1u);
+        if (all(loop_bound == uint2(0u, 0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e25 = i_2_;
+            i_2_ = (_e25 + 1u);
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if ((_e55 < count_2)) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 4u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places[min(uint(naga_div(_e59, 4u)), 3u)][min(uint(naga_mod(_e63, 4u)), 3u)];
-            at = ((_e67 <= x_13) ? _e58 : _e57);
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e18 = i_2_;
+        float _e22 = places[0][min(uint(naga_mod(_e18, 4u)), 3u)];
+        at = ((_e22 <= x_4) ? _e16 : _e15);
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place_4 = places[min(uint(naga_div(_e73, 4u)), 3u)][min(uint(naga_mod(_e77, 4u)), 3u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count_2))) {
-        local_1 = (x_13 <= place_4);
-    } else {
-        local_1 = true;
+    uint _e29 = at;
+    float place_4 = places[0][min(uint(naga_mod(_e29, 4u)), 3u)];
+    uint _e34 = at;
+    if ((((_e34 + 1u) >= 4u) | (x_4 <= place_4))) {
+        uint _e41 = at;
+        float4 _e43 = colors[min(uint(_e41), 15u)];
+        return _e43;
     }
-    bool _e91 = local_1;
-    if (_e91) {
-        uint _e92 = at;
-        float4 _e94 = colors[min(uint(_e92), 15u)];
-        const float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e44 = at;
+    uint after_1 = (_e44 + 1u);
+    float _e53 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
+    float span = (_e53 - place_4);
+    const float _e56 = divided((x_4 - place_4), span);
+    float t_6 = clamp(_e56, 0.0, 1.0);
+    uint _e63 = at;
+    if ((_e63 > 0u)) {
+        uint _e66 = at;
+        uint _e72 = at;
+        float before_1 = places[min(uint(naga_div((_e66 - 1u), 4u)), 3u)][min(uint(naga_mod((_e72 - 1u), 4u)), 3u)];
+        uint _e79 = at;
+        float4 _e81 = colors[min(uint(_e79), 15u)];
+        uint _e82 = at;
+        float4 _e86 = colors[min(uint((_e82 - 1u)), 15u)];
+        float4 _e90 = colors[min(uint(after_1), 15u)];
+        uint _e91 = at;
+        float4 _e93 = colors[min(uint(_e91), 15u)];
+        const float4 _e95 = ramp_slope((_e81 - _e86), (place_4 - before_1), (_e90 - _e93), span);
+        from_a_1 = _e95;
     }
-    uint _e96 = at;
-    uint after_1 = (_e96 + 1u);
-    float _e105 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
-    float span_1 = (_e105 - place_4);
-    const float _e108 = divided((x_13 - place_4), span_1);
-    float t_6 = clamp(_e108, 0.0, 1.0);
-    if ((ramp.interpolation != INTERPOLATION_SMOOTH)) {
-        uint _e115 = at;
-        float4 _e117 = colors[min(uint(_e115), 15u)];
-        float4 _e119 = colors[min(uint(after_1), 15u)];
-        const float4 _e120 = mixed_vec4_(_e117, _e119, t_6);
-        return _e120;
+    if (((after_1 + 1u) < 4u)) {
+        float _e113 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
+        float next = (_e113 - (place_4 + span));
+        float4 _e117 = colors[min(uint(after_1), 15u)];
+        uint _e118 = at;
+        float4 _e120 = colors[min(uint(_e118), 15u)];
+        float4 _e125 = colors[min(uint((after_1 + 1u)), 15u)];
+        float4 _e127 = colors[min(uint(after_1), 15u)];
+        const float4 _e129 = ramp_slope((_e117 - _e120), span, (_e125 - _e127), next);
+        to_b_1 = _e129;
     }
-    uint _e127 = at;
-    if ((_e127 > 0u)) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places[min(uint(naga_div((_e130 - 1u), 4u)), 3u)][min(uint(naga_mod((_e136 - 1u), 4u)), 3u)];
-        uint _e143 = at;
-        float4 _e145 = colors[min(uint(_e143), 15u)];
-        uint _e146 = at;
-        float4 _e150 = colors[min(uint((_e146 - 1u)), 15u)];
-        float4 _e154 = colors[min(uint(after_1), 15u)];
-        uint _e155 = at;
-        float4 _e157 = colors[min(uint(_e155), 15u)];
-        const float4 _e159 = ramp_slope((_e145 - _e150), (place_4 - before_1), (_e154 - _e157), span_1);
-        from_a_1 = _e159;
-    }
-    if (((after_1 + 1u) < count_2)) {
-        float _e173 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
-        float next = (_e173 - (place_4 + span_1));
-        float4 _e177 = colors[min(uint(after_1), 15u)];
-        uint _e178 = at;
-        float4 _e180 = colors[min(uint(_e178), 15u)];
-        float4 _e185 = colors[min(uint((after_1 + 1u)), 15u)];
-        float4 _e187 = colors[min(uint(after_1), 15u)];
-        const float4 _e189 = ramp_slope((_e177 - _e180), span_1, (_e185 - _e187), next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    float4 _e192 = colors[min(uint(_e190), 15u)];
-    float4 _e194 = colors[min(uint(after_1), 15u)];
-    float4 _e195 = from_a_1;
-    float4 _e197 = to_b_1;
-    const float4 _e199 = hermite(_e192, _e194, (span_1 * _e195), (span_1 * _e197), t_6);
-    const float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
+    uint _e130 = at;
+    float4 _e132 = colors[min(uint(_e130), 15u)];
+    float4 _e134 = colors[min(uint(after_1), 15u)];
+    float4 _e135 = from_a_1;
+    float4 _e137 = to_b_1;
+    const float4 _e139 = hermite(_e132, _e134, (span * _e135), (span * _e137), t_6);
+    const float4 _e140 = bounded_vec4_(_e139);
+    return _e140;
 }
 
-float4 premultiplied(float4 color_1)
+float4 mix_colors_multiply(float4 a_6, float4 b_5, float factor_1)
 {
-    return float4((color_1.xyz * color_1.w), color_1.w);
+    const float3 _e7 = mixed_vec3_2_(a_6.xyz, (a_6.xyz * b_5.xyz), factor_1);
+    return float4(_e7, 1.0);
 }
 
-float4 straight(float4 composite)
+float4 mix_colors_multiply_2_(float4 a_7, float4 b_6, float factor_2)
 {
-    if ((composite.w <= 0.0)) {
-        return composite;
-    }
-    return float4((composite.xyz / (composite.w).xxx), composite.w);
-}
-
-float4 mix_colors_normal(float4 a_6, float4 b_5, float factor_1)
-{
-    const float4 _e3 = bounded_vec4_(a_6);
-    const float4 _e4 = bounded_vec4_(b_5);
-    const float _e6 = factor_of(factor_1, true);
-    const float4 _e7 = mixed_vec4_(_e3, _e4, _e6);
-    return _e7;
-}
-
-float4 mix_colors_multiply(float4 a_7, float4 b_6, float factor_2)
-{
-    const float4 _e6 = color_mixed(a_7, (a_7.xyz * b_6.xyz), factor_2);
-    return _e6;
-}
-
-float combine_tones_union(float a_8, float b_7)
-{
-    const float _e3 = factor_of(a_8, true);
-    const float _e5 = factor_of(b_7, true);
-    return max(_e3, _e5);
-}
-
-float4 output(float4 color_2)
-{
-    const float4 _e1 = straight(color_2);
-    const float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-float4 ramp_plain(float value, Ramp ramp_1)
-{
-    const float _e2 = footprint_of(value);
-    const float _e3 = bounded(value);
-    const float4 _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
+    float3 blended_1 = (a_7.xyz * b_6.xyz);
+    const float3 _e7 = bounded_vec3_(a_7.xyz);
+    const float3 _e9 = bounded_vec3_((blended_1 - _e7));
+    const float _e14 = bounded(a_7.w);
+    return float4((blended_1 - (0.25 * _e9)), _e14);
 }
 
 uint3 hash_pcg3d(uint3 seed)
@@ -656,23 +442,18 @@ uint3 hash_pcg3d(uint3 seed)
     return _e61;
 }
 
-float3 unit_of_hash(uint3 hash)
-{
-    return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
-}
-
 uint3 lattice_hash(int3 cell, uint seed_1)
 {
     const uint3 _e9 = hash_pcg3d((asuint(cell) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
     return _e9;
 }
 
-float gradient_dot(uint3 hash_1, float3 d)
+float gradient_dot(uint3 hash, float3 d)
 {
-    uint axis = naga_mod((hash_1.x >> 8u), 3u);
-    float a_12 = ((axis == 0u) ? d.y : d.x);
-    float b_11 = ((axis == 2u) ? d.y : d.z);
-    return ((((hash_1.y >> 31u) == 0u) ? a_12 : -(a_12)) + (((hash_1.z >> 31u) == 0u) ? b_11 : -(b_11)));
+    uint axis = naga_mod((hash.x >> 8u), 3u);
+    float a_8 = ((axis == 0u) ? d.y : d.x);
+    float b_7 = ((axis == 2u) ? d.y : d.z);
+    return ((((hash.y >> 31u) == 0u) ? a_8 : -(a_8)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7)));
 }
 
 float3 fade_quintic(float3 t_4)
@@ -684,249 +465,182 @@ int3 naga_f2i32(float3 value) {
     return int3(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float value_noise(float3 p, uint seed_2)
+float perlin_noise(float3 p, uint seed_2)
 {
     float sum = 0.0;
-    int i_2 = int(0);
+    int i = int(0);
 
     float3 corner = floor(p);
-    const float3 _e4 = fade_quintic((p - corner));
+    float3 d_4 = (p - corner);
+    const float3 _e4 = fade_quintic(d_4);
     int3 cell_1 = naga_f2i32(corner);
+    uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
+    bool loop_init_1 = true;
+    while(true) {
+        if (all(loop_bound_1 == uint2(0u, 0u))) { break; }
+        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+        if (!loop_init_1) {
+            int _e46 = i;
+            i = asint(asuint(_e46) + asuint(int(1)));
+        }
+        loop_init_1 = false;
+        int _e10 = i;
+        if ((_e10 < int(8))) {
+        } else {
+            break;
+        }
+        {
+            int _e13 = i;
+            int _e16 = i;
+            int _e21 = i;
+            int3 at_2 = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
+            float3 weight = ((at_2 == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
+            float _e32 = sum;
+            const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at_2)), seed_2);
+            const float _e42 = gradient_dot(_e39, (d_4 - float3(at_2)));
+            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e42));
+        }
+    }
+    float _e48 = sum;
+    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+}
+
+float perlin_noise_2_(float3 p_1, uint seed_3)
+{
+    int i_1 = int(0);
+    float sum_1 = 0.0;
+
+    float3 corner_1 = floor(p_1);
+    float3 d_5 = (p_1 - corner_1);
+    float3 f = (((d_5 * d_5) * d_5) * ((d_5 * ((d_5 * 6.0) - (15.0).xxx)) + (10.0).xxx));
+    int3 cell_2 = naga_f2i32(corner_1);
     uint2 loop_bound_2 = uint2(4294967295u, 4294967295u);
     bool loop_init_2 = true;
     while(true) {
         if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e45 = i_2;
-            i_2 = asint(asuint(_e45) + asuint(int(1)));
+            int _e64 = i_1;
+            i_1 = asint(asuint(_e64) + asuint(int(1)));
         }
         loop_init_2 = false;
-        int _e10 = i_2;
-        if ((_e10 < int(8))) {
-        } else {
+        int _e21 = i_1;
+        if (!((_e21 < int(8)))) {
             break;
         }
-        {
-            int _e13 = i_2;
-            int _e16 = i_2;
-            int _e21 = i_2;
-            int3 at_2 = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight = ((at_2 == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_1) + asuint(at_2)), seed_2);
-            const float3 _e40 = unit_of_hash(_e39);
-            sum = (_e32 + (((weight.x * weight.y) * weight.z) * _e40.x));
-        }
+        int _e25 = i_1;
+        int _e28 = i_1;
+        int _e33 = i_1;
+        int3 at_3 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
+        float3 weight_1 = ((at_3 == (int(1)).xxx) ? f : ((1.0).xxx - f));
+        float _e44 = sum_1;
+        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell_2) + asuint(at_3))) + (seed_3 * uint3(2654435769u, 2246822507u, 3266489909u))));
+        const float _e61 = gradient_dot(_e58, (d_5 - float3(at_3)));
+        sum_1 = (_e44 + (((weight_1.x * weight_1.y) * 0.5) * _e61));
     }
-    float _e47 = sum;
-    return _e47;
+    float _e67 = sum_1;
+    return clamp((0.5 + (0.48244 * _e67)), 0.0, 1.0);
 }
 
-float perlin_noise(float3 p_1, uint seed_3)
+float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int seed_4, float w_1)
 {
-    float sum_1 = 0.0;
-    int i_3 = int(0);
+    float octave = (float)0;
+    int i_2 = int(0);
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum_2 = 0.0;
 
-    float3 corner_1 = floor(p_1);
-    float3 d_4 = (p_1 - corner_1);
-    const float3 _e4 = fade_quintic(d_4);
-    int3 cell_2 = naga_f2i32(corner_1);
     uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
     bool loop_init_3 = true;
     while(true) {
         if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            int _e46 = i_3;
-            i_3 = asint(asuint(_e46) + asuint(int(1)));
+            int _e67 = i_2;
+            i_2 = asint(asuint(_e67) + asuint(int(1)));
         }
         loop_init_3 = false;
-        int _e10 = i_3;
-        if ((_e10 < int(8))) {
-        } else {
+        int _e17 = i_2;
+        if (!((_e17 < int(2)))) {
             break;
         }
-        {
-            int _e13 = i_3;
-            int _e16 = i_3;
-            int _e21 = i_3;
-            int3 at_3 = int3((_e13 & int(1)), ((_e16 >> 1u) & int(1)), (_e21 >> 2u));
-            float3 weight_1 = ((at_3 == (int(1)).xxx) ? _e4 : ((1.0).xxx - _e4));
-            float _e32 = sum_1;
-            const uint3 _e39 = lattice_hash(asint(asuint(cell_2) + asuint(at_3)), seed_3);
-            const float _e42 = gradient_dot(_e39, (d_4 - float3(at_3)));
-            sum_1 = (_e32 + (((weight_1.x * weight_1.y) * weight_1.z) * _e42));
+        float _e21 = frequency;
+        float visible = (1.0 - smoothstep(0.5, 1.0, (w_1 * _e21)));
+        octave = 0.5;
+        if ((visible > 0.0)) {
+            float _e31 = frequency;
+            int _e33 = i_2;
+            float3 place_5 = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            int _e47 = i_2;
+            const float _e50 = perlin_noise(place_5, (11u + uint(_e47)));
+            octave = lerp(0.5, _e50, visible);
         }
+        float _e53 = sum_2;
+        float _e54 = strength;
+        float _e55 = octave;
+        sum_2 = (_e53 + (_e54 * _e55));
+        float _e58 = total;
+        float _e59 = strength;
+        total = (_e58 + _e59);
+        float _e61 = strength;
+        strength = (_e61 * 0.5);
+        float _e64 = frequency;
+        frequency = (_e64 * 2.0);
     }
-    float _e48 = sum_1;
-    return clamp((0.5 + (0.48244 * _e48)), 0.0, 1.0);
+    float _e70 = sum_2;
+    return min((_e70 / 1.5), 1.0);
 }
 
-float simplex_corner(float3 d_1, uint3 hash_2)
+float fractal_noise_2_(uint kind_1, float3 p_3, int octaves_1, float roughness_1, int seed_5, float w_2)
 {
-    float t_7 = max((0.5 - dot(d_1, d_1)), 0.0);
-    const float _e10 = gradient_dot(hash_2, d_1);
-    return ((((t_7 * t_7) * t_7) * t_7) * _e10);
-}
+    float octave_1 = (float)0;
+    int i_3 = int(0);
+    float frequency_1 = 1.0;
+    float strength_1 = 1.0;
+    float total_1 = 0.0;
+    float sum_3 = 0.0;
 
-float simplex_noise(float3 p_2, uint seed_4)
-{
-    float sum_2 = (float)0;
-
-    float3 corner_2 = floor((p_2 + ((((p_2.x + p_2.y) + p_2.z) / 3.0)).xxx));
-    float3 d_5 = ((p_2 - corner_2) + ((((corner_2.x + corner_2.y) + corner_2.z) / 6.0)).xxx);
-    bool3 is_first = bool3((d_5.x >= d_5.y), (d_5.y >= d_5.z), (d_5.z > d_5.x));
-    float3 g = (is_first ? (1.0).xxx : (0.0).xxx);
-    float3 l = ((1.0).xxx - g);
-    float3 second = min(g, l.zxy);
-    float3 third = max(g, l.zxy);
-    int3 cell_3 = naga_f2i32(corner_2);
-    const uint3 _e45 = lattice_hash(cell_3, seed_4);
-    const float _e46 = simplex_corner(d_5, _e45);
-    sum_2 = _e46;
-    float _e48 = sum_2;
-    const uint3 _e55 = lattice_hash(asint(asuint(cell_3) + asuint(naga_f2i32(second))), seed_4);
-    const float _e56 = simplex_corner(((d_5 - second) + (0.16666667).xxx), _e55);
-    sum_2 = (_e48 + _e56);
-    float _e58 = sum_2;
-    const uint3 _e65 = lattice_hash(asint(asuint(cell_3) + asuint(naga_f2i32(third))), seed_4);
-    const float _e66 = simplex_corner(((d_5 - third) + (0.33333334).xxx), _e65);
-    sum_2 = (_e58 + _e66);
-    float _e68 = sum_2;
-    const uint3 _e75 = lattice_hash(asint(asuint(cell_3) + asuint((int(1)).xxx)), seed_4);
-    const float _e76 = simplex_corner((d_5 - (0.5).xxx), _e75);
-    sum_2 = (_e68 + _e76);
-    float _e79 = sum_2;
-    return clamp((0.5 + (SIMPLEX_SCALE * _e79)), 0.0, 1.0);
-}
-
-int naga_mod(int lhs, int rhs) {
-    int divisor = ((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs;
-    return lhs - (lhs / divisor) * divisor;
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / (((lhs == int(-2147483647 - 1) & rhs == -1) | (rhs == 0)) ? 1 : rhs);
-}
-
-float worley_noise(float3 p_3, uint seed_5)
-{
-    float nearest = 1.0;
-    int i_4 = int(0);
-
-    float3 corner_3 = floor(p_3);
-    float3 d_6 = (p_3 - corner_3);
-    int3 cell_4 = naga_f2i32(corner_3);
     uint2 loop_bound_4 = uint2(4294967295u, 4294967295u);
     bool loop_init_4 = true;
     while(true) {
         if (all(loop_bound_4 == uint2(0u, 0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e40 = i_4;
-            i_4 = asint(asuint(_e40) + asuint(int(1)));
+            int _e66 = i_3;
+            i_3 = asint(asuint(_e66) + asuint(int(1)));
         }
         loop_init_4 = false;
-        int _e9 = i_4;
-        if ((_e9 < int(27))) {
-        } else {
+        int _e17 = i_3;
+        if (!((_e17 < int(4)))) {
             break;
         }
-        {
-            int _e12 = i_4;
-            int _e17 = i_4;
-            int _e24 = i_4;
-            int3 at_4 = int3(asint(asuint(naga_mod(_e12, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e17, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e24, int(9))) - asuint(int(1))));
-            const uint3 _e32 = lattice_hash(asint(asuint(cell_4) + asuint(at_4)), seed_5);
-            const float3 _e33 = unit_of_hash(_e32);
-            float3 offset = ((float3(at_4) + _e33) - d_6);
-            float _e36 = nearest;
-            nearest = min(_e36, dot(offset, offset));
+        float _e21 = frequency_1;
+        float visible_1 = (1.0 - smoothstep(0.5, 1.0, (w_2 * _e21)));
+        octave_1 = 0.5;
+        if ((visible_1 > 0.0)) {
+            float _e31 = frequency_1;
+            int _e33 = i_3;
+            float3 place_6 = clamp(((p_3 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
+            int _e47 = i_3;
+            const float _e50 = perlin_noise(place_6, (0u + uint(_e47)));
+            octave_1 = lerp(0.5, _e50, visible_1);
         }
+        float _e53 = sum_3;
+        float _e54 = strength_1;
+        float _e55 = octave_1;
+        sum_3 = (_e53 + (_e54 * _e55));
+        float _e58 = total_1;
+        float _e59 = strength_1;
+        total_1 = (_e58 + _e59);
+        float _e61 = strength_1;
+        strength_1 = (_e61 * roughness_1);
+        float _e63 = frequency_1;
+        frequency_1 = (_e63 * 2.0);
     }
-    float _e42 = nearest;
-    return sqrt(_e42);
-}
-
-float noise_octave(uint kind, float3 p_4, uint seed_6)
-{
-    switch(kind) {
-        case 1u: {
-            const float _e3 = perlin_noise(p_4, seed_6);
-            return _e3;
-        }
-        case 2u: {
-            const float _e4 = simplex_noise(p_4, seed_6);
-            return _e4;
-        }
-        case 3u: {
-            const float _e5 = worley_noise(p_4, seed_6);
-            return _e5;
-        }
-        default: {
-            const float _e6 = value_noise(p_4, seed_6);
-            return _e6;
-        }
-    }
-}
-
-float fractal_noise(uint kind_1, float3 p_5, int octaves, float roughness, int seed_7, float w_2)
-{
-    float sum_3 = 0.0;
-    float total = 0.0;
-    float strength = 1.0;
-    float frequency = 1.0;
-    int i_5 = int(0);
-    float octave = (float)0;
-
-    float mean = ((kind_1 == NOISE_WORLEY) ? WORLEY_MEAN : 0.5);
-    const float _e11 = bounded(roughness);
-    float gain = clamp(_e11, 0.0, 1.0);
-    uint2 loop_bound_5 = uint2(4294967295u, 4294967295u);
-    bool loop_init_5 = true;
-    while(true) {
-        if (all(loop_bound_5 == uint2(0u, 0u))) { break; }
-        loop_bound_5 -= uint2(loop_bound_5.y == 0u, 1u);
-        if (!loop_init_5) {
-            int _e75 = i_5;
-            i_5 = asint(asuint(_e75) + asuint(int(1)));
-        }
-        loop_init_5 = false;
-        int _e25 = i_5;
-        if ((_e25 < clamp(octaves, int(1), int(8)))) {
-        } else {
-            break;
-        }
-        {
-            float _e30 = frequency;
-            const float _e34 = eased((w_2 * _e30), 0.5, 1.0);
-            float visible = (1.0 - _e34);
-            octave = mean;
-            if ((visible > 0.0)) {
-                float _e40 = frequency;
-                int _e42 = i_5;
-                float3 place_5 = clamp(((p_5 * _e40) + (float(_e42) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-                int _e56 = i_5;
-                const float _e59 = noise_octave(kind_1, place_5, (asuint(seed_7) + uint(_e56)));
-                octave = lerp(mean, _e59, visible);
-            }
-            float _e61 = sum_3;
-            float _e62 = strength;
-            float _e63 = octave;
-            sum_3 = (_e61 + (_e62 * _e63));
-            float _e66 = total;
-            float _e67 = strength;
-            total = (_e66 + _e67);
-            float _e69 = strength;
-            strength = (_e69 * gain);
-            float _e71 = frequency;
-            frequency = (_e71 * 2.0);
-        }
-    }
-    float _e77 = sum_3;
-    float _e78 = total;
-    return clamp((_e77 / _e78), 0.0, 1.0);
+    float _e69 = sum_3;
+    float _e70 = total_1;
+    return min((_e69 / _e70), 1.0);
 }
 
 float size_on_screen(float depth, float perspective, float scale)
@@ -958,15 +672,14 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
-    const float2 _e4 = sin_cos_of(angle);
-    const float3 _e10 = bounded_vec3_(((_e4.y * along) + (_e4.x * across)));
-    const float3 _e16 = bounded_vec3_(((_e4.y * across) - (_e4.x * along)));
+    float2 turn = float2(0.0, 1.0);
+    float3 x_5 = ((turn.y * along) + (turn.x * across));
+    float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);
-    float2 turned = float2(((_e4.y * _e17.x) + (_e4.x * _e17.y)), ((_e4.y * _e17.y) - (_e4.x * _e17.x)));
-    float3 most = (1000000000000000.0).xxx;
-    float3 stretch_3 = clamp(float3(dot(_e10, _e10), dot(_e10, _e16), dot(_e16, _e16)), -(most), most);
-    const float2 _e41 = bounded_vec2_(turned);
-    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e41, stretch_3);
+    float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
+    float3 stretch_3 = float3(dot(x_5, x_5), dot(x_5, y), dot(y, y));
+    const float2 _e37 = bounded_vec2_(turned);
+    const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_3);
     return stretchedplace;
 }
 
@@ -979,16 +692,12 @@ SpacedPlace ConstructSpacedPlace(float2 arg0, float3 arg1) {
 
 SpacedPlace spaced(float2 place_1, float3 stretch, float2 viewport_1, float count)
 {
-    const float _e4 = bounded(count);
-    float number = clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_3 = (is_pixel ? (number / max(viewport_1.y, 1.0)) : number);
-    const float2 _e19 = bounded_vec2_(place_1);
-    const float2 _e21 = bounded_vec2_((_e19 * scale_3));
-    float2 p_6 = clamp(_e21, (-4194304.0).xx, (4194304.0).xx);
-    const float3 _e27 = bounded_vec3_(stretch);
-    float3 s_1 = clamp(_e27, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_6, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    float scale_4 = (is_pixel ? (240.0 / max(viewport_1.y, 1.0)) : 240.0);
+    const float2 _e17 = bounded_vec2_(place_1);
+    const float2 _e19 = bounded_vec2_((_e17 * scale_4));
+    float2 p_4 = clamp(_e19, (-4194304.0).xx, (4194304.0).xx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_4, (is_pixel ? float3(1.0, 0.0, 1.0) : stretch));
     return spacedplace;
 }
 
@@ -996,12 +705,6 @@ float area_square(float3 stretch_1)
 {
     float sum_4 = (stretch_1.x + stretch_1.z);
     return max(((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y)), ((sum_4 * sum_4) / 66.0));
-}
-
-float octave_of(float square)
-{
-    const float _e5 = log_stable(clamp(square, 1e-30, 1e30));
-    return clamp((-0.7213475 * _e5), -16.0, 16.0);
 }
 
 MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
@@ -1017,35 +720,24 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     float size = clamp(_e5, 1e-6, 1000000.0);
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_6 = (_e15 / (size).xx);
-    const StretchedPlace _e28 = mark_place_of(place_6, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
-    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
+    float2 place_7 = (_e15 / (size).xx);
+    const StretchedPlace _e29 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), 0.0);
+    const MarkPlace markplace = ConstructMarkPlace(_e29.place, _e29.stretch);
     return markplace;
 }
 
-float caught_ink(float ink, float height, float tooth)
+float paper_octave(float2 place_2, int zoom, float w_3, float fiber, uint seed_6)
 {
-    const float _e3 = bounded(ink);
-    float amount = clamp(_e3, 0.0, 1.0);
-    const float _e7 = bounded(tooth);
-    float rough = clamp(_e7, 0.0, 1.0);
-    return clamp((amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount))), 0.0, 1.0);
-}
-
-float paper_octave(float2 place_2, int zoom, float w_3, float fiber, uint seed_8)
-{
-    const float _e5 = power_of_two(zoom);
-    float2 p_7 = clamp((place_2 * _e5), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (seed_8 + (7u * asuint(zoom)));
-    const float _e18 = perlin_noise(float3(p_7, 0.5), own);
-    float grain = (_e18 - 0.5);
-    float2 q = clamp((2.7 * float2(((0.8 * p_7.x) - (0.6 * p_7.y)), ((0.6 * p_7.x) + (0.8 * p_7.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e47 = perlin_noise(float3(q, 0.5), (own + 1u));
-    float felt = (_e47 - 0.5);
-    const float _e53 = eased((w_3 * _e5), 0.5, 1.0);
-    float coarse_seen = (1.0 - _e53);
-    const float _e61 = eased(((2.7 * w_3) * _e5), 0.5, 1.0);
-    float felt_seen = (1.0 - _e61);
+    float scale_5 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
+    float2 p_5 = clamp((place_2 * scale_5), (-4194304.0).xx, (4194304.0).xx);
+    uint own = (0u + (7u * asuint(zoom)));
+    const float _e24 = perlin_noise_2_(float3(p_5, 0.5), own);
+    float grain = (_e24 - 0.5);
+    float2 q = clamp((2.7 * float2(((0.8 * p_5.x) - (0.6 * p_5.y)), ((0.6 * p_5.x) + (0.8 * p_5.y)))), (-4194304.0).xx, (4194304.0).xx);
+    const float _e53 = perlin_noise_2_(float3(q, 0.5), (own + 1u));
+    float felt = (_e53 - 0.5);
+    float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
+    float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
@@ -1053,29 +745,28 @@ int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float paper_height(SpacedPlace at_1, float fiber_1, uint seed_9)
+float paper_height(SpacedPlace at_1, float fiber_1, uint seed_7)
 {
-    float height_1 = (float)0;
+    float height = (float)0;
 
-    float2 x_14 = ddx(at_1.place);
-    float2 y = ddy(at_1.place);
-    const float _e11 = bounded(sqrt(max(dot(x_14, x_14), dot(y, y))));
-    const float _e13 = area_square(at_1.stretch);
-    const float _e15 = octave_of(sqrt(_e13));
-    float zoom_1 = floor(_e15);
-    float f = (_e15 - zoom_1);
-    const float _e18 = bounded(fiber_1);
-    float fine = clamp(_e18, 0.0, 1.0);
-    const float _e24 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_9);
-    height_1 = _e24;
-    if ((f > 0.0)) {
-        float _e28 = height_1;
-        const float _e33 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), _e11, fine, seed_9);
-        float both = lerp(_e28, _e33, f);
-        height_1 = clamp((0.5 + ((both - 0.5) / sqrt(((f * f) + ((1.0 - f) * (1.0 - f)))))), 0.0, 1.0);
+    float2 x_6 = ddx(at_1.place);
+    float2 y_1 = ddy(at_1.place);
+    float w_4 = sqrt(max(dot(x_6, x_6), dot(y_1, y_1)));
+    const float _e12 = area_square(at_1.stretch);
+    const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
+    float level = clamp((-0.5 * _e16), -16.0, 16.0);
+    float zoom_1 = floor(level);
+    float f_1 = (level - zoom_1);
+    const float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, 0u);
+    height = _e27;
+    if ((f_1 > 0.0)) {
+        float _e31 = height;
+        const float _e37 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_4, fiber_1, 0u);
+        float both = lerp(_e31, _e37, f_1);
+        height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e51 = height_1;
-    return _e51;
+    float _e55 = height;
+    return _e55;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -1085,120 +776,83 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value_1, float2 place_3, float3 stretch_2, float count_1, float tooth_1, float fiber_2, int seed_10, float2 viewport_3)
+PaperGrain paper_grain(float value, float2 place_3, float3 stretch_2, float count_1, float tooth, float fiber_2, int seed_8, float2 viewport_3)
 {
-    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
-    const float _e10 = paper_height(_e8, fiber_2, asuint(seed_10));
-    const float _e12 = factor_of(value_1, true);
-    const float _e15 = caught_ink((1.0 - _e12), _e10, tooth_1);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - _e15), _e10);
+    const SpacedPlace _e9 = spaced(place_3, stretch_2, viewport_3, 240.0);
+    const float _e11 = paper_height(_e9, fiber_2, 0u);
+    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
     return papergrain;
 }
 
-float reflectance_wrap(Light light, float3 normal, float wrap)
+float outer_contour(float width, float3 normal, float3 view, float2 viewport_4)
 {
-    const float _e3 = bounded(wrap);
-    float w_4 = clamp(_e3, 0.0, 1.0);
-    const float3 _e11 = normalize_or(normal, float3(0.0, 0.0, 1.0));
-    float cosine = dot(_e11, light.direction);
-    return max(((cosine + w_4) / (1.0 + w_4)), 0.0);
+    float facing = clamp(dot(normal, view), 0.0, 1.0);
+    float pixels = ((width * clamp(viewport_4.y, 1.0, 100000.0)) / 1000.0);
+    const float _e15 = footprint_of(facing);
+    float distance_ = (facing / max((2.0 * _e15), 1e-6));
+    float near = (1.0 - smoothstep(0.45, 0.75, facing));
+    return (clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * near);
 }
 
-float add(float a_9, float b_8)
+float noise_perlin(float3 position, float scale_2, int octaves_2, float roughness_2, int seed_9)
 {
-    const float _e3 = bounded((a_9 + b_8));
-    return _e3;
+    float3 p_6 = (position * 1.5);
+    const float _e11 = footprint_of_vec3_(p_6);
+    const float _e12 = fractal_noise(NOISE_PERLIN, p_6, int(2), 0.5, int(11), _e11);
+    return _e12;
 }
 
-float map_range(float value_2, float from_low_1, float from_high_1, float to_low_1, float to_high_1, bool clamped_2)
+float noise_perlin_2_(float3 position_1, float scale_3, int octaves_3, float roughness_3, int seed_10)
 {
-    const float _e6 = remapped(value_2, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
-}
-
-float multiply(float a_10, float b_9)
-{
-    const float _e3 = bounded((a_10 * b_9));
-    return _e3;
-}
-
-float4 multiply_color(float4 a_11, float4 b_10)
-{
-    const float4 _e3 = bounded_vec4_((a_11 * b_10));
-    return _e3;
-}
-
-float smooth_step_value(float value_3, float low_2, float high_2)
-{
-    const float _e3 = eased(value_3, low_2, high_2);
-    return _e3;
-}
-
-float line_covers(float distance_, float width)
-{
-    return clamp(((width + 0.5) - distance_), 0.0, min(width, 1.0));
-}
-
-float outer_contour(float width_1, float3 normal_1, float3 view, float2 viewport_4)
-{
-    const float3 _e6 = normalize_or(normal_1, (0.0).xxx);
-    float facing = clamp(dot(_e6, view), 0.0, 1.0);
-    const float _e11 = bounded(width_1);
-    float pixels = ((clamp(_e11, 0.0, 10000.0) * clamp(viewport_4.y, 1.0, 100000.0)) / 1000.0);
-    const float _e22 = footprint_of(facing);
-    float distance_1 = (facing / max((2.0 * _e22), 1e-6));
-    const float _e30 = eased(facing, 0.45, 0.75);
-    float near = (1.0 - _e30);
-    const float _e33 = line_covers(distance_1, pixels);
-    return (_e33 * near);
-}
-
-float noise_perlin(float3 position, float scale_2, int octaves_1, float roughness_1, int seed_11)
-{
-    const float3 _e6 = bounded_vec3_((position * scale_2));
-    const float _e8 = footprint_of_vec3_(_e6);
-    const float _e9 = fractal_noise(NOISE_PERLIN, _e6, octaves_1, roughness_1, seed_11, _e8);
-    return _e9;
+    float3 p_7 = (position_1 * scale_3);
+    const float _e9 = footprint_of_vec3_(p_7);
+    const float _e10 = fractal_noise_2_(NOISE_PERLIN, p_7, int(4), roughness_3, int(0), _e9);
+    return _e10;
 }
 
 float4 shade(Surface surface_1)
 {
     const float _e6 = noise_perlin(surface_1.position_object, 1.5, int(2), 0.5, int(11));
-    const float _e12 = map_range(_e6, 0.32, 0.68, 0.0, 1.0, true);
-    const float4 _e14 = ramp_plain(_e12, two_pigments);
-    Light _e17 = look.key;
-    const float _e20 = reflectance_wrap(_e17, surface_1.normal, 0.45);
-    const float _e26 = map_range(_e20, 0.0, 0.85, 0.0, 1.0, true);
-    const float _e32 = noise_perlin(surface_1.position_object, 2.2, int(4), 0.55, int(0));
-    const float _e38 = map_range(_e32, 0.0, 1.0, -0.24, 0.24, false);
-    const float _e39 = add(_e26, _e38);
-    const float _e42 = smooth_step_value(_e39, 0.82, 0.7);
-    const float _e44 = multiply(_e42, 0.62);
-    const float4 _e50 = mix_colors_multiply(float4(0.9843, 0.9686, 0.9255, 1.0), _e14, _e44);
-    const float4 _e57 = mix_colors_multiply(_e14, float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    const float _e60 = smooth_step_value(_e39, 0.42, 0.34);
-    const float _e62 = multiply(_e60, 0.6);
-    const float4 _e63 = mix_colors_multiply(_e50, _e57, _e62);
-    const float _e66 = smooth_step_value(_e39, 0.66, 0.72);
-    const float _e67 = multiply(_e66, _e42);
-    const float _e70 = smooth_step_value(_e39, 0.29, 0.34);
-    const float _e71 = multiply(_e70, _e60);
-    const float _e72 = combine_tones_union(_e67, _e71);
-    const float _e74 = multiply(_e72, 0.34);
-    const float4 _e75 = mix_colors_multiply(_e63, _e57, _e74);
-    float2 _e81 = look.viewport;
-    const MarkPlace _e82 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e81);
-    float2 _e92 = look.viewport;
-    const PaperGrain _e93 = paper_grain(0.5, _e82.place, _e82.stretch, 240.0, 0.6, 0.6, int(0), _e92);
-    const float _e100 = map_range(_e93.tone, 0.0, 1.0, 0.9, 1.03, false);
-    const float4 _e104 = multiply_color(_e75, float4((_e100).xxx, 1.0));
+    float spread = clamp(((_e6 - 0.32) / 0.36), 0.0, 1.0);
+    const float _e15 = footprint_of(spread);
+    const float4 _e16 = ramp_at(two_pigments, spread, _e15);
+    float3 _e21 = look.key.direction;
+    float shade_2_ = max(((dot(surface_1.normal, _e21) + 0.45) / 1.45), 0.0);
+    float tone = min(((shade_2_ - 0.0) / 0.85), 1.0);
+    const float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, int(4), 0.55, int(0));
+    float how_far_it_runs = lerp(-0.24, 0.24, (_e40 - 0.0));
+    float wet_tone = (tone + how_far_it_runs);
+    const float _e49 = eased(wet_tone, 0.82, 0.7);
+    float k1_ = (_e49 * 0.62);
+    const float4 _e57 = mix_colors_multiply(float4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
+    const float4 _e64 = mix_colors_multiply_2_(_e16, float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    const float _e67 = eased(wet_tone, 0.42, 0.34);
+    float k2_ = (_e67 * 0.6);
+    const float3 _e71 = bounded_vec3_(_e57.xyz);
+    const float3 _e75 = bounded_vec3_((_e57.xyz * _e64.xyz));
+    const float3 _e76 = mixed_vec3_(_e71, _e75, k2_);
+    float4 second_on_the_first = float4(_e76, 1.0);
+    float rim1a = smoothstep(0.66, 0.72, wet_tone);
+    float pigment_s_rim = (rim1a * _e49);
+    float rim2a = smoothstep(0.29, 0.34, wet_tone);
+    float second_rim = (rim2a * _e67);
+    float rims = max(pigment_s_rim, second_rim);
+    float k3_ = (rims * 0.34);
+    const float4 _e93 = color_mixed(second_on_the_first, (second_on_the_first.xyz * _e64.xyz), k3_);
+    float2 _e99 = look.viewport;
+    const MarkPlace _e100 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e99);
     float2 _e110 = look.viewport;
-    const float _e111 = outer_contour(2.2, surface_1.normal, surface_1.view, _e110);
-    const float _e113 = multiply(_e111, 0.7);
-    const float4 _e119 = mix_colors_normal(_e104, float4(0.2902, 0.2588, 0.2824, 1.0), _e113);
-    const float4 _e120 = premultiplied(_e119);
-    const float4 _e121 = output(_e120);
-    return _e121;
+    const PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, int(0), _e110);
+    const float _e113 = bounded(_e111.tone);
+    float settled_pigment = lerp(0.9, 1.03, (_e113 - 0.0));
+    const float4 _e123 = bounded_vec4_((_e93 * float4((settled_pigment).xxx, 1.0)));
+    float2 _e129 = look.viewport;
+    const float _e130 = outer_contour(2.2, surface_1.normal, surface_1.view, _e129);
+    float soft = (_e130 * 0.7);
+    const float4 _e133 = bounded_vec4_(_e123);
+    const float4 _e139 = mixed_vec4_(_e133, float4(0.2902, 0.2588, 0.2824, 1.0), soft);
+    const float4 _e140 = finite_vec4_(_e139);
+    return _e140;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)
@@ -1221,33 +875,30 @@ VertexOutput_vs_main vs_main(Vertex vertex)
 
 float4 fs_main(FragmentInput_fs_main fragmentinput_fs_main) : SV_Target0
 {
-    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_2, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_3 };
+    Varyings in_ = { fragmentinput_fs_main.clip_1, fragmentinput_fs_main.position_3, fragmentinput_fs_main.position_object_1, fragmentinput_fs_main.normal_2 };
     bool is_front = fragmentinput_fs_main.is_front_1;
     Surface surface = (Surface)0;
 
-    const float3 _e7 = normalize_or(in_.normal, float3(0.0, 0.0, 1.0));
-    float3 normal_4 = (is_front ? _e7 : -(_e7));
-    surface.normal = normal_4;
-    float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    float4 _e26 = view_1.eye;
-    const float3 _e32 = normalize_or(_e26.xyz, float3(0.0, 0.0, 1.0));
-    const float3 _e33 = normalize_or((_e15.xyz - (_e20 * in_.position)), _e32);
-    surface.view = _e33;
+    const float3 _e3 = normalize_seen(in_.normal);
+    float3 normal_3 = (is_front ? _e3 : -(_e3));
+    surface.normal = normal_3;
+    float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = normalize((_e11.xyz - (_e16 * in_.position)));
     surface.position_object = in_.position_object;
-    float4 _e41 = view_1.screen;
-    float4 _e46 = view_1.screen;
-    surface.pixel = ((in_.clip_.xy * _e41.xy) + _e46.zw);
-    float4x4 _e52 = view_1.camera_from_world;
-    float4 _e56 = object.world_from_object[3];
-    float _e65 = view_1.eye.w;
-    float _e70 = view_1.clip_from_world[0].y;
-    float _e75 = view_1.clip_from_world[1].y;
-    float _e80 = view_1.clip_from_world[2].y;
-    const float3 _e83 = anchor_on_screen(mul(float4(_e56.xyz, 1.0), _e52).xyz, _e65, length(float3(_e70, _e75, _e80)));
-    surface.anchor = _e83;
-    Surface _e84 = surface;
-    const float4 _e85 = shade(_e84);
-    const float4 _e86 = finite_vec4_(_e85);
-    return _e86;
+    float4 _e28 = view_1.screen;
+    float4 _e33 = view_1.screen;
+    surface.pixel = ((in_.clip_.xy * _e28.xy) + _e33.zw);
+    float4x4 _e39 = view_1.camera_from_world;
+    float4 _e43 = object.world_from_object[3];
+    float _e52 = view_1.eye.w;
+    float _e57 = view_1.clip_from_world[0].y;
+    float _e62 = view_1.clip_from_world[1].y;
+    float _e67 = view_1.clip_from_world[2].y;
+    const float3 _e70 = anchor_on_screen(mul(float4(_e43.xyz, 1.0), _e39).xyz, _e52, length(float3(_e57, _e62, _e67)));
+    surface.anchor = _e70;
+    Surface _e71 = surface;
+    const float4 _e72 = shade(_e71);
+    const float4 _e73 = finite_vec4_(_e72);
+    return _e73;
 }

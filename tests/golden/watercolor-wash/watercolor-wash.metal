@@ -43,7 +43,6 @@ struct Surface {
     metal::float3 anchor;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct type_6 {
     metal::float4 inner[16];
 };
@@ -86,148 +85,80 @@ struct Varyings {
     metal::float3 position_object;
     metal::float3 normal;
 };
-constant float HALF_PI = 1.5707964;
-constant float LN_2_ = 0.6931472;
-constant float LOG2_E = 1.442695;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
-constant uint INTERPOLATION_SMOOTH = 1u;
-constant uint INTERPOLATION_STEPPED = 2u;
 constant uint NOISE_PERLIN = 1u;
-constant uint NOISE_SIMPLEX = 2u;
-constant uint NOISE_WORLEY = 3u;
-constant float SIMPLEX_SCALE = 38.4553;
-constant float WORLEY_MEAN = 0.5205;
 constant Ramp two_pigments = Ramp {type_6 {{metal::float4(0.1843, 0.4353, 0.5608, 1.0), metal::float4(0.2471, 0.6039, 0.5255, 1.0), metal::float4(0.7882, 0.6353, 0.2353, 1.0), metal::float4(0.8471, 0.451, 0.3529, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, type_7 {{metal::float4(0.0, 0.45, 0.75, 1.0), metal::float4(0.0), metal::float4(0.0), metal::float4(0.0)}}, 4u, 1u};
 
-bool is_finite(
+metal::float4 finite_vec4_(
+    metal::float4 v
+) {
+    metal::uint4 exponent = metal::uint4(2139095040u);
+    return metal::select(metal::float4(0.0), v, (as_type<metal::uint4>(v) & exponent) != exponent);
+}
+
+float log2_stable(
     float x
 ) {
-    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
-}
-
-float finite_or(
-    float x_1,
-    float otherwise
-) {
-    bool _e2 = is_finite(x_1);
-    return _e2 ? x_1 : otherwise;
-}
-
-metal::float3 finite_vec3_(
-    metal::float3 v
-) {
-    float _e3 = finite_or(v.x, 0.0);
-    float _e6 = finite_or(v.y, 0.0);
-    float _e9 = finite_or(v.z, 0.0);
-    return metal::float3(_e3, _e6, _e9);
-}
-
-metal::float4 finite_vec4_(
-    metal::float4 v_1
-) {
-    metal::float3 _e2 = finite_vec3_(v_1.xyz);
-    float _e5 = finite_or(v_1.w, 0.0);
-    return metal::float4(_e2, _e5);
-}
-
-metal::float3 normalize_or(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    bool local = {};
-    float largest = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (largest > 0.000000000000000000000000000001) {
-        local = largest < 1000000000000000000000000000000.0;
-    } else {
-        local = false;
-    }
-    bool _e17 = local;
-    if (!(_e17)) {
-        return otherwise_1;
-    }
-    metal::float3 scaled = v_2 * (1.0 / largest);
-    float square_1 = metal::dot(scaled, scaled);
-    bool _e23 = is_finite(square_1);
-    if (!(_e23)) {
-        return otherwise_1;
-    }
-    return scaled * (1.0 / metal::sqrt(square_1));
-}
-
-float power_of_two(
-    int n
-) {
-    return as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(n) + as_type<uint>(127))) << 23u);
-}
-
-float log_stable(
-    float x_2
-) {
-    uint bits = as_type<uint>(x_2);
-    int shift = static_cast<int>((bits - 1060439283u) >> 23u);
-    int exponent = (shift >= 256) ? as_type<int>(as_type<uint>(shift) - as_type<uint>(512)) : shift;
-    float mantissa = as_type<float>(bits - (static_cast<uint>(exponent) << 23u));
+    uint bits = as_type<uint>(x);
+    int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
+    float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
     float z2_ = z * z;
-    float series = (2.0 * z) * (1.0 + (z2_ * (0.33333334 + (z2_ * (0.2 + (z2_ * (0.14285715 + (z2_ * 0.11111111))))))));
-    return (static_cast<float>(exponent) * LN_2_) + series;
+    return static_cast<float>(exponent_1) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379)))))));
 }
 
-metal::float2 sin_cos_quarter(
-    float x_3
+metal::float3 normalize_moderate(
+    metal::float3 v_1,
+    metal::float3 otherwise
 ) {
-    float h = 0.5 * x_3;
-    float h2_ = h * h;
-    float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
-    float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
-    float c = 1.0 - one_minus_c;
-    return metal::float2((2.0 * s) * c, 1.0 - ((2.0 * s) * s));
+    float square = metal::dot(v_1, v_1);
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float2 sin_cos(
-    float x_4
+metal::float3 normalize_seen(
+    metal::float3 v_2
 ) {
-    float turns = metal::rint(x_4 * 0.31830987);
-    float r = ((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
-    float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
-    metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
-    return sign * _e27;
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    return _e5;
 }
 
 float bounded(
-    float x_5
+    float x_1
 ) {
-    uint bits_1 = as_type<uint>(x_5);
+    uint bits_1 = as_type<uint>(x_1);
     uint magnitude = bits_1 & 2147483647u;
-    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0);
 }
 
 metal::float2 bounded_vec2_(
     metal::float2 v_3
 ) {
-    float _e2 = bounded(v_3.x);
-    float _e4 = bounded(v_3.y);
-    return metal::float2(_e2, _e4);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
+    metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
+    metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
+    metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
 }
 
 metal::float3 bounded_vec3_(
     metal::float3 v_4
 ) {
-    float _e2 = bounded(v_4.x);
-    float _e4 = bounded(v_4.y);
-    float _e6 = bounded(v_4.z);
-    return metal::float3(_e2, _e4, _e6);
+    metal::uint3 bits_3 = as_type<metal::uint3>(v_4);
+    metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
+    metal::float3 largest_2 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
+    metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_2, magnitude_2 == metal::uint3(2139095040u));
+    return metal::select(numbers_1, v_4, magnitude_2 < metal::uint3(2139095040u));
 }
 
 metal::float4 bounded_vec4_(
     metal::float4 v_5
 ) {
-    float _e2 = bounded(v_5.x);
-    float _e4 = bounded(v_5.y);
-    float _e6 = bounded(v_5.z);
-    float _e8 = bounded(v_5.w);
-    return metal::float4(_e2, _e4, _e6, _e8);
+    metal::uint4 bits_4 = as_type<metal::uint4>(v_5);
+    metal::uint4 magnitude_3 = bits_4 & metal::uint4(2147483647u);
+    metal::float4 largest_3 = as_type<metal::float4>((bits_4 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
+    metal::float4 numbers_2 = metal::select(metal::float4(0.0), largest_3, magnitude_3 == metal::uint4(2139095040u));
+    return metal::select(numbers_2, v_5, magnitude_3 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -241,25 +172,24 @@ float divided(
     return _e7;
 }
 
-float mixed(
-    float a_1,
-    float b_1,
+metal::float3 mixed_vec3_(
+    metal::float3 a_1,
+    metal::float3 b_1,
     float t
 ) {
-    float _e4 = bounded(b_1 - a_1);
-    float _e14 = bounded((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
+    metal::float3 _e4 = bounded_vec3_(b_1 - a_1);
+    metal::float3 _e14 = bounded_vec3_((t < 0.5) ? (a_1 + (t * _e4)) : (b_1 - ((1.0 - t) * _e4)));
     return _e14;
 }
 
-metal::float3 mixed_vec3_(
+metal::float3 mixed_vec3_2_(
     metal::float3 a_2,
     metal::float3 b_2,
     float t_1
 ) {
-    float _e5 = mixed(a_2.x, b_2.x, t_1);
-    float _e8 = mixed(a_2.y, b_2.y, t_1);
-    float _e11 = mixed(a_2.z, b_2.z, t_1);
-    return metal::float3(_e5, _e8, _e11);
+    metal::float3 d_1 = b_2 - a_2;
+    metal::float3 _e13 = bounded_vec3_((t_1 < 0.5) ? (a_2 + (t_1 * d_1)) : (b_2 - ((1.0 - t_1) * d_1)));
+    return _e13;
 }
 
 metal::float4 mixed_vec4_(
@@ -267,81 +197,27 @@ metal::float4 mixed_vec4_(
     metal::float4 b_3,
     float t_2
 ) {
-    metal::float3 _e5 = mixed_vec3_(a_3.xyz, b_3.xyz, t_2);
-    float _e8 = mixed(a_3.w, b_3.w, t_2);
-    return metal::float4(_e5, _e8);
-}
-
-float place_between(
-    float x_6,
-    float low,
-    float high
-) {
-    float span = high - low;
-    if (metal::abs(span) < SMALLEST_NORMAL) {
-        return (x_6 >= high) ? 1.0 : 0.0;
-    }
-    float _e12 = bounded(span);
-    float _e14 = bounded((x_6 - low) / _e12);
+    metal::float4 _e4 = bounded_vec4_(b_3 - a_3);
+    metal::float4 _e14 = bounded_vec4_((t_2 < 0.5) ? (a_3 + (t_2 * _e4)) : (b_3 - ((1.0 - t_2) * _e4)));
     return _e14;
 }
 
-float remapped(
-    float x_7,
-    float from_low,
-    float from_high,
-    float to_low,
-    float to_high,
-    bool clamped
-) {
-    float _e6 = bounded(x_7);
-    float _e7 = bounded(from_low);
-    float _e8 = bounded(from_high);
-    float _e9 = place_between(_e6, _e7, _e8);
-    float _e10 = bounded(to_low);
-    float _e11 = bounded(to_high);
-    float _e16 = mixed(_e10, _e11, clamped ? metal::clamp(_e9, 0.0, 1.0) : _e9);
-    return _e16;
-}
-
 float eased(
-    float x_8,
-    float low_1,
-    float high_1
+    float x_2,
+    float low,
+    float high
 ) {
-    float _e3 = bounded(x_8);
-    float _e4 = bounded(low_1);
-    float _e5 = bounded(high_1);
-    float _e6 = place_between(_e3, _e4, _e5);
-    float t_5 = metal::clamp(_e6, 0.0, 1.0);
+    float t_5 = metal::clamp((x_2 - low) / (high - low), 0.0, 1.0);
     return (t_5 * t_5) * (3.0 - (2.0 * t_5));
 }
 
-float factor_of(
-    float x_9,
-    bool clamped_1
-) {
-    float _e2 = bounded(x_9);
-    float _e3 = bounded(x_9);
-    return clamped_1 ? metal::clamp(_e3, 0.0, 1.0) : _e2;
-}
-
-metal::float2 sin_cos_of(
-    float x_10
-) {
-    float _e1 = bounded(x_10);
-    metal::float2 _e2 = sin_cos(_e1);
-    return metal::clamp(_e2, metal::float2(-1.0), metal::float2(1.0));
-}
-
 float footprint_of(
-    float x_11
+    float x_3
 ) {
-    float _e1 = metal::dfdx(x_11);
-    float _e2 = metal::dfdy(x_11);
+    float _e1 = metal::dfdx(x_3);
+    float _e2 = metal::dfdy(x_3);
     metal::float2 d_2 = metal::float2(_e1, _e2);
-    float _e6 = bounded(metal::sqrt(metal::dot(d_2, d_2)));
-    return _e6;
+    return metal::sqrt(metal::dot(d_2, d_2));
 }
 
 float footprint_of_vec3_(
@@ -349,21 +225,7 @@ float footprint_of_vec3_(
 ) {
     metal::float3 dx = metal::dfdx(v_6);
     metal::float3 dy = metal::dfdy(v_6);
-    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
-    return _e7;
-}
-
-float step_filtered(
-    float x_12,
-    float edge,
-    float w
-) {
-    float _e4 = bounded(x_12 - edge);
-    if (w < 0.000000000000000000000000000001) {
-        return (_e4 >= 0.0) ? 1.0 : 0.0;
-    }
-    float _e13 = bounded(_e4 / w);
-    return metal::clamp(0.5 + _e13, 0.0, 1.0);
+    return metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy)));
 }
 
 metal::float4 color_mixed(
@@ -373,10 +235,9 @@ metal::float4 color_mixed(
 ) {
     metal::float3 _e4 = bounded_vec3_(a_4.xyz);
     metal::float3 _e5 = bounded_vec3_(blended);
-    float _e7 = factor_of(factor, true);
-    metal::float3 _e8 = mixed_vec3_(_e4, _e5, _e7);
-    float _e10 = bounded(a_4.w);
-    return metal::float4(_e8, _e10);
+    metal::float3 _e7 = bounded_vec3_(_e5 - _e4);
+    metal::float3 _e10 = bounded_vec3_(_e4 + (factor * _e7));
+    return metal::float4(_e10, 1.0);
 }
 
 metal::float4 hermite(
@@ -426,219 +287,116 @@ metal::float4 ramp_slope(
     return metal::float4(_e8, _e13, _e18, _e23);
 }
 
-uint naga_div(uint lhs, uint rhs) {
-    return lhs / metal::select(rhs, 1u, rhs == 0u);
-}
-
 uint naga_mod(uint lhs, uint rhs) {
     return lhs % metal::select(rhs, 1u, rhs == 0u);
 }
 
+uint naga_div(uint lhs, uint rhs) {
+    return lhs / metal::select(rhs, 1u, rhs == 0u);
+}
+
 Color ramp_at(
     Ramp ramp,
-    float x_13,
-    float w_1
+    float x_4,
+    float w
 ) {
     type_6 colors = {};
     type_7 places = {};
-    metal::float4 color = {};
-    uint i = 1u;
+    uint i_2_ = 1u;
     uint at = 0u;
-    uint i_1 = 1u;
-    bool local_1 = {};
     metal::float4 from_a_1 = metal::float4(0.0);
     metal::float4 to_b_1 = metal::float4(0.0);
-    uint count_2 = metal::min(ramp.count, 16u);
-    if (count_2 == 0u) {
-        return metal::float4(0.0);
-    }
     colors = ramp.colors;
     places = ramp.places;
-    if (ramp.interpolation == INTERPOLATION_STEPPED) {
-        metal::float4 _e18 = colors.inner[0];
-        color = _e18;
-        uint2 loop_bound = uint2(4294967295u);
-        bool loop_init = true;
-        while(true) {
-            if (metal::all(loop_bound == uint2(0u))) { break; }
-            loop_bound -= uint2(loop_bound.y == 0u, 1u);
-            if (!loop_init) {
-                uint _e47 = i;
-                i = _e47 + 1u;
-            }
-            loop_init = false;
-            uint _e22 = i;
-            if (_e22 < count_2) {
-            } else {
-                break;
-            }
-            {
-                metal::float4 _e24 = color;
-                uint _e25 = i;
-                metal::float4 _e27 = colors.inner[_e25];
-                uint _e28 = i;
-                metal::float4 _e32 = colors.inner[_e28 - 1u];
-                uint _e34 = i;
-                uint _e38 = i;
-                float _e42 = places.inner[naga_div(_e34, 4u)][naga_mod(_e38, 4u)];
-                float _e43 = step_filtered(x_13, _e42, w_1);
-                color = _e24 + ((_e27 - _e32) * _e43);
-            }
-        }
-        metal::float4 _e49 = color;
-        metal::float4 _e50 = bounded_vec4_(_e49);
-        return _e50;
-    }
-    uint2 loop_bound_1 = uint2(4294967295u);
-    bool loop_init_1 = true;
+    uint2 loop_bound = uint2(4294967295u);
+    bool loop_init = true;
     while(true) {
-        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
-        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
-        if (!loop_init_1) {
-            uint _e71 = i_1;
-            i_1 = _e71 + 1u;
+        if (metal::all(loop_bound == uint2(0u))) { break; }
+        loop_bound -= uint2(loop_bound.y == 0u, 1u);
+        if (!loop_init) {
+            uint _e25 = i_2_;
+            i_2_ = _e25 + 1u;
         }
-        loop_init_1 = false;
-        uint _e55 = i_1;
-        if (_e55 < count_2) {
-        } else {
+        loop_init = false;
+        uint _e11 = i_2_;
+        if (!((_e11 < 4u))) {
             break;
         }
-        {
-            uint _e57 = at;
-            uint _e58 = i_1;
-            uint _e59 = i_1;
-            uint _e63 = i_1;
-            float _e67 = places.inner[naga_div(_e59, 4u)][naga_mod(_e63, 4u)];
-            at = (_e67 <= x_13) ? _e58 : _e57;
-        }
+        uint _e15 = at;
+        uint _e16 = i_2_;
+        uint _e18 = i_2_;
+        float _e22 = places.inner[0][naga_mod(_e18, 4u)];
+        at = (_e22 <= x_4) ? _e16 : _e15;
     }
-    uint _e73 = at;
-    uint _e77 = at;
-    float place_4 = places.inner[naga_div(_e73, 4u)][naga_mod(_e77, 4u)];
-    uint _e82 = at;
-    if (!(((_e82 + 1u) >= count_2))) {
-        local_1 = x_13 <= place_4;
-    } else {
-        local_1 = true;
+    uint _e29 = at;
+    float place_4 = places.inner[0][naga_mod(_e29, 4u)];
+    uint _e34 = at;
+    if (((_e34 + 1u) >= 4u) | (x_4 <= place_4)) {
+        uint _e41 = at;
+        metal::float4 _e43 = colors.inner[_e41];
+        return _e43;
     }
-    bool _e91 = local_1;
-    if (_e91) {
-        uint _e92 = at;
-        metal::float4 _e94 = colors.inner[_e92];
-        metal::float4 _e95 = bounded_vec4_(_e94);
-        return _e95;
+    uint _e44 = at;
+    uint after_1 = _e44 + 1u;
+    float _e53 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
+    float span = _e53 - place_4;
+    float _e56 = divided(x_4 - place_4, span);
+    float t_6 = metal::clamp(_e56, 0.0, 1.0);
+    uint _e63 = at;
+    if (_e63 > 0u) {
+        uint _e66 = at;
+        uint _e72 = at;
+        float before_1 = places.inner[naga_div(_e66 - 1u, 4u)][naga_mod(_e72 - 1u, 4u)];
+        uint _e79 = at;
+        metal::float4 _e81 = colors.inner[_e79];
+        uint _e82 = at;
+        metal::float4 _e86 = colors.inner[_e82 - 1u];
+        metal::float4 _e90 = colors.inner[after_1];
+        uint _e91 = at;
+        metal::float4 _e93 = colors.inner[_e91];
+        metal::float4 _e95 = ramp_slope(_e81 - _e86, place_4 - before_1, _e90 - _e93, span);
+        from_a_1 = _e95;
     }
-    uint _e96 = at;
-    uint after_1 = _e96 + 1u;
-    float _e105 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span_1 = _e105 - place_4;
-    float _e108 = divided(x_13 - place_4, span_1);
-    float t_6 = metal::clamp(_e108, 0.0, 1.0);
-    if (ramp.interpolation != INTERPOLATION_SMOOTH) {
-        uint _e115 = at;
-        metal::float4 _e117 = colors.inner[_e115];
-        metal::float4 _e119 = colors.inner[after_1];
-        metal::float4 _e120 = mixed_vec4_(_e117, _e119, t_6);
-        return _e120;
+    if ((after_1 + 1u) < 4u) {
+        float _e113 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
+        float next = _e113 - (place_4 + span);
+        metal::float4 _e117 = colors.inner[after_1];
+        uint _e118 = at;
+        metal::float4 _e120 = colors.inner[_e118];
+        metal::float4 _e125 = colors.inner[after_1 + 1u];
+        metal::float4 _e127 = colors.inner[after_1];
+        metal::float4 _e129 = ramp_slope(_e117 - _e120, span, _e125 - _e127, next);
+        to_b_1 = _e129;
     }
-    uint _e127 = at;
-    if (_e127 > 0u) {
-        uint _e130 = at;
-        uint _e136 = at;
-        float before_1 = places.inner[naga_div(_e130 - 1u, 4u)][naga_mod(_e136 - 1u, 4u)];
-        uint _e143 = at;
-        metal::float4 _e145 = colors.inner[_e143];
-        uint _e146 = at;
-        metal::float4 _e150 = colors.inner[_e146 - 1u];
-        metal::float4 _e154 = colors.inner[after_1];
-        uint _e155 = at;
-        metal::float4 _e157 = colors.inner[_e155];
-        metal::float4 _e159 = ramp_slope(_e145 - _e150, place_4 - before_1, _e154 - _e157, span_1);
-        from_a_1 = _e159;
-    }
-    if ((after_1 + 1u) < count_2) {
-        float _e173 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e173 - (place_4 + span_1);
-        metal::float4 _e177 = colors.inner[after_1];
-        uint _e178 = at;
-        metal::float4 _e180 = colors.inner[_e178];
-        metal::float4 _e185 = colors.inner[after_1 + 1u];
-        metal::float4 _e187 = colors.inner[after_1];
-        metal::float4 _e189 = ramp_slope(_e177 - _e180, span_1, _e185 - _e187, next);
-        to_b_1 = _e189;
-    }
-    uint _e190 = at;
-    metal::float4 _e192 = colors.inner[_e190];
-    metal::float4 _e194 = colors.inner[after_1];
-    metal::float4 _e195 = from_a_1;
-    metal::float4 _e197 = to_b_1;
-    metal::float4 _e199 = hermite(_e192, _e194, span_1 * _e195, span_1 * _e197, t_6);
-    metal::float4 _e200 = bounded_vec4_(_e199);
-    return _e200;
+    uint _e130 = at;
+    metal::float4 _e132 = colors.inner[_e130];
+    metal::float4 _e134 = colors.inner[after_1];
+    metal::float4 _e135 = from_a_1;
+    metal::float4 _e137 = to_b_1;
+    metal::float4 _e139 = hermite(_e132, _e134, span * _e135, span * _e137, t_6);
+    metal::float4 _e140 = bounded_vec4_(_e139);
+    return _e140;
 }
 
-Composite premultiplied(
-    Color color_1
-) {
-    return metal::float4(color_1.xyz * color_1.w, color_1.w);
-}
-
-Color straight(
-    Composite composite
-) {
-    if (composite.w <= 0.0) {
-        return composite;
-    }
-    return metal::float4(composite.xyz / metal::float3(composite.w), composite.w);
-}
-
-Color mix_colors_normal(
+Color mix_colors_multiply(
     Color a_6,
     Color b_5,
     float factor_1
 ) {
-    metal::float4 _e3 = bounded_vec4_(a_6);
-    metal::float4 _e4 = bounded_vec4_(b_5);
-    float _e6 = factor_of(factor_1, true);
-    metal::float4 _e7 = mixed_vec4_(_e3, _e4, _e6);
-    return _e7;
+    metal::float3 _e7 = mixed_vec3_2_(a_6.xyz, a_6.xyz * b_5.xyz, factor_1);
+    return metal::float4(_e7, 1.0);
 }
 
-Color mix_colors_multiply(
+Color mix_colors_multiply_2_(
     Color a_7,
     Color b_6,
     float factor_2
 ) {
-    metal::float4 _e6 = color_mixed(a_7, a_7.xyz * b_6.xyz, factor_2);
-    return _e6;
-}
-
-float combine_tones_union(
-    float a_8,
-    float b_7
-) {
-    float _e3 = factor_of(a_8, true);
-    float _e5 = factor_of(b_7, true);
-    return metal::max(_e3, _e5);
-}
-
-Color output(
-    Composite color_2
-) {
-    Color _e1 = straight(color_2);
-    metal::float4 _e2 = finite_vec4_(_e1);
-    return _e2;
-}
-
-Color ramp_plain(
-    float value,
-    Ramp ramp_1
-) {
-    float _e2 = footprint_of(value);
-    float _e3 = bounded(value);
-    Color _e4 = ramp_at(ramp_1, _e3, _e2);
-    return _e4;
+    metal::float3 blended_1 = a_7.xyz * b_6.xyz;
+    metal::float3 _e7 = bounded_vec3_(a_7.xyz);
+    metal::float3 _e9 = bounded_vec3_(blended_1 - _e7);
+    float _e14 = bounded(a_7.w);
+    return metal::float4(blended_1 - (0.25 * _e9), _e14);
 }
 
 metal::uint3 hash_pcg3d(
@@ -677,12 +435,6 @@ metal::uint3 hash_pcg3d(
     return _e61;
 }
 
-metal::float3 unit_of_hash(
-    metal::uint3 hash
-) {
-    return static_cast<metal::float3>(hash >> metal::uint3(8u)) * 0.000000059604645;
-}
-
 metal::uint3 lattice_hash(
     metal::int3 cell,
     uint seed_1
@@ -692,13 +444,13 @@ metal::uint3 lattice_hash(
 }
 
 float gradient_dot(
-    metal::uint3 hash_1,
+    metal::uint3 hash,
     metal::float3 d
 ) {
-    uint axis = naga_mod(hash_1.x >> 8u, 3u);
-    float a_12 = (axis == 0u) ? d.y : d.x;
-    float b_11 = (axis == 2u) ? d.y : d.z;
-    return (((hash_1.y >> 31u) == 0u) ? a_12 : -(a_12)) + (((hash_1.z >> 31u) == 0u) ? b_11 : -(b_11));
+    uint axis = naga_mod(hash.x >> 8u, 3u);
+    float a_8 = (axis == 0u) ? d.y : d.x;
+    float b_7 = (axis == 2u) ? d.y : d.z;
+    return (((hash.y >> 31u) == 0u) ? a_8 : -(a_8)) + (((hash.z >> 31u) == 0u) ? b_7 : -(b_7));
 }
 
 metal::float3 fade_quintic(
@@ -711,263 +463,194 @@ metal::int3 naga_f2i32(metal::float3 value) {
     return static_cast<metal::int3>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float value_noise(
+float perlin_noise(
     metal::float3 p,
     uint seed_2
 ) {
     float sum = 0.0;
-    int i_2 = 0;
+    int i = 0;
     metal::float3 corner = metal::floor(p);
-    metal::float3 _e4 = fade_quintic(p - corner);
+    metal::float3 d_4 = p - corner;
+    metal::float3 _e4 = fade_quintic(d_4);
     metal::int3 cell_1 = naga_f2i32(corner);
+    uint2 loop_bound_1 = uint2(4294967295u);
+    bool loop_init_1 = true;
+    while(true) {
+        if (metal::all(loop_bound_1 == uint2(0u))) { break; }
+        loop_bound_1 -= uint2(loop_bound_1.y == 0u, 1u);
+        if (!loop_init_1) {
+            int _e46 = i;
+            i = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+        }
+        loop_init_1 = false;
+        int _e10 = i;
+        if (_e10 < 8) {
+        } else {
+            break;
+        }
+        {
+            int _e13 = i;
+            int _e16 = i;
+            int _e21 = i;
+            metal::int3 at_2 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
+            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at_2 == metal::int3(1));
+            float _e32 = sum;
+            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_2)), seed_2);
+            float _e42 = gradient_dot(_e39, d_4 - static_cast<metal::float3>(at_2));
+            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e42);
+        }
+    }
+    float _e48 = sum;
+    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
+}
+
+float perlin_noise_2_(
+    metal::float3 p_1,
+    uint seed_3
+) {
+    int i_1 = 0;
+    float sum_1 = 0.0;
+    metal::float3 corner_1 = metal::floor(p_1);
+    metal::float3 d_5 = p_1 - corner_1;
+    metal::float3 f = ((d_5 * d_5) * d_5) * ((d_5 * ((d_5 * 6.0) - metal::float3(15.0))) + metal::float3(10.0));
+    metal::int3 cell_2 = naga_f2i32(corner_1);
     uint2 loop_bound_2 = uint2(4294967295u);
     bool loop_init_2 = true;
     while(true) {
         if (metal::all(loop_bound_2 == uint2(0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e45 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e45) + as_type<uint>(1));
+            int _e64 = i_1;
+            i_1 = as_type<int>(as_type<uint>(_e64) + as_type<uint>(1));
         }
         loop_init_2 = false;
-        int _e10 = i_2;
-        if (_e10 < 8) {
-        } else {
+        int _e21 = i_1;
+        if (!((_e21 < 8))) {
             break;
         }
-        {
-            int _e13 = i_2;
-            int _e16 = i_2;
-            int _e21 = i_2;
-            metal::int3 at_2 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight = metal::select(metal::float3(1.0) - _e4, _e4, at_2 == metal::int3(1));
-            float _e32 = sum;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_1) + as_type<metal::uint3>(at_2)), seed_2);
-            metal::float3 _e40 = unit_of_hash(_e39);
-            sum = _e32 + (((weight.x * weight.y) * weight.z) * _e40.x);
-        }
+        int _e25 = i_1;
+        int _e28 = i_1;
+        int _e33 = i_1;
+        metal::int3 at_3 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
+        metal::float3 weight_1 = metal::select(metal::float3(1.0) - f, f, at_3 == metal::int3(1));
+        float _e44 = sum_1;
+        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_3))) + (seed_3 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        float _e61 = gradient_dot(_e58, d_5 - static_cast<metal::float3>(at_3));
+        sum_1 = _e44 + (((weight_1.x * weight_1.y) * 0.5) * _e61);
     }
-    float _e47 = sum;
-    return _e47;
+    float _e67 = sum_1;
+    return metal::clamp(0.5 + (0.48244 * _e67), 0.0, 1.0);
 }
 
-float perlin_noise(
-    metal::float3 p_1,
-    uint seed_3
+float fractal_noise(
+    uint kind,
+    metal::float3 p_2,
+    int octaves,
+    float roughness,
+    int seed_4,
+    float w_1
 ) {
-    float sum_1 = 0.0;
-    int i_3 = 0;
-    metal::float3 corner_1 = metal::floor(p_1);
-    metal::float3 d_4 = p_1 - corner_1;
-    metal::float3 _e4 = fade_quintic(d_4);
-    metal::int3 cell_2 = naga_f2i32(corner_1);
+    float octave = {};
+    int i_2 = 0;
+    float frequency = 1.0;
+    float strength = 1.0;
+    float total = 0.0;
+    float sum_2 = 0.0;
     uint2 loop_bound_3 = uint2(4294967295u);
     bool loop_init_3 = true;
     while(true) {
         if (metal::all(loop_bound_3 == uint2(0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            int _e46 = i_3;
-            i_3 = as_type<int>(as_type<uint>(_e46) + as_type<uint>(1));
+            int _e67 = i_2;
+            i_2 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
         }
         loop_init_3 = false;
-        int _e10 = i_3;
-        if (_e10 < 8) {
-        } else {
+        int _e17 = i_2;
+        if (!((_e17 < 2))) {
             break;
         }
-        {
-            int _e13 = i_3;
-            int _e16 = i_3;
-            int _e21 = i_3;
-            metal::int3 at_3 = metal::int3(_e13 & 1, (_e16 >> 1u) & 1, _e21 >> 2u);
-            metal::float3 weight_1 = metal::select(metal::float3(1.0) - _e4, _e4, at_3 == metal::int3(1));
-            float _e32 = sum_1;
-            metal::uint3 _e39 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_3)), seed_3);
-            float _e42 = gradient_dot(_e39, d_4 - static_cast<metal::float3>(at_3));
-            sum_1 = _e32 + (((weight_1.x * weight_1.y) * weight_1.z) * _e42);
+        float _e21 = frequency;
+        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * _e21);
+        octave = 0.5;
+        if (visible > 0.0) {
+            float _e31 = frequency;
+            int _e33 = i_2;
+            metal::float3 place_5 = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            int _e47 = i_2;
+            float _e50 = perlin_noise(place_5, 11u + static_cast<uint>(_e47));
+            octave = metal::mix(0.5, _e50, visible);
         }
+        float _e53 = sum_2;
+        float _e54 = strength;
+        float _e55 = octave;
+        sum_2 = _e53 + (_e54 * _e55);
+        float _e58 = total;
+        float _e59 = strength;
+        total = _e58 + _e59;
+        float _e61 = strength;
+        strength = _e61 * 0.5;
+        float _e64 = frequency;
+        frequency = _e64 * 2.0;
     }
-    float _e48 = sum_1;
-    return metal::clamp(0.5 + (0.48244 * _e48), 0.0, 1.0);
+    float _e70 = sum_2;
+    return metal::min(_e70 / 1.5, 1.0);
 }
 
-float simplex_corner(
-    metal::float3 d_1,
-    metal::uint3 hash_2
-) {
-    float t_7 = metal::max(0.5 - metal::dot(d_1, d_1), 0.0);
-    float _e10 = gradient_dot(hash_2, d_1);
-    return (((t_7 * t_7) * t_7) * t_7) * _e10;
-}
-
-float simplex_noise(
-    metal::float3 p_2,
-    uint seed_4
-) {
-    float sum_2 = {};
-    metal::float3 corner_2 = metal::floor(p_2 + metal::float3(((p_2.x + p_2.y) + p_2.z) / 3.0));
-    metal::float3 d_5 = (p_2 - corner_2) + metal::float3(((corner_2.x + corner_2.y) + corner_2.z) / 6.0);
-    metal::bool3 is_first = metal::bool3(d_5.x >= d_5.y, d_5.y >= d_5.z, d_5.z > d_5.x);
-    metal::float3 g = metal::select(metal::float3(0.0), metal::float3(1.0), is_first);
-    metal::float3 l = metal::float3(1.0) - g;
-    metal::float3 second = metal::min(g, l.zxy);
-    metal::float3 third = metal::max(g, l.zxy);
-    metal::int3 cell_3 = naga_f2i32(corner_2);
-    metal::uint3 _e45 = lattice_hash(cell_3, seed_4);
-    float _e46 = simplex_corner(d_5, _e45);
-    sum_2 = _e46;
-    float _e48 = sum_2;
-    metal::uint3 _e55 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(naga_f2i32(second))), seed_4);
-    float _e56 = simplex_corner((d_5 - second) + metal::float3(0.16666667), _e55);
-    sum_2 = _e48 + _e56;
-    float _e58 = sum_2;
-    metal::uint3 _e65 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(naga_f2i32(third))), seed_4);
-    float _e66 = simplex_corner((d_5 - third) + metal::float3(0.33333334), _e65);
-    sum_2 = _e58 + _e66;
-    float _e68 = sum_2;
-    metal::uint3 _e75 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_3) + as_type<metal::uint3>(metal::int3(1))), seed_4);
-    float _e76 = simplex_corner(d_5 - metal::float3(0.5), _e75);
-    sum_2 = _e68 + _e76;
-    float _e79 = sum_2;
-    return metal::clamp(0.5 + (SIMPLEX_SCALE * _e79), 0.0, 1.0);
-}
-
-int naga_mod(int lhs, int rhs) {
-    int divisor = metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-    return lhs - (lhs / divisor) * divisor;
-}
-
-int naga_div(int lhs, int rhs) {
-    return lhs / metal::select(rhs, 1, (lhs == (-2147483647 - 1) & rhs == -1) | (rhs == 0));
-}
-
-float worley_noise(
+float fractal_noise_2_(
+    uint kind_1,
     metal::float3 p_3,
-    uint seed_5
+    int octaves_1,
+    float roughness_1,
+    int seed_5,
+    float w_2
 ) {
-    float nearest = 1.0;
-    int i_4 = 0;
-    metal::float3 corner_3 = metal::floor(p_3);
-    metal::float3 d_6 = p_3 - corner_3;
-    metal::int3 cell_4 = naga_f2i32(corner_3);
+    float octave_1 = {};
+    int i_3 = 0;
+    float frequency_1 = 1.0;
+    float strength_1 = 1.0;
+    float total_1 = 0.0;
+    float sum_3 = 0.0;
     uint2 loop_bound_4 = uint2(4294967295u);
     bool loop_init_4 = true;
     while(true) {
         if (metal::all(loop_bound_4 == uint2(0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e40 = i_4;
-            i_4 = as_type<int>(as_type<uint>(_e40) + as_type<uint>(1));
+            int _e66 = i_3;
+            i_3 = as_type<int>(as_type<uint>(_e66) + as_type<uint>(1));
         }
         loop_init_4 = false;
-        int _e9 = i_4;
-        if (_e9 < 27) {
-        } else {
+        int _e17 = i_3;
+        if (!((_e17 < 4))) {
             break;
         }
-        {
-            int _e12 = i_4;
-            int _e17 = i_4;
-            int _e24 = i_4;
-            metal::int3 at_4 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e12, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e17, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e24, 9)) - as_type<uint>(1)));
-            metal::uint3 _e32 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_4) + as_type<metal::uint3>(at_4)), seed_5);
-            metal::float3 _e33 = unit_of_hash(_e32);
-            metal::float3 offset = (static_cast<metal::float3>(at_4) + _e33) - d_6;
-            float _e36 = nearest;
-            nearest = metal::min(_e36, metal::dot(offset, offset));
+        float _e21 = frequency_1;
+        float visible_1 = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * _e21);
+        octave_1 = 0.5;
+        if (visible_1 > 0.0) {
+            float _e31 = frequency_1;
+            int _e33 = i_3;
+            metal::float3 place_6 = metal::clamp((p_3 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
+            int _e47 = i_3;
+            float _e50 = perlin_noise(place_6, 0u + static_cast<uint>(_e47));
+            octave_1 = metal::mix(0.5, _e50, visible_1);
         }
+        float _e53 = sum_3;
+        float _e54 = strength_1;
+        float _e55 = octave_1;
+        sum_3 = _e53 + (_e54 * _e55);
+        float _e58 = total_1;
+        float _e59 = strength_1;
+        total_1 = _e58 + _e59;
+        float _e61 = strength_1;
+        strength_1 = _e61 * roughness_1;
+        float _e63 = frequency_1;
+        frequency_1 = _e63 * 2.0;
     }
-    float _e42 = nearest;
-    return metal::sqrt(_e42);
-}
-
-float noise_octave(
-    uint kind,
-    metal::float3 p_4,
-    uint seed_6
-) {
-    switch(kind) {
-        case 1u: {
-            float _e3 = perlin_noise(p_4, seed_6);
-            return _e3;
-        }
-        case 2u: {
-            float _e4 = simplex_noise(p_4, seed_6);
-            return _e4;
-        }
-        case 3u: {
-            float _e5 = worley_noise(p_4, seed_6);
-            return _e5;
-        }
-        default: {
-            float _e6 = value_noise(p_4, seed_6);
-            return _e6;
-        }
-    }
-}
-
-float fractal_noise(
-    uint kind_1,
-    metal::float3 p_5,
-    int octaves,
-    float roughness,
-    int seed_7,
-    float w_2
-) {
-    float sum_3 = 0.0;
-    float total = 0.0;
-    float strength = 1.0;
-    float frequency = 1.0;
-    int i_5 = 0;
-    float octave = {};
-    float mean = (kind_1 == NOISE_WORLEY) ? WORLEY_MEAN : 0.5;
-    float _e11 = bounded(roughness);
-    float gain = metal::clamp(_e11, 0.0, 1.0);
-    uint2 loop_bound_5 = uint2(4294967295u);
-    bool loop_init_5 = true;
-    while(true) {
-        if (metal::all(loop_bound_5 == uint2(0u))) { break; }
-        loop_bound_5 -= uint2(loop_bound_5.y == 0u, 1u);
-        if (!loop_init_5) {
-            int _e75 = i_5;
-            i_5 = as_type<int>(as_type<uint>(_e75) + as_type<uint>(1));
-        }
-        loop_init_5 = false;
-        int _e25 = i_5;
-        if (_e25 < metal::clamp(octaves, 1, 8)) {
-        } else {
-            break;
-        }
-        {
-            float _e30 = frequency;
-            float _e34 = eased(w_2 * _e30, 0.5, 1.0);
-            float visible = 1.0 - _e34;
-            octave = mean;
-            if (visible > 0.0) {
-                float _e40 = frequency;
-                int _e42 = i_5;
-                metal::float3 place_5 = metal::clamp((p_5 * _e40) + (static_cast<float>(_e42) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-                int _e56 = i_5;
-                float _e59 = noise_octave(kind_1, place_5, as_type<uint>(seed_7) + static_cast<uint>(_e56));
-                octave = metal::mix(mean, _e59, visible);
-            }
-            float _e61 = sum_3;
-            float _e62 = strength;
-            float _e63 = octave;
-            sum_3 = _e61 + (_e62 * _e63);
-            float _e66 = total;
-            float _e67 = strength;
-            total = _e66 + _e67;
-            float _e69 = strength;
-            strength = _e69 * gain;
-            float _e71 = frequency;
-            frequency = _e71 * 2.0;
-        }
-    }
-    float _e77 = sum_3;
-    float _e78 = total;
-    return metal::clamp(_e77 / _e78, 0.0, 1.0);
+    float _e69 = sum_3;
+    float _e70 = total_1;
+    return metal::min(_e69 / _e70, 1.0);
 }
 
 float size_on_screen(
@@ -1004,15 +687,14 @@ StretchedPlace mark_place_of(
     metal::float3 across,
     float angle
 ) {
-    metal::float2 _e4 = sin_cos_of(angle);
-    metal::float3 _e10 = bounded_vec3_((_e4.y * along) + (_e4.x * across));
-    metal::float3 _e16 = bounded_vec3_((_e4.y * across) - (_e4.x * along));
+    metal::float2 turn = metal::float2(0.0, 1.0);
+    metal::float3 x_5 = (turn.y * along) + (turn.x * across);
+    metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
-    metal::float2 turned = metal::float2((_e4.y * _e17.x) + (_e4.x * _e17.y), (_e4.y * _e17.y) - (_e4.x * _e17.x));
-    metal::float3 most = metal::float3(1000000000000000.0);
-    metal::float3 stretch_3 = metal::clamp(metal::float3(metal::dot(_e10, _e10), metal::dot(_e10, _e16), metal::dot(_e16, _e16)), -(most), most);
-    metal::float2 _e41 = bounded_vec2_(turned);
-    return StretchedPlace {_e41, {}, stretch_3};
+    metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
+    metal::float3 stretch_3 = metal::float3(metal::dot(x_5, x_5), metal::dot(x_5, y), metal::dot(y, y));
+    metal::float2 _e37 = bounded_vec2_(turned);
+    return StretchedPlace {_e37, {}, stretch_3};
 }
 
 SpacedPlace spaced(
@@ -1021,16 +703,12 @@ SpacedPlace spaced(
     metal::float2 viewport_1,
     float count
 ) {
-    float _e4 = bounded(count);
-    float number = metal::clamp(_e4, 0.0, 100000.0);
     bool is_pixel = !(((stretch.x + stretch.z) > 0.0));
-    float scale_3 = is_pixel ? (number / metal::max(viewport_1.y, 1.0)) : number;
-    metal::float2 _e19 = bounded_vec2_(place_1);
-    metal::float2 _e21 = bounded_vec2_(_e19 * scale_3);
-    metal::float2 p_6 = metal::clamp(_e21, metal::float2(-4194304.0), metal::float2(4194304.0));
-    metal::float3 _e27 = bounded_vec3_(stretch);
-    metal::float3 s_1 = metal::clamp(_e27, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    float scale_4 = is_pixel ? (240.0 / metal::max(viewport_1.y, 1.0)) : 240.0;
+    metal::float2 _e17 = bounded_vec2_(place_1);
+    metal::float2 _e19 = bounded_vec2_(_e17 * scale_4);
+    metal::float2 p_4 = metal::clamp(_e19, metal::float2(-4194304.0), metal::float2(4194304.0));
+    return SpacedPlace {p_4, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : stretch};
 }
 
 float area_square(
@@ -1038,13 +716,6 @@ float area_square(
 ) {
     float sum_4 = stretch_1.x + stretch_1.z;
     return metal::max((stretch_1.x * stretch_1.z) - (stretch_1.y * stretch_1.y), (sum_4 * sum_4) / 66.0);
-}
-
-float octave_of(
-    float square
-) {
-    float _e5 = log_stable(metal::clamp(square, 0.000000000000000000000000000001, 1000000000000000000000000000000.0));
-    return metal::clamp(-0.7213475 * _e5, -16.0, 16.0);
 }
 
 MarkPlace mark_place_object(
@@ -1057,21 +728,9 @@ MarkPlace mark_place_object(
     float size = metal::clamp(_e5, 0.000001, 1000000.0);
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_6 = _e15 / metal::float2(size);
-    StretchedPlace _e28 = mark_place_of(place_6, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
-    return MarkPlace {_e28.place, {}, _e28.stretch};
-}
-
-float caught_ink(
-    float ink,
-    float height,
-    float tooth
-) {
-    float _e3 = bounded(ink);
-    float amount = metal::clamp(_e3, 0.0, 1.0);
-    float _e7 = bounded(tooth);
-    float rough = metal::clamp(_e7, 0.0, 1.0);
-    return metal::clamp(amount + ((((8.0 * rough) * (height - 0.5)) * amount) * (1.0 - amount)), 0.0, 1.0);
+    metal::float2 place_7 = _e15 / metal::float2(size);
+    StretchedPlace _e29 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
+    return MarkPlace {_e29.place, {}, _e29.stretch};
 }
 
 float paper_octave(
@@ -1079,20 +738,18 @@ float paper_octave(
     int zoom,
     float w_3,
     float fiber,
-    uint seed_8
+    uint seed_6
 ) {
-    float _e5 = power_of_two(zoom);
-    metal::float2 p_7 = metal::clamp(place_2 * _e5, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = seed_8 + (7u * as_type<uint>(zoom));
-    float _e18 = perlin_noise(metal::float3(p_7, 0.5), own);
-    float grain = _e18 - 0.5;
-    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_7.x) - (0.6 * p_7.y), (0.6 * p_7.x) + (0.8 * p_7.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e47 = perlin_noise(metal::float3(q, 0.5), own + 1u);
-    float felt = _e47 - 0.5;
-    float _e53 = eased(w_3 * _e5, 0.5, 1.0);
-    float coarse_seen = 1.0 - _e53;
-    float _e61 = eased((2.7 * w_3) * _e5, 0.5, 1.0);
-    float felt_seen = 1.0 - _e61;
+    float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
+    metal::float2 p_5 = metal::clamp(place_2 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
+    uint own = 0u + (7u * as_type<uint>(zoom));
+    float _e24 = perlin_noise_2_(metal::float3(p_5, 0.5), own);
+    float grain = _e24 - 0.5;
+    metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_5.x) - (0.6 * p_5.y), (0.6 * p_5.x) + (0.8 * p_5.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
+    float _e53 = perlin_noise_2_(metal::float3(q, 0.5), own + 1u);
+    float felt = _e53 - 0.5;
+    float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * scale_5);
+    float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_3) * scale_5);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
 }
 
@@ -1103,140 +760,82 @@ int naga_f2i32(float value) {
 float paper_height(
     SpacedPlace at_1,
     float fiber_1,
-    uint seed_9
+    uint seed_7
 ) {
-    float height_1 = {};
-    metal::float2 x_14 = metal::dfdx(at_1.place);
-    metal::float2 y = metal::dfdy(at_1.place);
-    float _e11 = bounded(metal::sqrt(metal::max(metal::dot(x_14, x_14), metal::dot(y, y))));
-    float _e13 = area_square(at_1.stretch);
-    float _e15 = octave_of(metal::sqrt(_e13));
-    float zoom_1 = metal::floor(_e15);
-    float f = _e15 - zoom_1;
-    float _e18 = bounded(fiber_1);
-    float fine = metal::clamp(_e18, 0.0, 1.0);
-    float _e24 = paper_octave(at_1.place, naga_f2i32(zoom_1), _e11, fine, seed_9);
-    height_1 = _e24;
-    if (f > 0.0) {
-        float _e28 = height_1;
-        float _e33 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), _e11, fine, seed_9);
-        float both = metal::mix(_e28, _e33, f);
-        height_1 = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f * f) + ((1.0 - f) * (1.0 - f)))), 0.0, 1.0);
+    float height = {};
+    metal::float2 x_6 = metal::dfdx(at_1.place);
+    metal::float2 y_1 = metal::dfdy(at_1.place);
+    float w_4 = metal::sqrt(metal::max(metal::dot(x_6, x_6), metal::dot(y_1, y_1)));
+    float _e12 = area_square(at_1.stretch);
+    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
+    float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
+    float zoom_1 = metal::floor(level);
+    float f_1 = level - zoom_1;
+    float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, 0u);
+    height = _e27;
+    if (f_1 > 0.0) {
+        float _e31 = height;
+        float _e37 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_4, fiber_1, 0u);
+        float both = metal::mix(_e31, _e37, f_1);
+        height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
     }
-    float _e51 = height_1;
-    return _e51;
+    float _e55 = height;
+    return _e55;
 }
 
 PaperGrain paper_grain(
-    float value_1,
+    float value,
     metal::float2 place_3,
     metal::float3 stretch_2,
     float count_1,
-    float tooth_1,
+    float tooth,
     float fiber_2,
-    int seed_10,
+    int seed_8,
     metal::float2 viewport_3
 ) {
-    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
-    float _e10 = paper_height(_e8, fiber_2, as_type<uint>(seed_10));
-    float _e12 = factor_of(value_1, true);
-    float _e15 = caught_ink(1.0 - _e12, _e10, tooth_1);
-    return PaperGrain {1.0 - _e15, _e10};
-}
-
-float reflectance_wrap(
-    Light light,
-    metal::float3 normal,
-    float wrap
-) {
-    float _e3 = bounded(wrap);
-    float w_4 = metal::clamp(_e3, 0.0, 1.0);
-    metal::float3 _e11 = normalize_or(normal, metal::float3(0.0, 0.0, 1.0));
-    float cosine = metal::dot(_e11, light.direction);
-    return metal::max((cosine + w_4) / (1.0 + w_4), 0.0);
-}
-
-float add(
-    float a_9,
-    float b_8
-) {
-    float _e3 = bounded(a_9 + b_8);
-    return _e3;
-}
-
-float map_range(
-    float value_2,
-    float from_low_1,
-    float from_high_1,
-    float to_low_1,
-    float to_high_1,
-    bool clamped_2
-) {
-    float _e6 = remapped(value_2, from_low_1, from_high_1, to_low_1, to_high_1, clamped_2);
-    return _e6;
-}
-
-float multiply(
-    float a_10,
-    float b_9
-) {
-    float _e3 = bounded(a_10 * b_9);
-    return _e3;
-}
-
-Color multiply_color(
-    Color a_11,
-    Color b_10
-) {
-    metal::float4 _e3 = bounded_vec4_(a_11 * b_10);
-    return _e3;
-}
-
-float smooth_step_value(
-    float value_3,
-    float low_2,
-    float high_2
-) {
-    float _e3 = eased(value_3, low_2, high_2);
-    return _e3;
-}
-
-float line_covers(
-    float distance,
-    float width
-) {
-    return metal::clamp((width + 0.5) - distance, 0.0, metal::min(width, 1.0));
+    SpacedPlace _e9 = spaced(place_3, stretch_2, viewport_3, 240.0);
+    float _e11 = paper_height(_e9, fiber_2, 0u);
+    return PaperGrain {1.0 - metal::clamp(0.5 + ((((8.0 * tooth) * (_e11 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e11};
 }
 
 float outer_contour(
-    float width_1,
-    metal::float3 normal_1,
+    float width,
+    metal::float3 normal,
     metal::float3 view,
     metal::float2 viewport_4
 ) {
-    metal::float3 _e6 = normalize_or(normal_1, metal::float3(0.0));
-    float facing = metal::clamp(metal::dot(_e6, view), 0.0, 1.0);
-    float _e11 = bounded(width_1);
-    float pixels = (metal::clamp(_e11, 0.0, 10000.0) * metal::clamp(viewport_4.y, 1.0, 100000.0)) / 1000.0;
-    float _e22 = footprint_of(facing);
-    float distance_1 = facing / metal::max(2.0 * _e22, 0.000001);
-    float _e30 = eased(facing, 0.45, 0.75);
-    float near = 1.0 - _e30;
-    float _e33 = line_covers(distance_1, pixels);
-    return _e33 * near;
+    float facing = metal::clamp(metal::dot(normal, view), 0.0, 1.0);
+    float pixels = (width * metal::clamp(viewport_4.y, 1.0, 100000.0)) / 1000.0;
+    float _e15 = footprint_of(facing);
+    float distance = facing / metal::max(2.0 * _e15, 0.000001);
+    float near = 1.0 - metal::smoothstep(0.45, 0.75, facing);
+    return metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * near;
 }
 
 float noise_perlin(
     metal::float3 position,
     float scale_2,
-    int octaves_1,
-    float roughness_1,
-    int seed_11
+    int octaves_2,
+    float roughness_2,
+    int seed_9
 ) {
-    metal::float3 _e6 = bounded_vec3_(position * scale_2);
-    float _e8 = footprint_of_vec3_(_e6);
-    float _e9 = fractal_noise(NOISE_PERLIN, _e6, octaves_1, roughness_1, seed_11, _e8);
-    return _e9;
+    metal::float3 p_6 = position * 1.5;
+    float _e11 = footprint_of_vec3_(p_6);
+    float _e12 = fractal_noise(NOISE_PERLIN, p_6, 2, 0.5, 11, _e11);
+    return _e12;
+}
+
+float noise_perlin_2_(
+    metal::float3 position_1,
+    float scale_3,
+    int octaves_3,
+    float roughness_3,
+    int seed_10
+) {
+    metal::float3 p_7 = position_1 * scale_3;
+    float _e9 = footprint_of_vec3_(p_7);
+    float _e10 = fractal_noise_2_(NOISE_PERLIN, p_7, 4, roughness_3, 0, _e9);
+    return _e10;
 }
 
 metal::float4 shade(
@@ -1244,46 +843,51 @@ metal::float4 shade(
     constant Look& look
 ) {
     float _e6 = noise_perlin(surface_1.position_object, 1.5, 2, 0.5, 11);
-    float _e12 = map_range(_e6, 0.32, 0.68, 0.0, 1.0, true);
-    Color _e14 = ramp_plain(_e12, two_pigments);
-    Light _e17 = look.key;
-    float _e20 = reflectance_wrap(_e17, surface_1.normal, 0.45);
-    float _e26 = map_range(_e20, 0.0, 0.85, 0.0, 1.0, true);
-    float _e32 = noise_perlin(surface_1.position_object, 2.2, 4, 0.55, 0);
-    float _e38 = map_range(_e32, 0.0, 1.0, -0.24, 0.24, false);
-    float _e39 = add(_e26, _e38);
-    float _e42 = smooth_step_value(_e39, 0.82, 0.7);
-    float _e44 = multiply(_e42, 0.62);
-    Color _e50 = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0), _e14, _e44);
-    Color _e57 = mix_colors_multiply(_e14, metal::float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    float _e60 = smooth_step_value(_e39, 0.42, 0.34);
-    float _e62 = multiply(_e60, 0.6);
-    Color _e63 = mix_colors_multiply(_e50, _e57, _e62);
-    float _e66 = smooth_step_value(_e39, 0.66, 0.72);
-    float _e67 = multiply(_e66, _e42);
-    float _e70 = smooth_step_value(_e39, 0.29, 0.34);
-    float _e71 = multiply(_e70, _e60);
-    float _e72 = combine_tones_union(_e67, _e71);
-    float _e74 = multiply(_e72, 0.34);
-    Color _e75 = mix_colors_multiply(_e63, _e57, _e74);
-    metal::float2 _e81 = look.viewport;
-    MarkPlace _e82 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e81);
-    metal::float2 _e92 = look.viewport;
-    PaperGrain _e93 = paper_grain(0.5, _e82.place, _e82.stretch, 240.0, 0.6, 0.6, 0, _e92);
-    float _e100 = map_range(_e93.tone, 0.0, 1.0, 0.9, 1.03, false);
-    Color _e104 = multiply_color(_e75, metal::float4(metal::float3(_e100), 1.0));
+    float spread = metal::clamp((_e6 - 0.32) / 0.36, 0.0, 1.0);
+    float _e15 = footprint_of(spread);
+    Color _e16 = ramp_at(two_pigments, spread, _e15);
+    metal::float3 _e21 = look.key.direction;
+    float shade_2_ = metal::max((metal::dot(surface_1.normal, _e21) + 0.45) / 1.45, 0.0);
+    float tone = metal::min((shade_2_ - 0.0) / 0.85, 1.0);
+    float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, 4, 0.55, 0);
+    float how_far_it_runs = metal::mix(-0.24, 0.24, _e40 - 0.0);
+    float wet_tone = tone + how_far_it_runs;
+    float _e49 = eased(wet_tone, 0.82, 0.7);
+    float k1_ = _e49 * 0.62;
+    Color _e57 = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
+    Color _e64 = mix_colors_multiply_2_(_e16, metal::float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    float _e67 = eased(wet_tone, 0.42, 0.34);
+    float k2_ = _e67 * 0.6;
+    metal::float3 _e71 = bounded_vec3_(_e57.xyz);
+    metal::float3 _e75 = bounded_vec3_(_e57.xyz * _e64.xyz);
+    metal::float3 _e76 = mixed_vec3_(_e71, _e75, k2_);
+    metal::float4 second_on_the_first = metal::float4(_e76, 1.0);
+    float rim1a = metal::smoothstep(0.66, 0.72, wet_tone);
+    float pigment_s_rim = rim1a * _e49;
+    float rim2a = metal::smoothstep(0.29, 0.34, wet_tone);
+    float second_rim = rim2a * _e67;
+    float rims = metal::max(pigment_s_rim, second_rim);
+    float k3_ = rims * 0.34;
+    metal::float4 _e93 = color_mixed(second_on_the_first, second_on_the_first.xyz * _e64.xyz, k3_);
+    metal::float2 _e99 = look.viewport;
+    MarkPlace _e100 = mark_place_object(0.0, surface_1.anchor, surface_1.pixel, _e99);
     metal::float2 _e110 = look.viewport;
-    float _e111 = outer_contour(2.2, surface_1.normal, surface_1.view, _e110);
-    float _e113 = multiply(_e111, 0.7);
-    Color _e119 = mix_colors_normal(_e104, metal::float4(0.2902, 0.2588, 0.2824, 1.0), _e113);
-    Composite _e120 = premultiplied(_e119);
-    Color _e121 = output(_e120);
-    return _e121;
+    PaperGrain _e111 = paper_grain(0.5, _e100.place, _e100.stretch, 240.0, 0.6, 0.6, 0, _e110);
+    float _e113 = bounded(_e111.tone);
+    float settled_pigment = metal::mix(0.9, 1.03, _e113 - 0.0);
+    metal::float4 _e123 = bounded_vec4_(_e93 * metal::float4(metal::float3(settled_pigment), 1.0));
+    metal::float2 _e129 = look.viewport;
+    float _e130 = outer_contour(2.2, surface_1.normal, surface_1.view, _e129);
+    float soft = _e130 * 0.7;
+    metal::float4 _e133 = bounded_vec4_(_e123);
+    metal::float4 _e139 = mixed_vec4_(_e133, metal::float4(0.2902, 0.2588, 0.2824, 1.0), soft);
+    metal::float4 _e140 = finite_vec4_(_e139);
+    return _e140;
 }
 
 struct vs_mainInput {
-    metal::float3 position_1 [[attribute(0)]];
-    metal::float3 normal_2 [[attribute(1)]];
+    metal::float3 position_2 [[attribute(0)]];
+    metal::float3 normal_1 [[attribute(1)]];
 };
 struct vs_mainOutput {
     metal::float4 clip [[position]];
@@ -1296,7 +900,7 @@ vertex vs_mainOutput vs_main(
 , constant View& view_1 [[buffer(0)]]
 , constant Object& object [[buffer(1)]]
 ) {
-    const Vertex vertex_ = { varyings.position_1, varyings.normal_2 };
+    const Vertex vertex_ = { varyings.position_2, varyings.normal_1 };
     Varyings out = {};
     metal::float4x4 _e3 = object.world_from_object;
     metal::float4 world = _e3 * metal::float4(vertex_.position, 1.0);
@@ -1313,9 +917,9 @@ vertex vs_mainOutput vs_main(
 
 
 struct fs_mainInput {
-    metal::float3 position_1 [[user(loc0), center_perspective]];
+    metal::float3 position_2 [[user(loc0), center_perspective]];
     metal::float3 position_object [[user(loc1), center_perspective]];
-    metal::float3 normal_2 [[user(loc2), center_perspective]];
+    metal::float3 normal_1 [[user(loc2), center_perspective]];
 };
 struct fs_mainOutput {
     metal::float4 member_1 [[color(0)]];
@@ -1328,31 +932,28 @@ fragment fs_mainOutput fs_main(
 , constant Object& object [[buffer(1)]]
 , constant Look& look [[buffer(2)]]
 ) {
-    const Varyings in = { clip, varyings_1.position_1, varyings_1.position_object, varyings_1.normal_2 };
+    const Varyings in = { clip, varyings_1.position_2, varyings_1.position_object, varyings_1.normal_1 };
     Surface surface = {};
-    metal::float3 _e7 = normalize_or(in.normal, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 normal_2 = is_front ? _e7 : -(_e7);
-    surface.normal = normal_2;
-    metal::float4 _e15 = view_1.eye;
-    float _e20 = view_1.eye.w;
-    metal::float4 _e26 = view_1.eye;
-    metal::float3 _e32 = normalize_or(_e26.xyz, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 _e33 = normalize_or(_e15.xyz - (_e20 * in.position), _e32);
-    surface.view = _e33;
+    metal::float3 _e3 = normalize_seen(in.normal);
+    metal::float3 normal_1 = is_front ? _e3 : -(_e3);
+    surface.normal = normal_1;
+    metal::float4 _e11 = view_1.eye;
+    float _e16 = view_1.eye.w;
+    surface.view = metal::normalize(_e11.xyz - (_e16 * in.position));
     surface.position_object = in.position_object;
-    metal::float4 _e41 = view_1.screen;
-    metal::float4 _e46 = view_1.screen;
-    surface.pixel = (in.clip.xy * _e41.xy) + _e46.zw;
-    metal::float4x4 _e52 = view_1.camera_from_world;
-    metal::float4 _e56 = object.world_from_object[3];
-    float _e65 = view_1.eye.w;
-    float _e70 = view_1.clip_from_world[0].y;
-    float _e75 = view_1.clip_from_world[1].y;
-    float _e80 = view_1.clip_from_world[2].y;
-    metal::float3 _e83 = anchor_on_screen((_e52 * metal::float4(_e56.xyz, 1.0)).xyz, _e65, metal::length(metal::float3(_e70, _e75, _e80)));
-    surface.anchor = _e83;
-    Surface _e84 = surface;
-    metal::float4 _e85 = shade(_e84, look);
-    metal::float4 _e86 = finite_vec4_(_e85);
-    return fs_mainOutput { _e86 };
+    metal::float4 _e28 = view_1.screen;
+    metal::float4 _e33 = view_1.screen;
+    surface.pixel = (in.clip.xy * _e28.xy) + _e33.zw;
+    metal::float4x4 _e39 = view_1.camera_from_world;
+    metal::float4 _e43 = object.world_from_object[3];
+    float _e52 = view_1.eye.w;
+    float _e57 = view_1.clip_from_world[0].y;
+    float _e62 = view_1.clip_from_world[1].y;
+    float _e67 = view_1.clip_from_world[2].y;
+    metal::float3 _e70 = anchor_on_screen((_e39 * metal::float4(_e43.xyz, 1.0)).xyz, _e52, metal::length(metal::float3(_e57, _e62, _e67)));
+    surface.anchor = _e70;
+    Surface _e71 = surface;
+    metal::float4 _e72 = shade(_e71, look);
+    metal::float4 _e73 = finite_vec4_(_e72);
+    return fs_mainOutput { _e73 };
 }

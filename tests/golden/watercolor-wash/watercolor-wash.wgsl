@@ -43,9 +43,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// A light as it arrives at a point of the surface.
 struct Light {
     /// Unit, toward the light, in world space.
@@ -72,94 +69,36 @@ struct Ramp {
     interpolation: u32,
 }
 
-const HALF_PI: f32 = 1.57079632679489661923;
-const LN_2: f32 = 0.693147180559945309417;
-const LOG2_E: f32 = 1.44269504088896340736;
-/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
-/// never happens.
-fn is_finite(x: f32) -> bool {
-    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
-}
-
-/// x, or `otherwise` where x is NaN or infinite.
-fn finite_or(x: f32, otherwise: f32) -> f32 {
-    return select(otherwise, x, is_finite(x));
-}
-
-/// v with 0 for each component that is NaN or infinite.
-fn finite_vec3(v: vec3f) -> vec3f {
-    return vec3f(finite_or(v.x, 0.0), finite_or(v.y, 0.0), finite_or(v.z, 0.0));
-}
-
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
-    return vec4f(finite_vec3(v.xyz), finite_or(v.w, 0.0));
+    let exponent = vec4u(0x7f800000u);
+    return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !(largest > 1e-30 && largest < 1e30) {
-        return otherwise;
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    // max() passes over a NaN.
-    if !is_finite(square) {
-        return otherwise;
-    }
-    return scaled * (1.0 / sqrt(square));
-}
-
-/// 2^n for n in [-126, 127], by its bits.
-fn power_of_two(n: i32) -> f32 {
-    return bitcast<f32>(u32(n + 127) << 23u);
-}
-
-/// ln(x) for normal x > 0: the exponent by bits, the mantissa by the series of atanh (relative
-/// error below 1e-7).
-fn log_stable(x: f32) -> f32 {
+/// log2(x) for normal x > 0: the exponent by bits, the mantissa by a minimax polynomial in
+/// (m - 1) / (m + 1) (relative error below 1e-9 beside rounding).
+fn log2_stable(x: f32) -> f32 {
     let bits = bitcast<u32>(x);
-    // Mantissa in [sqrt(1/2), sqrt(2)), so that the series argument stays below 0.1716.
-    let shift = i32((bits - 0x3f3504f3u) >> 23u);
-    let exponent = select(shift, shift - 512, shift >= 256);
-    let mantissa = bitcast<f32>(bits - (u32(exponent) << 23u));
+    // Mantissa in [sqrt(1/2), sqrt(2)), so that z stays below 0.1716. The sign bit moves down.
+    let exponent = bitcast<i32>(bits - 0x3f3504f3u) >> 23u;
+    let mantissa = bitcast<f32>(bits - (bitcast<u32>(exponent) << 23u));
     let z = (mantissa - 1.0) / (mantissa + 1.0);
     let z2 = z * z;
-    let series = 2.0 * z * (1.0 + z2 * (0.333333333333333333
-        + z2 * (0.2 + z2 * (0.142857142857142857 + z2 * 0.111111111111111111))));
-    return f32(exponent) * LN_2 + series;
+    return f32(exponent) + z * (2.8853900797881615 + z2 * (0.9617988482912865
+        + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// sin(x) and cos(x) for |x| <= pi/2: polynomials (absolute error below 2e-7), because WGSL allows
-/// 4.9e-4.
-fn sin_cos_quarter(x: f32) -> vec2f {
-    // x is halved to |h| <= pi/4, where short series suffice, and the result doubled. The series
-    // are long enough for f64 to see sines by 1e-11, and end where they err downward: a profile
-    // whose cut-off is pi is 0 there, in f64 too.
-    let h = 0.5 * x;
-    let h2 = h * h;
-    let s = h * (1.0 + h2 * (-0.166666666666666667
-        + h2 * (0.00833333333333333333 + h2 * (-0.000198412698412698413
-        + h2 * (0.00000275573192239858907 + h2 * -2.50521083854417188e-8)))));
-    let one_minus_c = h2 * (0.5 + h2 * (-0.0416666666666666667
-        + h2 * (0.00138888888888888889 + h2 * (-0.0000248015873015873016
-        + h2 * (2.75573192239858907e-7 + h2 * -2.08767569878680990e-9)))));
-    let c = 1.0 - one_minus_c;
-    return vec2f(2.0 * s * c, 1.0 - 2.0 * s * s);
+/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// counts as having no direction.
+fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
+    let square = dot(v, v);
+    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// sin(x) and cos(x) for any finite x with |x| < 1e5; [`sin_cos_quarter`] after reduction to a
-/// quarter turn.
-fn sin_cos(x: f32) -> vec2f {
-    let turns = round(x * 0.318309886183790672);
-    // Cody and Waite: pi in three parts, so that the reduced angle keeps its digits.
-    let r = ((x - turns * 3.140625) - turns * 0.0009670257568359375)
-        - turns * 6.27832957300962643e-7;
-    let sign = 1.0 - 2.0 * abs(turns - 2.0 * trunc(turns * 0.5));
-    return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// toward the eye. One shorter than 1e-15 points along z.
+fn normalize_seen(v: vec3f) -> vec3f {
+    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
 }
 
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
@@ -174,17 +113,29 @@ fn bounded(x: f32) -> f32 {
 
 /// [`bounded`], component by component.
 fn bounded_vec2(v: vec2f) -> vec2f {
-    return vec2f(bounded(v.x), bounded(v.y));
+    let bits = bitcast<vec2u>(v);
+    let magnitude = bits & vec2u(0x7fffffffu);
+    let largest = bitcast<vec2f>((bits & vec2u(0x80000000u)) | vec2u(0x7f7fffffu));
+    let numbers = select(vec2f(0.0), largest, magnitude == vec2u(0x7f800000u));
+    return select(numbers, v, magnitude < vec2u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
 fn bounded_vec3(v: vec3f) -> vec3f {
-    return vec3f(bounded(v.x), bounded(v.y), bounded(v.z));
+    let bits = bitcast<vec3u>(v);
+    let magnitude = bits & vec3u(0x7fffffffu);
+    let largest = bitcast<vec3f>((bits & vec3u(0x80000000u)) | vec3u(0x7f7fffffu));
+    let numbers = select(vec3f(0.0), largest, magnitude == vec3u(0x7f800000u));
+    return select(numbers, v, magnitude < vec3u(0x7f800000u));
 }
 
 /// [`bounded`], component by component.
 fn bounded_vec4(v: vec4f) -> vec4f {
-    return vec4f(bounded(v.x), bounded(v.y), bounded(v.z), bounded(v.w));
+    let bits = bitcast<vec4u>(v);
+    let magnitude = bits & vec4u(0x7fffffffu);
+    let largest = bitcast<vec4f>((bits & vec4u(0x80000000u)) | vec4u(0x7f7fffffu));
+    let numbers = select(vec4f(0.0), largest, magnitude == vec4u(0x7f800000u));
+    return select(numbers, v, magnitude < vec4u(0x7f800000u));
 }
 
 /// a / b; 0 where b is 0.
@@ -195,62 +146,35 @@ fn divided(a: f32, b: f32) -> f32 {
     return bounded(a / b);
 }
 
-/// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
-fn mixed(a: f32, b: f32, t: f32) -> f32 {
-    let d = bounded(b - a);
-    return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
+/// [`mixed`], component by component.
+fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
+    let d = bounded_vec3(b - a);
+    return bounded_vec3(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    return vec3f(mixed(a.x, b.x, t), mixed(a.y, b.y, t), mixed(a.z, b.z, t));
+fn mixed_vec3_2(a: vec3f, b: vec3f, t: f32) -> vec3f {
+    let d = b - a;
+    return bounded_vec3(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
 fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
-    return vec4f(mixed_vec3(a.xyz, b.xyz, t), mixed(a.w, b.w, t));
-}
-
-/// Place of x between low (0) and high (1), not clamped. Where low and high are the same: 0 below,
-/// 1 from there on.
-fn place_between(x: f32, low: f32, high: f32) -> f32 {
-    let span = high - low;
-    if abs(span) < SMALLEST_NORMAL {
-        return select(0.0, 1.0, x >= high);
-    }
-    return bounded((x - low) / bounded(span));
-}
-
-/// x moved from one range to another, kept within the new one when `clamped`; an empty first range
-/// makes a step.
-fn remapped(x: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    let place = place_between(bounded(x), bounded(from_low), bounded(from_high));
-    return mixed(bounded(to_low), bounded(to_high), select(place, clamp(place, 0.0, 1.0), clamped));
+    let d = bounded_vec4(b - a);
+    return bounded_vec4(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(place_between(bounded(x), bounded(low), bounded(high)), 0.0, 1.0);
+    let t = clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
-}
-
-/// A factor as it is, or kept within 0 and 1 when `clamped`.
-fn factor_of(x: f32, clamped: bool) -> f32 {
-    return select(bounded(x), clamp(bounded(x), 0.0, 1.0), clamped);
-}
-
-/// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
-/// result lies in [-1, 1].
-fn sin_cos_of(x: f32) -> vec2f {
-    return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }
 
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
-    return bounded(sqrt(dot(d, d)));
+    return sqrt(dot(d, d));
 }
 
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
@@ -258,26 +182,15 @@ fn footprint_of(x: f32) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
-}
-
-/// Step at an edge: 0 below it and 1 from it on, averaged over a footprint of `w`.
-fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
-    let d = bounded(x - edge);
-    if w < 1e-30 {
-        return select(0.0, 1.0, d >= 0.0);
-    }
-    return clamp(0.5 + bounded(d / w), 0.0, 1.0);
+    return sqrt(max(dot(dx, dx), dot(dy, dy)));
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
 fn color_mixed(a: vec4f, blended: vec3f, factor: f32) -> vec4f {
-    return vec4f(mixed_vec3(bounded_vec3(a.xyz), bounded_vec3(blended), factor_of(factor, true)),
-        bounded(a.w));
+    let a_2 = bounded_vec3(a.xyz);
+    return vec4f(bounded_vec3(a_2 + factor * bounded_vec3(bounded_vec3(blended) - a_2)), 1.0);
 }
 
-const INTERPOLATION_SMOOTH: u32 = 1u;
-const INTERPOLATION_STEPPED: u32 = 2u;
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
 /// t.
 fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
@@ -288,42 +201,34 @@ fn hermite(a: vec4f, b: vec4f, from_a: vec4f, to_b: vec4f, t: f32) -> vec4f {
 /// The ramp's color at x; the steps of a stepped ramp are averaged over a footprint of `w`.
 /// Transparent black for a ramp without stops.
 fn ramp_at(ramp: Ramp, x: f32, w: f32) -> Color {
-    let count = min(ramp.count, 16u);
-    if count == 0u {
-        return vec4f(0.0);
-    }
     var colors = ramp.colors;
     var places = ramp.places;
-    if ramp.interpolation == INTERPOLATION_STEPPED {
-        var color = colors[0];
-        for (var i = 1u; i < count; i++) {
-            color += (colors[i] - colors[i - 1u]) * step_filtered(x, places[i / 4u][i % 4u], w);
-        }
-        return bounded_vec4(color);
-    }
+    var i_2 = 1u;
     var at = 0u;
-    for (var i = 1u; i < count; i++) {
-        at = select(at, i, places[i / 4u][i % 4u] <= x);
+    loop {
+        if !(i_2 < 4u) {
+            break;
+        }
+        at = select(at, i_2, places[0u][i_2 % 4u] <= x);
+        continuing {
+            i_2 = i_2 + 1u;
+        }
     }
-    let place = places[at / 4u][at % 4u];
-    if at + 1u >= count || x <= place {
-        return bounded_vec4(colors[at]);
+    let place = places[0u][at % 4u];
+    if (at + 1u >= 4u) | (x <= place) {
+        return colors[at];
     }
     let after = at + 1u;
     let span = places[after / 4u][after % 4u] - place;
     let t = clamp(divided(x - place, span), 0.0, 1.0);
-    if ramp.interpolation != INTERPOLATION_SMOOTH {
-        return mixed_vec4(colors[at], colors[after], t);
-    }
-    // Slopes are 0 at the first and the last stop, because the ramp is flat outside of them.
     var from_a = vec4f(0.0);
-    var to_b = vec4f(0.0);
     if at > 0u {
         let before = places[(at - 1u) / 4u][(at - 1u) % 4u];
         from_a = ramp_slope(colors[at] - colors[at - 1u], place - before, colors[after]
             - colors[at], span);
     }
-    if after + 1u < count {
+    var to_b = vec4f(0.0);
+    if after + 1u < 4u {
         let next = places[(after + 1u) / 4u][(after + 1u) % 4u] - (place + span);
         to_b = ramp_slope(colors[after] - colors[at], span, colors[after + 1u] - colors[after],
             next);
@@ -356,61 +261,16 @@ fn harmonic_slope(before: f32, span_before: f32, after: f32, span_after: f32) ->
     return divided(weight_before + weight_after, weight_before / before + weight_after / after);
 }
 
-/// Premultiplied RGBA of a straight color.
-fn premultiplied(color: Color) -> Composite {
-    return vec4f(color.xyz * color.w, color.w);
-}
-
-/// Straight RGBA of a premultiplied color. Where nothing covers the pixel the color is kept as it
-/// is, so that light added over transparency is not lost.
-fn straight(composite: Composite) -> Color {
-    if composite.w <= 0.0 {
-        return composite;
-    }
-    return vec4f(composite.xyz / composite.w, composite.w);
-}
-
-/// Mix colors
-///
-/// Lays one color on another as paint programs do. For a stack of shading layers take Blend, which
-/// knows tones and transparency.
-fn mix_colors_normal(a: Color, b: Color, factor: f32) -> Color {
-    return mixed_vec4(bounded_vec4(a), bounded_vec4(b), factor_of(factor, true));
-}
-
 fn mix_colors_multiply(a: Color, b: Color, factor: f32) -> Color {
-    return color_mixed(a, a.xyz * b.xyz, factor);
+    return vec4f(mixed_vec3_2(a.xyz, a.xyz * b.xyz, factor), 1.0);
 }
 
-/// Combine tones
-///
-/// Cuts, joins and crosses shapes of light, as one does with shapes in a drawing program.
-fn combine_tones_union(a: f32, b: f32) -> f32 {
-    return max(factor_of(a, true), factor_of(b, true));
-}
-
-/// Output
-///
-/// What the look shows: straight RGBA. Whatever a custom node lets through that is no number
-/// becomes black here.
-fn output(color: Composite) -> Color {
-    return finite_vec4(straight(color));
-}
-
-/// Color ramp
-///
-/// Turns a number into a color along a ramp: a tone into paint. Before the first stop and after
-/// the last one the color stays; the edges of a stepped ramp are antialiased.
-fn ramp_plain(value: f32, ramp: Ramp) -> Color {
-    let w = footprint_of(value);
-    return ramp_at(ramp, bounded(value), w);
+fn mix_colors_multiply_2(a: Color, b: Color, factor: f32) -> Color {
+    let blended = a.xyz * b.xyz;
+    return vec4f(blended - 0.25 * bounded_vec3(blended - bounded_vec3(a.xyz)), bounded(a.w));
 }
 
 const NOISE_PERLIN: u32 = 1u;
-const NOISE_SIMPLEX: u32 = 2u;
-const NOISE_WORLEY: u32 = 3u;
-const SIMPLEX_SCALE: f32 = 38.4553;
-const WORLEY_MEAN: f32 = 0.5205;
 /// Three random 32-bit numbers for every triple of them (PCG3D: Jarzynski and Olano 2020). Its
 /// upper bits are the best.
 fn hash_pcg3d(seed: vec3u) -> vec3u {
@@ -423,11 +283,6 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
     v.y += v.z * v.x;
     v.z += v.x * v.y;
     return v;
-}
-
-/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
-fn unit_of_hash(hash: vec3u) -> vec3f {
-    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
 }
 
 /// The hash of a lattice point.
@@ -449,20 +304,6 @@ fn fade_quintic(t: vec3f) -> vec3f {
     return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 }
 
-/// Value noise: random numbers at lattice points, smooth between them.
-fn value_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p);
-    let f = fade_quintic(p - corner);
-    let cell = vec3i(corner);
-    var sum = 0.0;
-    for (var i = 0; i < 8; i++) {
-        let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
-        let weight = select(1.0 - f, f, at == vec3i(1));
-        sum += weight.x * weight.y * weight.z * unit_of_hash(lattice_hash(cell + at, seed)).x;
-    }
-    return sum;
-}
-
 /// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
 fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
@@ -480,90 +321,91 @@ fn perlin_noise(p: vec3f, seed: u32) -> f32 {
     return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
-/// Gradient noise on a lattice of tetrahedra (Perlin 2001), with fewer visible axes than the
-/// cube's.
-fn simplex_noise(p: vec3f, seed: u32) -> f32 {
-    let corner = floor(p + (p.x + p.y + p.z) / 3.0);
-    let d = p - corner + (corner.x + corner.y + corner.z) / 6.0;
-    // The tetrahedron's corners follow the order of the components.
-    let is_first = vec3<bool>(d.x >= d.y, d.y >= d.z, d.z > d.x);
-    let g = select(vec3f(0.0), vec3f(1.0), is_first);
-    let l = 1.0 - g;
-    let second = min(g, l.zxy);
-    let third = max(g, l.zxy);
-    let cell = vec3i(corner);
-    var sum = simplex_corner(d, lattice_hash(cell, seed));
-    sum += simplex_corner(d - second + 1.0 / 6.0, lattice_hash(cell + vec3i(second), seed));
-    sum += simplex_corner(d - third + 1.0 / 3.0, lattice_hash(cell + vec3i(third), seed));
-    sum += simplex_corner(d - 0.5, lattice_hash(cell + vec3i(1), seed));
-    return clamp(0.5 + SIMPLEX_SCALE * sum, 0.0, 1.0);
-}
-
-/// Contribution of one corner of a tetrahedron at the offset d from it.
-fn simplex_corner(d: vec3f, hash: vec3u) -> f32 {
-    let t = max(0.5 - dot(d, d), 0.0);
-    return t * t * t * t * gradient_dot(hash, d);
-}
-
-/// The distance to the nearest of one random point per cell (Worley 1996), at most 1.
-fn worley_noise(p: vec3f, seed: u32) -> f32 {
+/// Improved gradient noise (Perlin 2002), 1/2 on the lattice.
+fn perlin_noise_2(p: vec3f, seed: u32) -> f32 {
     let corner = floor(p);
     let d = p - corner;
+    let f = d * d * d * (d * (d * 6.0 - 15.0) + 10.0);
     let cell = vec3i(corner);
-    // Beyond the neighbors every point is at least 1 away.
-    var nearest = 1.0;
-    for (var i = 0; i < 27; i++) {
-        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
-        let offset = vec3f(at) + unit_of_hash(lattice_hash(cell + at, seed)) - d;
-        nearest = min(nearest, dot(offset, offset));
-    }
-    return sqrt(nearest);
-}
-
-/// One octave of the noise of a kind, `NOISE_VALUE` to `NOISE_WORLEY`.
-fn noise_octave(kind: u32, p: vec3f, seed: u32) -> f32 {
-    switch kind {
-        case NOISE_PERLIN: {
-            return perlin_noise(p, seed);
+    var i = 0;
+    var sum = 0.0;
+    loop {
+        if !(i < 8) {
+            break;
         }
-        case NOISE_SIMPLEX: {
-            return simplex_noise(p, seed);
-        }
-        case NOISE_WORLEY: {
-            return worley_noise(p, seed);
-        }
-        default: {
-            return value_noise(p, seed);
+        let at = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
+        let weight = select(1.0 - f, f, at == vec3i(1));
+        sum = sum + weight.x * weight.y * 0.5 * gradient_dot(hash_pcg3d(bitcast<vec3u>(cell + at)
+            + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)), d - vec3f(at));
+        continuing {
+            i = i + 1;
         }
     }
+    return clamp(0.5 + 0.48244 * sum, 0.0, 1.0);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
 /// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
 /// fades to its average, so that distance does not make it flicker.
 fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
-    let mean = select(0.5, WORLEY_MEAN, kind == NOISE_WORLEY);
-    let gain = clamp(bounded(roughness), 0.0, 1.0);
-    var sum = 0.0;
-    var total = 0.0;
-    var strength = 1.0;
+    var octave: f32;
+    var i = 0;
     var frequency = 1.0;
-    for (var i = 0; i < clamp(octaves, 1, 8); i++) {
-        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
-        var octave = mean;
+    var strength = 1.0;
+    var total = 0.0;
+    var sum = 0.0;
+    loop {
+        if !(i < 2) {
+            break;
+        }
+        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        octave = 0.5;
         if visible > 0.0 {
-            // Octaves are taken from different places, so that their lattices do not meet at the
-            // origin. Beyond 2^22 a float has no digits left for what lies between lattice points.
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
                 vec3f(4194304.0));
-            octave = mix(mean, noise_octave(kind, place, bitcast<u32>(seed) + u32(i)), visible);
+            octave = mix(0.5, perlin_noise(place, 11u + u32(i)), visible);
         }
-        sum += strength * octave;
-        total += strength;
-        strength *= gain;
-        frequency *= 2.0;
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * 0.5;
+        frequency = frequency * 2.0;
+        continuing {
+            i = i + 1;
+        }
     }
-    return clamp(sum / total, 0.0, 1.0);
+    return min(sum / 1.5, 1.0);
+}
+
+/// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
+/// strong, weighed so that the sum stays in [0, 1]. An octave finer than the footprint `w` of p
+/// fades to its average, so that distance does not make it flicker.
+fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w: f32) -> f32 {
+    var octave: f32;
+    var i = 0;
+    var frequency = 1.0;
+    var strength = 1.0;
+    var total = 0.0;
+    var sum = 0.0;
+    loop {
+        if !(i < 4) {
+            break;
+        }
+        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        octave = 0.5;
+        if visible > 0.0 {
+            let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
+                vec3f(4194304.0));
+            octave = mix(0.5, perlin_noise(place, 0u + u32(i)), visible);
+        }
+        sum = sum + strength * octave;
+        total = total + strength;
+        strength = strength * roughness;
+        frequency = frequency * 2.0;
+        continuing {
+            i = i + 1;
+        }
+    }
+    return min(sum / total, 1.0);
 }
 
 /// Size on screen of a unit of the scene at a depth, in picture heights. `perspective` is 1 or 0;
@@ -599,13 +441,12 @@ struct StretchedPlace {
 /// A place whose coordinates change along the picture by the gradients `along` and `across`, turned
 /// by an angle in radians.
 fn mark_place_of(place: vec2f, along: vec3f, across: vec3f, angle: f32) -> StretchedPlace {
-    let turn = sin_cos_of(angle);
-    let x = bounded_vec3(turn.y * along + turn.x * across);
-    let y = bounded_vec3(turn.y * across - turn.x * along);
+    let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
+    let x = turn.y * along + turn.x * across;
+    let y = turn.y * across - turn.x * along;
     let at = bounded_vec2(place);
     let turned = vec2f(turn.y * at.x + turn.x * at.y, turn.y * at.y - turn.x * at.x);
-    let most = vec3f(1e15);
-    let stretch = clamp(vec3f(dot(x, x), dot(x, y), dot(y, y)), -most, most);
+    let stretch = vec3f(dot(x, x), dot(x, y), dot(y, y));
     return StretchedPlace(bounded_vec2(turned), stretch);
 }
 
@@ -618,13 +459,10 @@ struct SpacedPlace {
 /// The place in spacings, `count` of them to the picture's height where it is not stretched. A
 /// place without a stretch is one in pixels.
 fn spaced(place: vec2f, stretch: vec3f, viewport: vec2f, count: f32) -> SpacedPlace {
-    let number = clamp(bounded(count), 0.0, 1e5);
     let is_pixel = !(stretch.x + stretch.z > 0.0);
-    let scale = select(number, number / max(viewport.y, 1.0), is_pixel);
-    // Beyond 2^22 a float has nothing left between whole numbers.
+    let scale = select(240.0, 240.0 / max(viewport.y, 1.0), is_pixel);
     let p = clamp(bounded_vec2(bounded_vec2(place) * scale), vec2f(-4194304.0), vec2f(4194304.0));
-    let s = clamp(bounded_vec3(stretch), vec3f(-1e15), vec3f(1e15));
-    return SpacedPlace(p, select(s, vec3f(1.0, 0.0, 1.0), is_pixel));
+    return SpacedPlace(p, select(stretch, vec3f(1.0, 0.0, 1.0), is_pixel));
 }
 
 /// Square of the rate at which a place's area grows with the picture's. A place that is drawn out
@@ -635,16 +473,10 @@ fn area_square(stretch: vec3f) -> f32 {
     return max(stretch.x * stretch.z - stretch.y * stretch.y, sum * sum / 66.0);
 }
 
-/// Octave of the marks at a place: log2 of how many times finer than the place's own units they
-/// must lie, for a squared stretch; within +-16.
-fn octave_of(square: f32) -> f32 {
-    return clamp(-0.5 * LOG2_E * log_stable(clamp(square, 1e-30, 1e30)), -16.0, 16.0);
-}
-
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.0);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -655,29 +487,18 @@ struct MarkPlace {
     stretch: vec3f,
 }
 
-/// Ink that the tooth of paper takes: more on its heights and less in its hollows, most so at
-/// middle tones, and none of no ink (Kalnins et al. 2002). `height` is from 0 to 1, `tooth` from 0
-/// (smooth paper) to 1.
-fn caught_ink(ink: f32, height: f32, tooth: f32) -> f32 {
-    let amount = clamp(bounded(ink), 0.0, 1.0);
-    let rough = clamp(bounded(tooth), 0.0, 1.0);
-    return clamp(amount + 8.0 * rough * (height - 0.5) * amount * (1.0 - amount), 0.0, 1.0);
-}
-
 /// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
 /// octaves are seen.
 fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
     let x = dpdx(at.place);
     let y = dpdy(at.place);
-    let w = bounded(sqrt(max(dot(x, x), dot(y, y))));
-    let level = octave_of(sqrt(area_square(at.stretch)));
+    let w = sqrt(max(dot(x, x), dot(y, y)));
+    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
-    let fine = clamp(bounded(fiber), 0.0, 1.0);
-    var height = paper_octave(at.place, i32(zoom), w, fine, seed);
+    var height = paper_octave(at.place, i32(zoom), w, fiber, 0u);
     if f > 0.0 {
-        // Two octaves in one are flatter than each: the contrast that they lose is given back.
-        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fine, seed), f);
+        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fiber, 0u), f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
@@ -685,16 +506,15 @@ fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
 
 /// The height of paper in one octave; paper finer than a pixel is flat.
 fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
-    let scale = power_of_two(zoom);
+    let scale = bitcast<f32>(u32(zoom + 127) << 23u);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let own = seed + 7u * bitcast<u32>(zoom);
-    let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
-    // The felt that the sheet was pressed on: finer, turned, and long in no direction.
+    let own = 0u + 7u * bitcast<u32>(zoom);
+    let grain = perlin_noise_2(vec3f(p, 0.5), own) - 0.5;
     let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
         vec2f(4194304.0));
-    let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
-    let coarse_seen = 1.0 - eased(w * scale, 0.5, 1.0);
-    let felt_seen = 1.0 - eased(2.7 * w * scale, 0.5, 1.0);
+    let felt = perlin_noise_2(vec3f(q, 0.5), own + 1u) - 0.5;
+    let coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
+    let felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
     return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
@@ -703,18 +523,11 @@ fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
 /// The tooth of paper: heights catch more ink than hollows, most at middle tones, as chalk,
 /// charcoal and a dry wash do. It lies on the picture; with Mark place's Object it moves along with
 /// an object and does not swim through it.
-fn paper_grain(
-    value: f32,
-    place: vec2f,
-    stretch: vec3f,
-    count: f32,
-    tooth: f32,
-    fiber: f32,
-    seed: i32,
-    viewport: vec2f,
-) -> PaperGrain {
-    let height = paper_height(spaced(place, stretch, viewport, count), fiber, bitcast<u32>(seed));
-    return PaperGrain(1.0 - caught_ink(1.0 - factor_of(value, true), height, tooth), height);
+fn paper_grain(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
+    seed: i32, viewport: vec2f) -> PaperGrain {
+    let height = paper_height(spaced(place, stretch, viewport, 240.0), fiber, 0u);
+    return PaperGrain(1.0 - clamp(0.5 + 8.0 * tooth * (height - 0.5) * 0.5 * 0.5, 0.0, 1.0),
+        height);
 }
 
 struct PaperGrain {
@@ -724,70 +537,26 @@ struct PaperGrain {
     height: f32,
 }
 
-fn reflectance_wrap(light: Light, normal: vec3f, wrap: f32) -> f32 {
-    let w = clamp(bounded(wrap), 0.0, 1.0);
-    let cosine = dot(normalize_or(normal, vec3f(0.0, 0.0, 1.0)), light.direction);
-    return max((cosine + w) / (1.0 + w), 0.0);
-}
-
-/// Add
-///
-/// The sum of two numbers, vectors or colors. A color keeps the alpha of A.
-fn add(a: f32, b: f32) -> f32 {
-    return bounded(a + b);
-}
-
-/// Map range
-///
-/// Moves numbers from one range to another: depth to fog, curvature to a mask. Where the first
-/// range is empty, all that is below it becomes the new low and the rest the new high. A color
-/// keeps its alpha, within 0 and 1 while clamped.
-fn map_range(value: f32, from_low: f32, from_high: f32, to_low: f32, to_high: f32,
-    clamped: bool) -> f32 {
-    return remapped(value, from_low, from_high, to_low, to_high, clamped);
-}
-
-/// Multiply
-///
-/// The product of two numbers, vectors or colors, component by component: scales, masks and tints.
-fn multiply(a: f32, b: f32) -> f32 {
-    return bounded(a * b);
-}
-
-fn multiply_color(a: Color, b: Color) -> Color {
-    return bounded_vec4(a * b);
-}
-
-/// Smooth step
-///
-/// Eases from 0 to 1 between two numbers, slowly at both ends. With low above high it eases from 1
-/// to 0; where both are the same it is a step.
-fn smooth_step_value(value: f32, low: f32, high: f32) -> f32 {
-    return eased(value, low, high);
-}
-
-/// Share of a pixel that a line covers which is `width` pixels wide and `distance` pixels away.
-fn line_covers(distance: f32, width: f32) -> f32 {
-    return clamp(width + 0.5 - distance, 0.0, min(width, 1.0));
-}
-
 /// Outer contour
 ///
 /// The line where the surface turns out of sight, of the same width everywhere: ink around round
 /// forms. It is drawn on the surface itself, so edges that are sharp have none.
 fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32 {
-    let facing = clamp(dot(normalize_or(normal, vec3f(0.0)), view), 0.0, 1.0);
-    let pixels = clamp(bounded(width), 0.0, 1e4) * clamp(viewport.y, 1.0, 1e5) / 1000.0;
-    // Near an outline of anything round n . v goes like the square root of the distance.
+    let facing = clamp(dot(normal, view), 0.0, 1.0);
+    let pixels = width * clamp(viewport.y, 1.0, 1e5) / 1000.0;
     let distance = facing / max(2.0 * footprint_of(facing), 1e-6);
-    // A crease changes as fast, but far from the outline.
-    let near = 1.0 - eased(facing, 0.45, 0.75);
-    return line_covers(distance, pixels) * near;
+    let near = 1.0 - smoothstep(0.45, 0.75, facing);
+    return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * near;
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = bounded_vec3(position * scale);
-    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
+    let p = position * 1.5;
+    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 11, footprint_of_vec3(p));
+}
+
+fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
+    let p = position * scale;
+    return fractal_noise_2(NOISE_PERLIN, p, 4, roughness, 0, footprint_of_vec3(p));
 }
 
 const two_pigments = Ramp(array(vec4f(0.1843, 0.4353, 0.5608, 1.0), vec4f(0.2471, 0.6039, 0.5255, 1.0), vec4f(0.7882, 0.6353, 0.2353, 1.0), vec4f(0.8471, 0.451, 0.3529, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.45, 0.75, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
@@ -795,36 +564,36 @@ const two_pigments = Ramp(array(vec4f(0.1843, 0.4353, 0.5608, 1.0), vec4f(0.2471
 /// The look at one point of the surface.
 fn shade(surface: Surface) -> vec4f {
     let drift = noise_perlin(surface.position_object, 1.5, 2i, 0.5, 11i);
-    let spread = map_range(drift, 0.32, 0.68, 0.0, 1.0, true);
-    let two_pigments_2 = ramp_plain(spread, two_pigments);
-    let shade_2 = reflectance_wrap(look.key, surface.normal, 0.45);
-    let tone = map_range(shade_2, 0.0, 0.85, 0.0, 1.0, true);
-    let water = noise_perlin(surface.position_object, 2.2, 4i, 0.55, 0i);
-    let how_far_it_runs = map_range(water, 0.0, 1.0, -0.24, 0.24, false);
-    let wet_tone = add(tone, how_far_it_runs);
-    let first_wash = smooth_step_value(wet_tone, 0.82, 0.7);
-    let k1 = multiply(first_wash, 0.62);
+    let spread = clamp((drift - 0.32) / (0.68 - 0.32), 0.0, 1.0);
+    let two_pigments_2 = ramp_at(two_pigments, spread, footprint_of(spread));
+    let shade_2 = max((dot(surface.normal, look.key.direction) + 0.45) / (1.0 + 0.45), 0.0);
+    let tone = min((shade_2 - 0.0) / (0.85 - 0.0), 1.0);
+    let water = noise_perlin_2(surface.position_object, 2.2, 4i, 0.55, 0i);
+    let how_far_it_runs = mix(-0.24, 0.24, water - 0.0);
+    let wet_tone = tone + how_far_it_runs;
+    let first_wash = eased(wet_tone, 0.82, 0.7);
+    let k1 = first_wash * 0.62;
     let wash_on_paper = mix_colors_multiply(vec4f(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
-    let deeper = mix_colors_multiply(two_pigments_2, vec4f(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    let second_wash = smooth_step_value(wet_tone, 0.42, 0.34);
-    let k2 = multiply(second_wash, 0.6);
-    let second_on_the_first = mix_colors_multiply(wash_on_paper, deeper, k2);
-    let rim1a = smooth_step_value(wet_tone, 0.66, 0.72);
-    let pigment_s_rim = multiply(rim1a, first_wash);
-    let rim2a = smooth_step_value(wet_tone, 0.29, 0.34);
-    let second_rim = multiply(rim2a, second_wash);
-    let rims = combine_tones_union(pigment_s_rim, second_rim);
-    let k3 = multiply(rims, 0.34);
-    let rims_2 = mix_colors_multiply(second_on_the_first, deeper, k3);
+    let deeper = mix_colors_multiply_2(two_pigments_2, vec4f(0.3529, 0.3098, 0.5255, 1.0), 0.75);
+    let second_wash = eased(wet_tone, 0.42, 0.34);
+    let k2 = second_wash * 0.6;
+    let second_on_the_first = vec4f(mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
+    let rim1a = smoothstep(0.66, 0.72, wet_tone);
+    let pigment_s_rim = rim1a * first_wash;
+    let rim2a = smoothstep(0.29, 0.34, wet_tone);
+    let second_rim = rim2a * second_wash;
+    let rims = max(pigment_s_rim, second_rim);
+    let k3 = rims * 0.34;
+    let rims_2 = color_mixed(second_on_the_first, second_on_the_first.xyz * deeper.xyz, k3);
     let sheet = mark_place_object(0.0, surface.anchor, surface.pixel, look.viewport);
     let paper = paper_grain(0.5, sheet.place, sheet.stretch, 240.0, 0.6, 0.6, 0i, look.viewport);
-    let settled_pigment = map_range(paper.tone, 0.0, 1.0, 0.9, 1.03, false);
-    let grain = multiply_color(rims_2, vec4f(vec3f(settled_pigment), 1.0));
+    let settled_pigment = mix(0.9, 1.03, bounded(paper.tone) - 0.0);
+    let grain = bounded_vec4(rims_2 * vec4f(vec3f(settled_pigment), 1.0));
     let pencil = outer_contour(2.2, surface.normal, surface.view, look.viewport);
-    let soft = multiply(pencil, 0.7);
-    let pencil_line = mix_colors_normal(grain, vec4f(0.2902, 0.2588, 0.2824, 1.0), soft);
-    let output_2 = output(premultiplied(pencil_line));
-    return output_2;
+    let soft = pencil * 0.7;
+    let pencil_line = mixed_vec4(bounded_vec4(grain), vec4f(0.2902, 0.2588, 0.2824, 1.0), soft);
+    let output = finite_vec4(pencil_line);
+    return output;
 }
 
 struct Vertex {
@@ -852,11 +621,11 @@ fn vs_main(vertex: Vertex) -> Varyings {
 
 @fragment
 fn fs_main(in: Varyings, @builtin(front_facing) is_front: bool) -> @location(0) vec4f {
-    let facing = normalize_or(in.normal, vec3f(0.0, 0.0, 1.0));
+    let facing = normalize_seen(in.normal);
     let normal = select(-facing, facing, is_front);
     var surface: Surface;
     surface.normal = normal;
-    surface.view = normalize_or(view.eye.xyz - view.eye.w * in.position, normalize_or(view.eye.xyz, vec3f(0.0, 0.0, 1.0)));
+    surface.view = normalize(view.eye.xyz - view.eye.w * in.position);
     surface.position_object = in.position_object;
     surface.pixel = in.clip.xy * view.screen.xy + view.screen.zw;
     surface.anchor = anchor_on_screen((view.camera_from_world * vec4f(object.world_from_object[3].xyz, 1.0)).xyz, view.eye.w, length(vec3f(view.clip_from_world[0].y, view.clip_from_world[1].y, view.clip_from_world[2].y)));

@@ -26,6 +26,7 @@ use naga::Handle;
 
 use super::intervals::{self, Ranges};
 use crate::document::Tier;
+use crate::interp::Literals;
 use crate::library::NodeModule;
 use crate::wgsl::ValidModule;
 
@@ -58,7 +59,7 @@ pub(super) enum CallForm {
 struct Scope<'m> {
     module: &'m NodeModule,
     valid: &'m ValidModule,
-    source: &'m str,
+    literals: &'m Literals,
 }
 
 /// A function that was written anew.
@@ -90,9 +91,8 @@ impl SpecializedFunctions {
         tier: Tier,
         arguments: &[Ranges],
     ) -> CallForm {
-        let Ok(valid) = module.valid(name) else { return CallForm::Original };
-        let source = module.source(name);
-        self.within(Scope { module, valid, source }, name, tier, arguments)
+        let Ok((valid, literals)) = module.read(name) else { return CallForm::Original };
+        self.within(Scope { module, valid, literals }, name, tier, arguments)
     }
 
     /// The function for arguments within these ranges, as a part of its module that naga has read.

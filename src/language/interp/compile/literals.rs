@@ -39,7 +39,7 @@ impl Literals {
     }
 
     /// The f64 in the text where naga read `single`; `None` if the text denotes another number.
-    pub(super) fn wide(&self, span: Span, single: f32) -> Option<f64> {
+    pub fn wide(&self, span: Span, single: f32) -> Option<f64> {
         let range = span.to_range()?;
         let mut text = self.source.get(range.clone())?;
         let rest = self.source.get(range.end..)?;

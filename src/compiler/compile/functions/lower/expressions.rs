@@ -142,8 +142,9 @@ impl FunctionWriter<'_> {
 
     /// A literal as the file has it, or what naga made of constants.
     fn literal(&self, handle: Handle<Expression>, literal: naga::Literal) -> WriteResult<Code> {
-        let span = self.function.expressions.get_span(handle).to_range();
-        let text = span.and_then(|span| self.scope.source.get(span)).unwrap_or_default();
+        let span = self.function.expressions.get_span(handle);
+        let source = self.scope.literals.source();
+        let text = span.to_range().and_then(|span| source.get(span)).unwrap_or_default();
         Ok(match literal {
             naga::Literal::F32(x) => {
                 let is_number = text.starts_with(|c: char| c.is_ascii_digit())
@@ -152,7 +153,9 @@ impl FunctionWriter<'_> {
                     let is_float = text.contains(['.', 'e', 'E']);
                     if is_float { text.to_owned() } else { format!("{text}.0") }
                 } else {
-                    float_literal(x.into())
+                    // What naga made of several, with all of its digits.
+                    let wide = self.scope.literals.wide(span, x);
+                    wide.map_or_else(|| float_literal(x.into()), |wide| format!("{wide:?}"))
                 };
                 // Only if it is the same number.
                 let same = written.parse::<f32>().is_ok_and(|read| read.to_bits() == x.to_bits());
