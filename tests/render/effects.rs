@@ -484,7 +484,7 @@ fn shaded(shader: &CompiledShader, surface: &HashMap<&str, Vec<f64>>) -> Vec<u32
 }
 
 #[test]
-fn every_kind_of_removal_changes_no_bit() {
+fn every_kind_of_removal_changes_last_digits_alone() {
     let library = Library::built_in();
     let (mesh, fitted) = shape("creature");
     let mut random = Random::new(81);
@@ -517,12 +517,13 @@ fn every_kind_of_removal_changes_no_bit() {
                 ("position", unit(&mut random)),
                 ("position_object", unit(&mut random)),
             ]);
-            assert_eq!(
-                shaded(&pruned, &surface),
-                shaded(&whole, &surface),
-                "{node}: {surface:?}\n{}",
-                pruned.wgsl
-            );
+            let [left, right] = [&pruned, &whole].map(|shader| shaded(shader, &surface));
+            let is_near = |(a, b): (&u32, &u32)| {
+                let [a, b] = [a, b].map(|bits| f32::from_bits(*bits));
+                (a - b).abs() <= 1e-6 * b.abs().max(1.0) || a.to_bits() == b.to_bits()
+            };
+            let is_same = left.len() == right.len() && left.iter().zip(&right).all(is_near);
+            assert!(is_same, "{node}: {surface:?}\n{left:?} {right:?}\n{}", pruned.wgsl);
         }
         // The GPU draws the same look whole if its values are live, which prunes nothing.
         let setup = scene_of(vec![(look, mesh.clone(), fitted)], Scene::default());

@@ -88,21 +88,6 @@ impl Code {
         }
     }
 
-    fn parts_mut(&mut self) -> Vec<&mut Self> {
-        match self {
-            Self::Text(..)
-            | Self::Argument(..)
-            | Self::Parameter(_)
-            | Self::Local(_)
-            | Self::Constant(_) => Vec::new(),
-            Self::Member(of, ..) | Self::Unary(_, of) => vec![of],
-            Self::Index(a, b) | Self::Binary(_, a, b) => vec![a, b],
-            Self::BuiltIn(_, parts) | Self::Struct(_, parts) | Self::Call(_, parts) => {
-                parts.iter_mut().collect()
-            }
-        }
-    }
-
     /// Calls `tell` with this expression and all within.
     pub(in crate::compile) fn each(&self, tell: &mut dyn FnMut(&Self)) {
         tell(self);
@@ -153,27 +138,37 @@ impl Code {
     /// The expression with arguments in place of parameters.
     #[must_use]
     pub(in crate::compile) fn with_arguments(&self, arguments: &[Self]) -> Self {
-        if let Self::Parameter(index) = self {
-            return arguments.get(*index).cloned().unwrap_or_else(|| self.clone());
-        }
-        let mut code = self.clone();
-        for part in code.parts_mut() {
-            *part = part.with_arguments(arguments);
-        }
-        code.simplified()
+        self.replaced(&|code| match code {
+            Self::Parameter(index) => arguments.get(*index).cloned(),
+            _ => None,
+        })
     }
 
     /// The expression with another in place of a variable.
     #[must_use]
     pub(super) fn with_local(&self, local: usize, value: &Self) -> Self {
-        if *self == Self::Local(local) {
-            return value.clone();
+        self.replaced(&|code| (*code == Self::Local(local)).then(|| value.clone()))
+    }
+
+    /// The expression with others in place of the leaves that `other` gives one for.
+    fn replaced(&self, other: &dyn Fn(&Self) -> Option<Self>) -> Self {
+        let one = |code: &Self| Box::new(code.replaced(other));
+        let all = |codes: &[Self]| codes.iter().map(|code| code.replaced(other)).collect();
+        match self {
+            Self::Text(..)
+            | Self::Argument(..)
+            | Self::Parameter(_)
+            | Self::Local(_)
+            | Self::Constant(_) => return other(self).unwrap_or_else(|| self.clone()),
+            Self::Member(of, name, width) => Self::Member(one(of), name.clone(), *width),
+            Self::Index(of, index) => Self::Index(one(of), one(index)),
+            Self::Unary(operator, of) => Self::Unary(operator, one(of)),
+            Self::Binary(operator, a, b) => Self::Binary(operator, one(a), one(b)),
+            Self::BuiltIn(name, parts) => Self::BuiltIn(name.clone(), all(parts)),
+            Self::Struct(name, parts) => Self::Struct(name.clone(), all(parts)),
+            Self::Call(callee, parts) => Self::Call(callee.clone(), all(parts)),
         }
-        let mut code = self.clone();
-        for part in code.parts_mut() {
-            *part = part.with_local(local, value);
-        }
-        code.simplified()
+        .simplified()
     }
 
     /// The expression where its parts have become something simpler: a vector put together from

@@ -128,6 +128,9 @@ fn collapsed(lines: Vec<Line>) -> Vec<Line> {
             return lines;
         }
         result = result.with_local(*index, value);
+        if result.size() > MOST_INLINED {
+            return lines;
+        }
     }
     if result.size() <= MOST_INLINED { vec![Line::Return(result)] } else { lines }
 }

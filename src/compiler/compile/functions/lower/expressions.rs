@@ -166,6 +166,7 @@ impl FunctionWriter<'_> {
                 let is_same = hex.is_some_and(|hex| u32::from_str_radix(hex, 16) == Ok(x));
                 Code::number(&if is_same { text.to_owned() } else { format!("{x}u") })
             }
+            naga::Literal::I32(x) if x < 0 => Code::number(&format!("{x}i")),
             naga::Literal::I32(x) => Code::number(&x.to_string()),
             naga::Literal::Bool(x) => Code::Text(x.to_string().into(), level::ATOM),
             _ => return Err(NotWritten),

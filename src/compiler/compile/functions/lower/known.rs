@@ -33,7 +33,7 @@ impl FunctionWriter<'_> {
         let one = |scalar: &Scalar, is_unsigned: bool| match scalar {
             Scalar::Float(x) => float_literal(*x),
             Scalar::I32(x) if is_unsigned => format!("{x}u"),
-            Scalar::I32(x) => x.to_string(),
+            Scalar::I32(x) => format!("{x}i"),
             Scalar::U32(x) => format!("{x}u"),
             Scalar::Bool(x) => x.to_string(),
         };

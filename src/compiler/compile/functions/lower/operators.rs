@@ -92,8 +92,9 @@ impl FunctionWriter<'_> {
             (None, Some(b)) if of_left => (left, b),
             _ => (left, right),
         };
+        let is_whole = scalar(left).is_none() && scalar(right).is_none();
         let (a, b) = (self.code(a)?, self.code(b)?);
-        let is_plain = is_arithmetic && of_left && of_right;
+        let is_plain = is_arithmetic && is_whole && of_left && of_right;
         let (a, b) = if is_plain { scalars_beside(a, b) } else { (a, b) };
         Ok(Code::Binary(operator, Box::new(a), Box::new(b)).simplified())
     }
