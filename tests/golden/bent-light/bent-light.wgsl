@@ -502,7 +502,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -534,7 +534,7 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -569,12 +569,12 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 3.5;
-    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 1, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 1i, footprint_of_vec3(p));
 }
 
 fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 3.5;
-    return fractal_noise_2(NOISE_PERLIN, p, 2, 0.5, 5, footprint_of_vec3(p));
+    return fractal_noise_2(NOISE_PERLIN, p, 2i, 0.5, 5i, footprint_of_vec3(p));
 }
 
 const lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);

@@ -294,7 +294,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -361,7 +361,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 3) {
+        if !(i < 3i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -571,7 +571,7 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
             0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
-        let turning = cell + vec2i(0, zoom * 7);
+        let turning = cell + vec2i(0i, zoom * 7);
         let turn = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u * (bitcast<u32>(turning.x)
             & 3u))) & 0xffu) + 0.5) * 0.00390625);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);
@@ -636,7 +636,7 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 4.0;
-    return fractal_noise(NOISE_PERLIN, p, 3, 0.5, 0, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 3i, 0.5, 0i, footprint_of_vec3(p));
 }
 
 struct VectorParts {

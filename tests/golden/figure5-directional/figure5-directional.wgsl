@@ -236,7 +236,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -251,7 +251,7 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -487,7 +487,7 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quarter(0.5 * clamp(shift, -3.1415927, PI)));
+    let warped = angle_turned(angle, sin_cos_quarter(0.5 * clamp(shift, -3.141592653589793, PI)));
     return profile_filtered_2(warped, angle_footprint_2(warped), shape);
 }
 
@@ -519,7 +519,7 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_blend = clamp(vec4f(fill_blend.xyz + (fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz - fill_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let back_light_color = look.back_light_color_concave + back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave);
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
-    let back_light_warp = (2.0 * back_light_convexity - 1.0) * clamp(look.back_light_warp_amount, -3.1415927, 3.14159265358979324);
+    let back_light_warp = (2.0 * back_light_convexity - 1.0) * clamp(look.back_light_warp_amount, -3.141592653589793, 3.14159265358979324);
     let back_light_tone = profile_2(back_light_angle, back_light_warp, look.back_light_tone_shape);
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
     let back_light_blend = blend_finish(diffuse_blend, diffuse_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0, back_light_lit.color.w, true);

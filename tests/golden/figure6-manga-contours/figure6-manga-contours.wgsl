@@ -166,7 +166,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -181,7 +181,7 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }

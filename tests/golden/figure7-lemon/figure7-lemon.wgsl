@@ -271,7 +271,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -587,7 +587,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -610,7 +610,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 14.0;
-    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 0, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
 }
 
 const flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);

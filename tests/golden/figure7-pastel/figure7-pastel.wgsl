@@ -260,7 +260,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -491,7 +491,7 @@ fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// Up to an offset of 90 degrees below the fall-off the curve has one inflection, at the fall-off;
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
-    let warped = angle_turned(angle, sin_cos_quarter(0.5 * clamp(shift, -3.1415927, PI)));
+    let warped = angle_turned(angle, sin_cos_quarter(0.5 * clamp(shift, -3.141592653589793, PI)));
     return profile_filtered(warped, angle_footprint(warped), shape);
 }
 
@@ -530,13 +530,13 @@ fn shade(surface: Surface) -> vec4f {
     let hollows_blend = blend_shade(vec4f(0.9137, 0.8627, 0.7765, 1.0), hollows_lit.color, hollows_lit.tone, 0.9, true);
     let shade_color = curvature_color(light_convexity, vec4f(0.7686, 0.4157, 0.2824, 1.0), vec4f(0.4863, 0.1765, 0.1216, 1.0));
     let shade_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5 * length(surface.normal + look.cool.direction));
-    let shade_warp = (2.0 * light_convexity - 1.0) * clamp(look.shade_warp_amount, -3.1415927, 3.14159265358979324);
+    let shade_warp = (2.0 * light_convexity - 1.0) * clamp(look.shade_warp_amount, -3.141592653589793, 3.14159265358979324);
     let shade_tone = profile(shade_angle, shade_warp, look.shade_tone_shape);
     let shade_lit = light_apply_2(look.cool, shade_color, shade_tone);
     let shade_blend = blend_finish(hollows_blend, hollows_blend.xyz * mix(vec3f(1.0), shade_lit.color.xyz, shade_lit.tone), 1.0, look.shade_blend_opacity, true);
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.9725, 0.9176, 1.0), vec4f(0.9098, 0.7059, 0.5686, 1.0));
     let light_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
-    let light_warp = (2.0 * light_convexity - 1.0) * clamp(look.light_warp_amount, -3.1415927, 3.14159265358979324);
+    let light_warp = (2.0 * light_convexity - 1.0) * clamp(look.light_warp_amount, -3.141592653589793, 3.14159265358979324);
     let light_tone = profile(light_angle, light_warp, look.light_tone_shape);
     let light_lit = light_apply_2(look.key, light_color, light_tone);
     let light_blend = blend_finish_2(shade_blend, shade_blend.xyz + light_lit.tone * (light_lit.color.xyz - shade_blend.xyz), 1.0 + light_lit.tone * look.light_blend_opacity * 0.0, look.light_blend_opacity, true);

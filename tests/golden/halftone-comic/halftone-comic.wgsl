@@ -267,7 +267,7 @@ fn dot_radius(share: f32) -> f32 {
         let turn = sin_cos_quarter(clamp(a, 0.0, 0.785398163397448310));
         let tangent = turn.x / turn.y;
         let square = 1.0 / (turn.y * turn.y);
-        let sector = 0.7853982 - a;
+        let sector = 0.7853981633974483 - a;
         let slope = 2.0 * sector * square * tangent;
         a = clamp(a - select(0.0, (sector * square + tangent - share) / slope, slope > 1e-3), 0.0,
             0.785398163397448310);

@@ -462,7 +462,7 @@ fn cross_hatched(at: SpacedPlace, ink: f32, layers: i32, cross: f32, style: Stro
         if !(i < 4) {
             break;
         }
-        if i < 3 {
+        if i < 3i {
             let turn = clamp(sin_cos(f32(i) * cross), vec2f(-1.0), vec2f(1.0));
             let along = vec2f(turn.y, turn.x);
             let across = vec2f(-turn.x, turn.y);
@@ -516,7 +516,7 @@ fn shade(surface: Surface) -> vec4f {
     let light_and_shade = max((dot(surface.normal, look.key.direction) + 0.35) / (1.0 + 0.35), 0.0);
     let tone_to_draw = mix(0.04, 1.0, min((light_and_shade - 0.0) / (0.85 - 0.0), 1.0));
     let around_the_light = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    let pen_strokes = cross_hatched(spaced(around_the_light.place, around_the_light.stretch, look.viewport, 120.0), 1.0 - min(tone_to_draw, 1.0), 3, 0.8, Strokes(0.42, 24.0, 0.6, 0.45, 0.25, 1.0, 4u));
+    let pen_strokes = cross_hatched(spaced(around_the_light.place, around_the_light.stretch, look.viewport, 120.0), 1.0 - min(tone_to_draw, 1.0), 3i, 0.8, Strokes(0.42, 24.0, 0.6, 0.45, 0.25, 1.0, 4u));
     let facing = clamp(dot(surface.normal, surface.view), 0.0, 1.0);
     let contour = eased(facing, 0.34, 0.2);
     let ink = max(pen_strokes, contour);

@@ -286,7 +286,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -329,7 +329,7 @@ fn thin_film(thickness: f32, index: f32, normal: vec3f, view: vec3f) -> Color {
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * scale;
-    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 0, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
 }
 
 /// The look at one point of the surface.

@@ -168,7 +168,7 @@ fn ward(light: vec3f, normal: vec3f, view: vec3f, x_axis: vec3f, y_axis: vec3f, 
     let half = half_of(light, normal, view);
     let n_h = max(dot(normal, half), 1e-6);
     let slope = vec2f(dot(half, x_axis), dot(half, y_axis)) / (widths * n_h);
-    let lobe = exp2_stable(-1.442695 * min(dot(slope, slope), 200.0));
+    let lobe = exp2_stable(-1.4426950408889634 * min(dot(slope, slope), 200.0));
     return n_l * lobe / (widths.y * sqrt(max(n_l * n_v, 1e-6)));
 }
 

@@ -521,8 +521,8 @@ vec2 bristles_laid(SpacedPlace at, float ink, Brush style_2) {
             int _e86 = i;
             int _e89 = i;
             ivec2 cell_8 = ((corner + (((ivec2((_e86 % 3), (_e89 / 3)) - phase) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e105 = octave;
-            ivec2 turning = (cell_8 + ivec2(1, (7 * (int(zoom_6) + _e105))));
+            int _e106 = octave;
+            ivec2 turning = (cell_8 + ivec2(1, (7 * (int(zoom_6) + _e106))));
             uint _e112 = blue_index(turning);
             uint _e114 = tile[_e112];
             float late = (0.96875 * ((float(((_e114 >> (8u * (uint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -619,8 +619,8 @@ vec2 bristles_laid_2_(SpacedPlace at_1, float ink_1, Brush style_5) {
             int _e86 = i_1;
             int _e89 = i_1;
             ivec2 cell_9 = ((corner_1 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_1) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e105 = octave_1;
-            ivec2 turning_1 = (cell_9 + ivec2(6, (7 * (int(zoom_7) + _e105))));
+            int _e106 = octave_1;
+            ivec2 turning_1 = (cell_9 + ivec2(6, (7 * (int(zoom_7) + _e106))));
             uint _e112 = blue_index(turning_1);
             uint _e114 = tile_1[_e112];
             float late_1 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -712,8 +712,8 @@ vec2 bristles_laid_3_(SpacedPlace at_2, float ink_2, Brush style_7) {
             int _e86 = i_2;
             int _e89 = i_2;
             ivec2 cell_10 = ((corner_2 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_2) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e105 = octave_2;
-            ivec2 turning_2 = (cell_10 + ivec2(2, (7 * (int(zoom_8) + _e105))));
+            int _e106 = octave_2;
+            ivec2 turning_2 = (cell_10 + ivec2(2, (7 * (int(zoom_8) + _e106))));
             uint _e112 = blue_index(turning_2);
             uint _e114 = tile_2[_e112];
             float late_2 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -810,8 +810,8 @@ vec2 bristles_laid_4_(SpacedPlace at_3, float ink_3, Brush style_10) {
             int _e86 = i_3;
             int _e89 = i_3;
             ivec2 cell_11 = ((corner_3 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_3) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e105 = octave_3;
-            ivec2 turning_3 = (cell_11 + ivec2(3, (7 * (int(zoom_9) + _e105))));
+            int _e106 = octave_3;
+            ivec2 turning_3 = (cell_11 + ivec2(3, (7 * (int(zoom_9) + _e106))));
             uint _e112 = blue_index(turning_3);
             uint _e114 = tile_3[_e112];
             float late_3 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_3.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -903,8 +903,8 @@ vec2 bristles_laid_5_(SpacedPlace at_4, float ink_4, Brush style_12) {
             int _e86 = i_4;
             int _e89 = i_4;
             ivec2 cell_12 = ((corner_4 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_4) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e105 = octave_4;
-            ivec2 turning_4 = (cell_12 + ivec2(4, (7 * (int(zoom_10) + _e105))));
+            int _e106 = octave_4;
+            ivec2 turning_4 = (cell_12 + ivec2(4, (7 * (int(zoom_10) + _e106))));
             uint _e112 = blue_index(turning_4);
             uint _e114 = tile_4[_e112];
             float late_4 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_4.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -996,8 +996,8 @@ vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
             int _e86 = i_5;
             int _e89 = i_5;
             ivec2 cell_13 = ((corner_5 + (((ivec2((_e86 % 3), (_e89 / 3)) - phase_5) + ivec2(4)) % ivec2(3))) - ivec2(1));
-            int _e105 = octave_5;
-            ivec2 turning_5 = (cell_13 + ivec2(8, (7 * (int(zoom_11) + _e105))));
+            int _e106 = octave_5;
+            ivec2 turning_5 = (cell_13 + ivec2(8, (7 * (int(zoom_11) + _e106))));
             uint _e112 = blue_index(turning_5);
             uint _e114 = tile_5[_e112];
             float late_5 = (0.96875 * ((float(((_e114 >> (8u * (uint(turning_5.x) & 3u))) & 255u)) + 0.5) * 0.00390625));

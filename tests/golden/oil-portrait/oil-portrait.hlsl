@@ -684,8 +684,8 @@ float2 bristles_laid(SpacedPlace at, float ink, Brush style_2)
             int _e86 = i;
             int _e89 = i;
             int2 cell_8 = asint(asuint(asint(asuint(corner) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e86, int(3)), naga_div(_e89, int(3)))) - asuint(phase))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-            int _e105 = octave;
-            int2 turning = asint(asuint(cell_8) + asuint(int2(int(1), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_6)) + asuint(_e105)))))));
+            int _e106 = octave;
+            int2 turning = asint(asuint(cell_8) + asuint(int2(int(1), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_6)) + asuint(_e106)))))));
             const uint _e112 = blue_index(turning);
             uint _e114 = tile[min(uint(_e112), 255u)];
             float late = (0.96875 * ((float(((_e114 >> (8u * (asuint(turning.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -793,8 +793,8 @@ float2 bristles_laid_2_(SpacedPlace at_1, float ink_1, Brush style_5)
             int _e86 = i_1;
             int _e89 = i_1;
             int2 cell_9 = asint(asuint(asint(asuint(corner_1) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e86, int(3)), naga_div(_e89, int(3)))) - asuint(phase_1))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-            int _e105 = octave_1;
-            int2 turning_1 = asint(asuint(cell_9) + asuint(int2(int(6), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_7)) + asuint(_e105)))))));
+            int _e106 = octave_1;
+            int2 turning_1 = asint(asuint(cell_9) + asuint(int2(int(6), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_7)) + asuint(_e106)))))));
             const uint _e112 = blue_index(turning_1);
             uint _e114 = tile_1[min(uint(_e112), 255u)];
             float late_1 = (0.96875 * ((float(((_e114 >> (8u * (asuint(turning_1.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -896,8 +896,8 @@ float2 bristles_laid_3_(SpacedPlace at_2, float ink_2, Brush style_7)
             int _e86 = i_2;
             int _e89 = i_2;
             int2 cell_10 = asint(asuint(asint(asuint(corner_2) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e86, int(3)), naga_div(_e89, int(3)))) - asuint(phase_2))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-            int _e105 = octave_2;
-            int2 turning_2 = asint(asuint(cell_10) + asuint(int2(int(2), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_8)) + asuint(_e105)))))));
+            int _e106 = octave_2;
+            int2 turning_2 = asint(asuint(cell_10) + asuint(int2(int(2), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_8)) + asuint(_e106)))))));
             const uint _e112 = blue_index(turning_2);
             uint _e114 = tile_2[min(uint(_e112), 255u)];
             float late_2 = (0.96875 * ((float(((_e114 >> (8u * (asuint(turning_2.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -1005,8 +1005,8 @@ float2 bristles_laid_4_(SpacedPlace at_3, float ink_3, Brush style_10)
             int _e86 = i_3;
             int _e89 = i_3;
             int2 cell_11 = asint(asuint(asint(asuint(corner_3) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e86, int(3)), naga_div(_e89, int(3)))) - asuint(phase_3))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-            int _e105 = octave_3;
-            int2 turning_3 = asint(asuint(cell_11) + asuint(int2(int(3), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_9)) + asuint(_e105)))))));
+            int _e106 = octave_3;
+            int2 turning_3 = asint(asuint(cell_11) + asuint(int2(int(3), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_9)) + asuint(_e106)))))));
             const uint _e112 = blue_index(turning_3);
             uint _e114 = tile_3[min(uint(_e112), 255u)];
             float late_3 = (0.96875 * ((float(((_e114 >> (8u * (asuint(turning_3.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -1108,8 +1108,8 @@ float2 bristles_laid_5_(SpacedPlace at_4, float ink_4, Brush style_12)
             int _e86 = i_4;
             int _e89 = i_4;
             int2 cell_12 = asint(asuint(asint(asuint(corner_4) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e86, int(3)), naga_div(_e89, int(3)))) - asuint(phase_4))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-            int _e105 = octave_4;
-            int2 turning_4 = asint(asuint(cell_12) + asuint(int2(int(4), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_10)) + asuint(_e105)))))));
+            int _e106 = octave_4;
+            int2 turning_4 = asint(asuint(cell_12) + asuint(int2(int(4), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_10)) + asuint(_e106)))))));
             const uint _e112 = blue_index(turning_4);
             uint _e114 = tile_4[min(uint(_e112), 255u)];
             float late_4 = (0.96875 * ((float(((_e114 >> (8u * (asuint(turning_4.x) & 3u))) & 255u)) + 0.5) * 0.00390625));
@@ -1211,8 +1211,8 @@ float2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14)
             int _e86 = i_5;
             int _e89 = i_5;
             int2 cell_13 = asint(asuint(asint(asuint(corner_5) + asuint(naga_mod(asint(asuint(asint(asuint(int2(naga_mod(_e86, int(3)), naga_div(_e89, int(3)))) - asuint(phase_5))) + asuint((int(4)).xx)), (int(3)).xx)))) - asuint((int(1)).xx));
-            int _e105 = octave_5;
-            int2 turning_5 = asint(asuint(cell_13) + asuint(int2(int(8), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_11)) + asuint(_e105)))))));
+            int _e106 = octave_5;
+            int2 turning_5 = asint(asuint(cell_13) + asuint(int2(int(8), asint(asuint(int(7)) * asuint(asint(asuint(naga_f2i32(zoom_11)) + asuint(_e106)))))));
             const uint _e112 = blue_index(turning_5);
             uint _e114 = tile_5[min(uint(_e112), 255u)];
             float late_5 = (0.96875 * ((float(((_e114 >> (8u * (asuint(turning_5.x) & 3u))) & 255u)) + 0.5) * 0.00390625));

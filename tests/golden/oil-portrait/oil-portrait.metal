@@ -711,8 +711,8 @@ metal::float2 bristles_laid(
             int _e86 = i;
             int _e89 = i;
             metal::int2 cell_8 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e86, 3), naga_div(_e89, 3))) - as_type<metal::uint2>(phase))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            int _e105 = octave;
-            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell_8) + as_type<metal::uint2>(metal::int2(1, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_6)) + as_type<uint>(_e105)))))));
+            int _e106 = octave;
+            metal::int2 turning = as_type<metal::int2>(as_type<metal::uint2>(cell_8) + as_type<metal::uint2>(metal::int2(1, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_6)) + as_type<uint>(_e106)))))));
             uint _e112 = blue_index(turning);
             uint _e114 = tile.inner[_e112];
             float late = 0.96875 * ((static_cast<float>((_e114 >> (8u * (as_type<uint>(turning.x) & 3u))) & 255u) + 0.5) * 0.00390625);
@@ -829,8 +829,8 @@ metal::float2 bristles_laid_2_(
             int _e86 = i_1;
             int _e89 = i_1;
             metal::int2 cell_9 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner_1) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e86, 3), naga_div(_e89, 3))) - as_type<metal::uint2>(phase_1))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            int _e105 = octave_1;
-            metal::int2 turning_1 = as_type<metal::int2>(as_type<metal::uint2>(cell_9) + as_type<metal::uint2>(metal::int2(6, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_7)) + as_type<uint>(_e105)))))));
+            int _e106 = octave_1;
+            metal::int2 turning_1 = as_type<metal::int2>(as_type<metal::uint2>(cell_9) + as_type<metal::uint2>(metal::int2(6, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_7)) + as_type<uint>(_e106)))))));
             uint _e112 = blue_index(turning_1);
             uint _e114 = tile_1.inner[_e112];
             float late_1 = 0.96875 * ((static_cast<float>((_e114 >> (8u * (as_type<uint>(turning_1.x) & 3u))) & 255u) + 0.5) * 0.00390625);
@@ -938,8 +938,8 @@ metal::float2 bristles_laid_3_(
             int _e86 = i_2;
             int _e89 = i_2;
             metal::int2 cell_10 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner_2) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e86, 3), naga_div(_e89, 3))) - as_type<metal::uint2>(phase_2))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            int _e105 = octave_2;
-            metal::int2 turning_2 = as_type<metal::int2>(as_type<metal::uint2>(cell_10) + as_type<metal::uint2>(metal::int2(2, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_8)) + as_type<uint>(_e105)))))));
+            int _e106 = octave_2;
+            metal::int2 turning_2 = as_type<metal::int2>(as_type<metal::uint2>(cell_10) + as_type<metal::uint2>(metal::int2(2, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_8)) + as_type<uint>(_e106)))))));
             uint _e112 = blue_index(turning_2);
             uint _e114 = tile_2.inner[_e112];
             float late_2 = 0.96875 * ((static_cast<float>((_e114 >> (8u * (as_type<uint>(turning_2.x) & 3u))) & 255u) + 0.5) * 0.00390625);
@@ -1056,8 +1056,8 @@ metal::float2 bristles_laid_4_(
             int _e86 = i_3;
             int _e89 = i_3;
             metal::int2 cell_11 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner_3) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e86, 3), naga_div(_e89, 3))) - as_type<metal::uint2>(phase_3))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            int _e105 = octave_3;
-            metal::int2 turning_3 = as_type<metal::int2>(as_type<metal::uint2>(cell_11) + as_type<metal::uint2>(metal::int2(3, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_9)) + as_type<uint>(_e105)))))));
+            int _e106 = octave_3;
+            metal::int2 turning_3 = as_type<metal::int2>(as_type<metal::uint2>(cell_11) + as_type<metal::uint2>(metal::int2(3, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_9)) + as_type<uint>(_e106)))))));
             uint _e112 = blue_index(turning_3);
             uint _e114 = tile_3.inner[_e112];
             float late_3 = 0.96875 * ((static_cast<float>((_e114 >> (8u * (as_type<uint>(turning_3.x) & 3u))) & 255u) + 0.5) * 0.00390625);
@@ -1165,8 +1165,8 @@ metal::float2 bristles_laid_5_(
             int _e86 = i_4;
             int _e89 = i_4;
             metal::int2 cell_12 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner_4) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e86, 3), naga_div(_e89, 3))) - as_type<metal::uint2>(phase_4))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            int _e105 = octave_4;
-            metal::int2 turning_4 = as_type<metal::int2>(as_type<metal::uint2>(cell_12) + as_type<metal::uint2>(metal::int2(4, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_10)) + as_type<uint>(_e105)))))));
+            int _e106 = octave_4;
+            metal::int2 turning_4 = as_type<metal::int2>(as_type<metal::uint2>(cell_12) + as_type<metal::uint2>(metal::int2(4, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_10)) + as_type<uint>(_e106)))))));
             uint _e112 = blue_index(turning_4);
             uint _e114 = tile_4.inner[_e112];
             float late_4 = 0.96875 * ((static_cast<float>((_e114 >> (8u * (as_type<uint>(turning_4.x) & 3u))) & 255u) + 0.5) * 0.00390625);
@@ -1274,8 +1274,8 @@ metal::float2 bristles_laid_6_(
             int _e86 = i_5;
             int _e89 = i_5;
             metal::int2 cell_13 = as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(corner_5) + as_type<metal::uint2>(naga_mod(as_type<metal::int2>(as_type<metal::uint2>(as_type<metal::int2>(as_type<metal::uint2>(metal::int2(naga_mod(_e86, 3), naga_div(_e89, 3))) - as_type<metal::uint2>(phase_5))) + as_type<metal::uint2>(metal::int2(4))), metal::int2(3))))) - as_type<metal::uint2>(metal::int2(1)));
-            int _e105 = octave_5;
-            metal::int2 turning_5 = as_type<metal::int2>(as_type<metal::uint2>(cell_13) + as_type<metal::uint2>(metal::int2(8, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_11)) + as_type<uint>(_e105)))))));
+            int _e106 = octave_5;
+            metal::int2 turning_5 = as_type<metal::int2>(as_type<metal::uint2>(cell_13) + as_type<metal::uint2>(metal::int2(8, as_type<int>(as_type<uint>(7) * as_type<uint>(as_type<int>(as_type<uint>(naga_f2i32(zoom_11)) + as_type<uint>(_e106)))))));
             uint _e112 = blue_index(turning_5);
             uint _e114 = tile_5.inner[_e112];
             float late_5 = 0.96875 * ((static_cast<float>((_e114 >> (8u * (as_type<uint>(turning_5.x) & 3u))) & 255u) + 0.5) * 0.00390625);

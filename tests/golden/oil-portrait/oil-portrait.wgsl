@@ -138,10 +138,11 @@ fn sin_cos_eighth(x: f32) -> vec2f {
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 fn sin_cos_eighth_2(x: f32) -> vec2f {
-    let s = 0.75 * (1.0 + 0.5625 * (-0.16666667 + 0.5625 * (0.00833333333333333333 + 0.5625
-        * (-0.0001984127 + 0.5625 * 0.00000275573192239858907))));
-    let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666668 + 0.5625 * (0.00138888888888888889
-        + 0.5625 * (-2.4801588e-5 + 0.5625 * 2.75573192239858907e-7))));
+    let s = 0.75 * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625 * (0.00833333333333333333
+        + 0.5625 * (-0.0001984126984126984 + 0.5625 * 0.00000275573192239858907))));
+    let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666666666666664 + 0.5625
+        * (0.00138888888888888889 + 0.5625 * (-2.48015873015873e-5 + 0.5625
+        * 2.75573192239858907e-7))));
     return vec2f(s, c);
 }
 
@@ -558,7 +559,7 @@ fn bristles_laid(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
                 break;
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
-            let turning = cell + vec2i(1, 7 * (i32(zoom) + octave));
+            let turning = cell + vec2i(1i, 7 * (i32(zoom) + octave));
             let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
                 * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
@@ -615,7 +616,7 @@ fn bristles_laid_2(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
                 break;
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
-            let turning = cell + vec2i(6, 7 * (i32(zoom) + octave));
+            let turning = cell + vec2i(6i, 7 * (i32(zoom) + octave));
             let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
                 * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
@@ -672,7 +673,7 @@ fn bristles_laid_3(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
                 break;
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
-            let turning = cell + vec2i(2, 7 * (i32(zoom) + octave));
+            let turning = cell + vec2i(2i, 7 * (i32(zoom) + octave));
             let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
                 * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
@@ -728,7 +729,7 @@ fn bristles_laid_4(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
                 break;
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
-            let turning = cell + vec2i(3, 7 * (i32(zoom) + octave));
+            let turning = cell + vec2i(3i, 7 * (i32(zoom) + octave));
             let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
                 * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
@@ -785,7 +786,7 @@ fn bristles_laid_5(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
                 break;
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
-            let turning = cell + vec2i(4, 7 * (i32(zoom) + octave));
+            let turning = cell + vec2i(4i, 7 * (i32(zoom) + octave));
             let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
                 * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);
@@ -842,7 +843,7 @@ fn bristles_laid_6(at: SpacedPlace, ink: f32, style: Brush) -> vec2f {
                 break;
             }
             let cell = corner + (vec2i(i % 3, i / 3) - phase + 4) % 3 - 1;
-            let turning = cell + vec2i(8, 7 * (i32(zoom) + octave));
+            let turning = cell + vec2i(8i, 7 * (i32(zoom) + octave));
             let late = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u
                 * (bitcast<u32>(turning.x) & 3u))) & 0xffu) + 0.5) * 0.00390625);
             let share = clamp((amount - late) * 32.0, 0.0, 1.0);

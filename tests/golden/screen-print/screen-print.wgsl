@@ -257,7 +257,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -412,7 +412,7 @@ fn dot_radius(share: f32) -> f32 {
         let turn = sin_cos_quarter(clamp(a, 0.0, 0.785398163397448310));
         let tangent = turn.x / turn.y;
         let square = 1.0 / (turn.y * turn.y);
-        let sector = 0.7853982 - a;
+        let sector = 0.7853981633974483 - a;
         let slope = 2.0 * sector * square * tangent;
         a = clamp(a - select(0.0, (sector * square + tangent - share) / slope, slope > 1e-3), 0.0,
             0.785398163397448310);

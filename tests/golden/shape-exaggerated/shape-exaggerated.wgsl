@@ -178,19 +178,20 @@ fn footprint_of(x: f32) -> f32 {
 /// size.
 fn srgb_of_linear(light: f32) -> f32 {
     let size = abs(light);
-    let value = select(1.055 * powered(size, 0.41666666) - 0.055, size * 12.92, size <= 0.0031308);
+    let value = select(1.055 * powered(size, 0.4166666666666667) - 0.055, size * 12.92, size
+        <= 0.0031308);
     return select(value, -value, light < 0.0);
 }
 
 /// Oklab of a linear sRGB color (Ottosson 2020): lightness, green to red and blue to yellow, in
 /// steps that eyes judge as even.
 fn oklab_of_linear(rgb: vec3f) -> vec3f {
-    let l = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.4122214708, 0.5363325363,
-        0.0514459929))));
-    let m = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.2119034982, 0.6806995451,
-        0.1073969566))));
-    let s = exp2_stable_2(0.33333334 * log2_stable(dot(rgb, vec3f(0.0883024619, 0.2817188376,
-        0.6299787005))));
+    let l = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.4122214708,
+        0.5363325363, 0.0514459929))));
+    let m = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.2119034982,
+        0.6806995451, 0.1073969566))));
+    let s = exp2_stable_2(0.3333333333333333 * log2_stable(dot(rgb, vec3f(0.0883024619,
+        0.2817188376, 0.6299787005))));
     return vec3f(0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s, 1.9779984951 * l
         - 2.4285922050 * m + 0.4505937099 * s, 0.0259040371 * l + 0.7827717662 * m - 0.8086757660
         * s);
@@ -202,9 +203,9 @@ fn linear_of_oklab(lab: vec3f) -> vec3f {
     let m = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
     let s = lab.x - 0.0894841775 * lab.y - 1.2914855480 * lab.z;
     let cubes = vec3f(l * l * l, m * m * m, s * s * s);
-    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077116, 0.2309699292)), dot(cubes,
-        vec3f(-1.268438, 2.6097574011, -0.34131938)), dot(cubes, vec3f(-0.0041960864, -0.7034186,
-        1.7076147010)));
+    return vec3f(dot(cubes, vec3f(4.0767416621, -3.3077115913, 0.2309699292)), dot(cubes,
+        vec3f(-1.2684380046, 2.6097574011, -0.3413193965)), dot(cubes, vec3f(-0.0041960863,
+        -0.7034186147, 1.7076147010)));
 }
 
 /// [`oklab_of_linear`] of an sRGB-coded color.

@@ -544,7 +544,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -567,7 +567,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 14.0;
-    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 0, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
 }
 
 const lit_side_shape = ProfileShape(0.9950042, 0.099833414, 1.1883951, 1.7298278, 0.2, 1.0107075, 0.4419037, 0u);

@@ -596,7 +596,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -642,7 +642,7 @@ struct Cells {
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 5.0;
-    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 0, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
 }
 
 const colors = Ramp(array(vec4f(0.0706, 0.1882, 0.4784, 1.0), vec4f(0.1216, 0.4784, 0.6902, 1.0), vec4f(0.1137, 0.5412, 0.3529, 1.0), vec4f(0.9098, 0.6902, 0.1255, 1.0), vec4f(0.8471, 0.3255, 0.1098, 1.0), vec4f(0.6902, 0.0706, 0.2196, 1.0), vec4f(0.3529, 0.102, 0.4784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.22, 0.4, 0.58), vec4f(0.75, 0.9, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 2u);

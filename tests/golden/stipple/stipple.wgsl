@@ -324,7 +324,7 @@ fn dots_of_octave(place: vec2f, zoom: i32, ink: f32, stretch: vec3f, w: f32, sty
             0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8;
         let middle = vec2f(cell) + 0.5 + style.scatter * (chance.xy - 0.5);
         let offset = p - middle;
-        let turning = cell + vec2i(0, zoom * 7);
+        let turning = cell + vec2i(0i, zoom * 7);
         let turn = 0.96875 * ((f32((tile[blue_index(turning)] >> (8u * (bitcast<u32>(turning.x)
             & 3u))) & 0xffu) + 0.5) * 0.00390625);
         let grown = clamp((ink - turn) * 32.0, 0.0, 1.0);

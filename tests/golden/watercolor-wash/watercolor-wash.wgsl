@@ -355,7 +355,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 2) {
+        if !(i < 2i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -387,7 +387,7 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
     var total = 0.0;
     var sum = 0.0;
     loop {
-        if !(i < 4) {
+        if !(i < 4i) {
             break;
         }
         let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
@@ -551,12 +551,12 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * 1.5;
-    return fractal_noise(NOISE_PERLIN, p, 2, 0.5, 11, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 11i, footprint_of_vec3(p));
 }
 
 fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * scale;
-    return fractal_noise_2(NOISE_PERLIN, p, 4, roughness, 0, footprint_of_vec3(p));
+    return fractal_noise_2(NOISE_PERLIN, p, 4i, roughness, 0i, footprint_of_vec3(p));
 }
 
 const two_pigments = Ramp(array(vec4f(0.1843, 0.4353, 0.5608, 1.0), vec4f(0.2471, 0.6039, 0.5255, 1.0), vec4f(0.7882, 0.6353, 0.2353, 1.0), vec4f(0.8471, 0.451, 0.3529, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.45, 0.75, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);

@@ -171,7 +171,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
         return a * (1.0 - a2 * (0.333333333333333333 - a2 * (0.133333333333333333 - a2
             * 0.0539682539682539683)));
     }
-    let z = exp2_stable(-2.88539 * magnitude);
+    let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
 }
@@ -410,7 +410,7 @@ fn cross_hatched(at: SpacedPlace, ink: f32, layers: i32, cross: f32, style: Stro
         if !(i < 4) {
             break;
         }
-        if i < 1 {
+        if i < 1i {
             let turn = clamp(vec2f(0.0, 1.0), vec2f(-1.0), vec2f(1.0));
             let along = vec2f(turn.y, turn.x);
             let across = vec2f(-turn.x, turn.y);
@@ -460,7 +460,7 @@ fn shade(surface: Surface) -> vec4f {
     let lit = step_filtered(tone, 0.72, length(vec2f(footprint_of(tone), 0.0)));
     let ochre_block = mix(vec4f(0.8392, 0.6039, 0.2902, 1.0), vec4f(0.9529, 0.902, 0.7843, 1.0), lit);
     let way_of_the_gouge = mark_place_light(look.key, surface.normal, 0.0, surface.view, surface.position_object, surface.world_from_normal, surface.magnification);
-    let cuts = cross_hatched(spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0), 1.0 - min(tone, 1.0), 1, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
+    let cuts = cross_hatched(spaced(way_of_the_gouge.place, way_of_the_gouge.stretch, look.viewport, 78.0), 1.0 - min(tone, 1.0), 1i, 1.0471976, Strokes(0.62, 0.0, 0.8, 0.35, 0.85, 1.0, 7u));
     let deep_shade = step_filtered(tone, 0.2, length(vec2f(footprint_of(tone), 0.0)));
     let black = 1.0 - deep_shade;
     let ink1 = max(cuts, black);
