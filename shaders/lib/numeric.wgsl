@@ -39,9 +39,9 @@ fn finite_vec4(v: vec4f) -> vec4f {
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 /// @where v is unit : v
-/// @where tier is balanced and |v| <= 1e15 and otherwise = 0 :
+/// @where tier is balanced and |v| <= 1e18 and otherwise = 0 :
 ///   v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
-/// @where |v| <= 1e15 : normalize_moderate(v, otherwise)
+/// @where |v| <= 1e18 : normalize_moderate(v, otherwise)
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !((largest > 1e-30) & (largest < 1e30)) {
@@ -175,7 +175,7 @@ fn sin_cos(x: f32) -> vec2f {
 /// [`normalize_or`] for a third of its price: a vector shorter than 1e-15 or longer than 1e18
 /// counts as having no direction.
 /// @where v is unit : v
-/// @where tier is balanced and |v| <= 1e15 and otherwise = 0 :
+/// @where tier is balanced and |v| <= 1e18 and otherwise = 0 :
 ///   v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
 fn normalize_quick(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
@@ -184,7 +184,7 @@ fn normalize_quick(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(select(1.0, square, is_usable)), is_usable);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 /// @where v is unit : v
 /// @where tier is balanced and otherwise = 0 : v * inverseSqrt(max(dot(v, v), 1e-30)) ~ 1e-6
@@ -193,7 +193,7 @@ fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));

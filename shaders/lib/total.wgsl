@@ -72,7 +72,9 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
 /// base^exponent for every pair. A negative base is raised as in algebra by a whole exponent and
 /// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
 /// by 0 is; 0^0 is 1.
-/// @where tier is balanced and base >= 0 and base <= 1e6 and exponent >= 1e-3 and exponent <= 1e3 :
+/// @where tier is balanced and base >= 0 and base <= 1.1 and exponent >= 1e-3 and exponent <= 500 :
+///   pow(base, exponent) ~ 2e-3
+/// @where tier is balanced and base >= 0 and base <= 1e4 and exponent >= 1e-3 and exponent <= 8 :
 ///   pow(base, exponent) ~ 2e-3
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
@@ -95,7 +97,9 @@ fn powered(base: f32, exponent: f32) -> f32 {
 }
 
 /// [`powered`], component by component.
-/// @where tier is balanced and base >= 0 and base <= 1e6 and exponent >= 1e-3 and exponent <= 1e3 :
+/// @where tier is balanced and base >= 0 and base <= 1.1 and exponent >= 1e-3 and exponent <= 500 :
+///   pow(base, vec3f(exponent)) ~ 2e-3
+/// @where tier is balanced and base >= 0 and base <= 1e4 and exponent >= 1e-3 and exponent <= 8 :
 ///   pow(base, vec3f(exponent)) ~ 2e-3
 fn powered_vec3(base: vec3f, exponent: f32) -> vec3f {
     return vec3f(powered(base.x, exponent), powered(base.y, exponent), powered(base.z, exponent));
@@ -116,28 +120,28 @@ fn logarithm_of(x: f32) -> f32 {
 
 /// Mix from a (where t is 0) to b (where t is 1): exact at both ends, and where a is b.
 /// @where a = 0 and b = 1 and |t| <= 1e15 : t
-/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
 fn mixed(a: f32, b: f32, t: f32) -> f32 {
     let d = bounded(b - a);
     return bounded(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
-/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
 fn mixed_vec2(a: vec2f, b: vec2f, t: f32) -> vec2f {
     let d = bounded_vec2(b - a);
     return bounded_vec2(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
-/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
 fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
     let d = bounded_vec3(b - a);
     return bounded_vec3(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
 }
 
 /// [`mixed`], component by component.
-/// @where |a| <= 1e15 and |b| <= 1e15 and |t| <= 1e15 : mix(a, b, t)
+/// @where |a| <= 1e18 and |b| <= 1e18 and |t| <= 1e15 : mix(a, b, t)
 fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
     let d = bounded_vec4(b - a);
     return bounded_vec4(select(b - (1.0 - t) * d, a + t * d, t < 0.5));
@@ -176,7 +180,7 @@ fn factor_of(x: f32, clamped: bool) -> f32 {
 }
 
 /// The length of v, also where its square would over- or underflow.
-/// @where |v| <= 1e15 : length(v)
+/// @where |v| <= 1e18 : length(v)
 fn length_of(v: vec3f) -> f32 {
     let w = bounded_vec3(v);
     let largest = max(max(abs(w.x), abs(w.y)), abs(w.z));

@@ -70,8 +70,9 @@ pub fn embed(tables: &[Table<'_>]) {
 }
 
 /// Sets an environment variable for the crate, which reads it by `env!`, to a hash of the target
-/// and of files: those of `paths`, and all Rust sources in folders of `paths`, relative to the crate's
-/// manifest. A path that leads to nothing, as one out of a package of the crate does, is left out.
+/// and of files: those of `paths`, and all Rust sources in folders of `paths`, relative to the
+/// crate's manifest. A path that leads to nothing, as one out of a package of the crate does, is
+/// left out.
 ///
 /// # Panics
 ///

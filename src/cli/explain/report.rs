@@ -131,6 +131,7 @@ pub(super) struct Nodes {
     pub(super) host: Vec<String>,
     pub(super) folded: Vec<String>,
     pub(super) removed: Vec<Removal>,
+    pub(super) removed_within: Vec<Removal>,
 }
 
 impl ExplainReport {
@@ -417,7 +418,11 @@ impl Nodes {
         let mut on_host: HashSet<String> =
             shader.host.members.iter().map(|member| node_of(&member.origin)).collect();
         on_host.extend(driving(typed));
-        let mut nodes = Self { total: typed.order.len(), ..Self::default() };
+        let mut nodes = Self {
+            total: typed.order.len(),
+            removed_within: shader.removed_within.clone(),
+            ..Self::default()
+        };
         for node in typed.order.iter().map(|&index| &typed.nodes[index]) {
             let path = node.path.to_string();
             if emitted.contains(&node.path) {

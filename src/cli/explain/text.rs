@@ -194,5 +194,12 @@ fn tell_nodes(look: &LookReport, report: &ExplainReport) -> String {
             let _ = writeln!(text, "      `{}`: {}{more}", removal.path, removal.reason);
         }
     }
+    if !nodes.removed_within.is_empty() {
+        let count = nodes.removed_within.len();
+        let _ = writeln!(text, "    {count} take shorter forms, without changing the picture:");
+        for removal in &nodes.removed_within {
+            let _ = writeln!(text, "      `{}`: {}", removal.path, removal.reason);
+        }
+    }
     text
 }

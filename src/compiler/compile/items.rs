@@ -157,13 +157,21 @@ impl Items {
             printed.push((module, PrintedItem::Original(scanned, text)));
         }
         for (module, item) in printed {
-            let renamed = |name: &str| {
-                let name = collected.names.get(&(module, name.to_owned()))?;
-                Some(name.clone())
-            };
             let text = match item {
                 PrintedItem::Original(declaration, text) => {
                     let is_constant = declaration.kind == DeclarationKind::Constant;
+                    // A member of a struct keeps its name, by which it is read after a dot, though
+                    // a function may have the same.
+                    let members: &[Field] = match declaration.kind {
+                        DeclarationKind::Struct => &declaration.fields,
+                        _ => &[],
+                    };
+                    let renamed = |name: &str| {
+                        if members.iter().any(|member| member.name == name) {
+                            return None;
+                        }
+                        collected.names.get(&(module, name.to_owned())).cloned()
+                    };
                     format!(
                         "{}{}{}",
                         short_doc(declaration),

@@ -104,6 +104,8 @@ pub struct CompiledShader {
     pub named_images: Vec<ImageUse>,
     /// The parts that were left out, each with its reason.
     pub removed: Vec<Removal>,
+    /// The nodes whose functions take shorter forms, each with what is left out of it.
+    pub removed_within: Vec<Removal>,
     /// Choice of the values that are uniforms in this module: fewer than the options ask for where
     /// the uniform would grow past [`MAX_UNIFORM_BYTES`].
     pub live: Live,
@@ -217,6 +219,7 @@ pub fn compile_typed(
         spans: emitted.spans,
         named_images: specialized.images,
         removed: specialized.removed,
+        removed_within: emitted.removed_within,
         live: options.live.clone(),
         // A material's mask says by itself whether its other side is to be drawn.
         cutoff: if options.cutout {

@@ -46,8 +46,8 @@ pub const CATEGORIES: [&str; 14] = [
 ];
 
 pub use context::{
-    Context, ContextBounds, ContextRow, ContextSample, ContextSource, HostSurroundings, Rate,
-    SurfacePart, SurfacePoint,
+    Context, ContextBounds, ContextRow, ContextSample, ContextSource, HostSurroundings,
+    MAX_COORDINATE, MAX_PLACE, Rate, SurfacePart, SurfacePoint,
 };
 pub use embedded::NODES;
 pub use group::{CUSTOM_CODE, CUSTOM_KIND, GroupPorts};

@@ -8,6 +8,7 @@ use super::mesh::{Mesh, MeshPart};
 use super::normals::{make_missing, place, weld};
 use super::soup::{Corner, NONE, TriangleSoup};
 use super::tangents::{self, CornerTangents};
+use crate::library::MAX_COORDINATE;
 
 /// Counts of what was dropped and made while a mesh was built, for the notes of its reader.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +22,7 @@ pub(super) struct BuildNotes {
 /// Builds the mesh: drops triangles without area, makes normals, joins corners, makes tangents,
 /// sorts by material. The mesh has no triangles where all of them are degenerate.
 pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNotes) {
+    clamp_attributes(&mut soup);
     let welded = weld(&soup.points);
     let degenerate = drop_degenerate(&mut soup, &welded);
     let normals = make_missing(&mut soup, &welded, crease_angle);
@@ -44,6 +46,14 @@ pub(super) fn build(mut soup: TriangleSoup, crease_angle: f64) -> (Mesh, BuildNo
         mesh.indices.extend(indices[t as usize]);
     }
     (mesh, BuildNotes { degenerate, normals })
+}
+
+/// Clamps texture coordinates and colors to what shaders are promised, so that no fragment asks
+/// again.
+fn clamp_attributes(soup: &mut TriangleSoup) {
+    let most = MAX_COORDINATE as f32;
+    let numbers = soup.uvs.iter_mut().flatten().chain(soup.colors.iter_mut().flatten());
+    numbers.for_each(|x| *x = x.clamp(-most, most));
 }
 
 /// Scales a vector to unit length in f64, so that tiny and huge normals survive; 0 stays 0.

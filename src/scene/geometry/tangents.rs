@@ -169,8 +169,8 @@ fn neighbors(vertices: &[[u32; 3]]) -> Vec<u32> {
 }
 
 /// The upper vertex and the corner of every edge, by the edges' lower vertices, with the place
-/// where the edges of each vertex begin, and the end of the last one's. `edge` gives the lower and the
-/// upper vertex of the edge from a corner to the next.
+/// where the edges of each vertex begin, and the end of the last one's. `edge` gives the lower and
+/// the upper vertex of the edge from a corner to the next.
 fn by_lower_vertex(
     corners: usize,
     edge: impl Fn(usize) -> [u32; 2],

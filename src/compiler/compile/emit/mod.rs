@@ -14,7 +14,7 @@ mod frame;
 mod parts;
 mod surface;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::sync::Arc;
@@ -28,6 +28,7 @@ use super::host::{
 use super::intervals::Ranges;
 use super::items::{CollectedItems, Items};
 use super::names::Names;
+use super::removal::{Proof, Removal};
 use super::specialize::{
     Argument, Needs, Operation, SpecializedGraph, ValueId, operands, reachable,
 };
@@ -112,6 +113,7 @@ pub(super) struct EmittedModule {
     pub(super) bindings: Vec<Binding>,
     pub(super) spans: SpanMap,
     pub(super) root_type: Type,
+    pub(super) removed_within: Vec<Removal>,
 }
 
 impl EmittedModule {
@@ -154,6 +156,8 @@ struct Emitter<'a> {
     functions: SpecializedFunctions,
     /// The form of each call.
     specialized: HashMap<ValueId, CallForm>,
+    /// Operations that forms leave out, by node.
+    shortened: BTreeMap<usize, [u64; 2]>,
     /// WGSL name of each value: a local variable, a constant, or a member of `look`.
     value_names: HashMap<ValueId, String>,
     /// Struct constants: their names.
@@ -181,6 +185,7 @@ impl<'a> Emitter<'a> {
             items: Items::default(),
             functions: SpecializedFunctions::default(),
             specialized: HashMap::new(),
+            shortened: BTreeMap::new(),
             value_names: HashMap::new(),
             constants: Vec::new(),
             host: HostProgram::default(),
@@ -306,7 +311,28 @@ impl<'a> Emitter<'a> {
             CallForm::Made(index) => self.items.want_made(&function.module, *index),
             CallForm::Expression(code, _) => self.items.want_code(&function.module, code),
         }
+        let whole = function.module.operations(&function.name);
+        let left = self.functions.operations(&function.module, &function.name, &form);
+        let known = self.shortened.entry(special.values[id].node).or_default();
+        *known = [known[0] + whole, known[1] + left.min(whole)];
         self.specialized.insert(id, form);
+    }
+
+    /// Nodes whose functions take shorter forms, with what these leave out.
+    fn removed_within(&self) -> Vec<Removal> {
+        let shorter = self.shortened.iter().filter(|(_, [whole, left])| left < whole);
+        shorter
+            .map(|(&node, &[whole, left])| Removal {
+                path: self.graph.nodes[node].path.clone(),
+                reason: format!(
+                    "{} of its {whole} operations change nothing for what it is given, proved by \
+                     ranges",
+                    whole - left
+                ),
+                proof: Proof::Ranges,
+                operations: whole - left,
+            })
+            .collect()
     }
 
     /// Finds the form of a conversion, as of a call.
@@ -556,6 +582,7 @@ impl<'a> Emitter<'a> {
             .collect();
         self.write_entry_points();
         EmittedModule {
+            removed_within: self.removed_within(),
             root_type: self.special.values[self.special.root].ty.clone(),
             text: self.out,
             host: self.host,

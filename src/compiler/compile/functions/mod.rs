@@ -18,6 +18,9 @@ mod lower;
 mod print;
 mod reshape;
 
+#[cfg(test)]
+mod tests;
+
 use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -166,6 +169,42 @@ impl SpecializedFunctions {
         code: &Code,
     ) -> CallForm {
         self.make(module_key(module), name, Body::returning(code.clone()))
+    }
+
+    /// Number of operations of a call in its form, those of called functions included.
+    pub(super) fn operations(&self, module: &NodeModule, name: &str, form: &CallForm) -> u64 {
+        match form {
+            CallForm::Original => module.operations(name),
+            CallForm::Expression(code, _) => self.operations_of(module, code),
+            CallForm::Made(index) => self.operations_of_made(module, *index),
+        }
+    }
+
+    fn operations_of_made(&self, module: &NodeModule, index: usize) -> u64 {
+        let mut count = 0;
+        each_code(&self.made[index].body.lines, &mut |code| {
+            count += self.operations_of_one(module, code);
+        });
+        count
+    }
+
+    fn operations_of(&self, module: &NodeModule, code: &Code) -> u64 {
+        let mut count = 0;
+        code.each(&mut |code| count += self.operations_of_one(module, code));
+        count
+    }
+
+    /// Operations of an expression without those of its parts. Functions call no function that is
+    /// not made before them, so that this ends.
+    fn operations_of_one(&self, module: &NodeModule, code: &Code) -> u64 {
+        match code {
+            Code::Call(Callee::Original(name), _) => module.operations(name),
+            Code::Call(Callee::Made(index), _) => self.operations_of_made(module, *index),
+            Code::Unary(..) | Code::Binary(..) => 1,
+            // Putting a vector together is free.
+            Code::BuiltIn(name, _) => u64::from(!name.starts_with("vec")),
+            _ => 0,
+        }
     }
 
     fn make(&mut self, module: usize, name: &str, body: Body) -> CallForm {

@@ -175,10 +175,32 @@ fn hold(
                          {range:?}\n{values:?}\n{arguments:?}"
                     );
                 }
+                hold_lengths(name, &scalars, &result);
             }
         }
     }
     counts
+}
+
+/// Vectors of a result are as long as their ranges say.
+fn hold_lengths(name: &str, scalars: &[Scalar], result: &[Range]) {
+    let length = |range: &Range| match range {
+        Range::Float(x) if !x.nan => x.length,
+        _ => Length::Any,
+    };
+    let mut at = 0;
+    while at + 3 <= result.len() {
+        let known = result[at..at + 3].iter().map(length).min().unwrap_or_default();
+        if known == Length::Any {
+            at += 1;
+            continue;
+        }
+        let square: f64 = scalars[at..at + 3].iter().map(|x| x.as_f64() * x.as_f64()).sum();
+        let (found, slack) = (square.sqrt(), 1e-5);
+        let is_right = found <= 1.0 + slack && (known != Length::One || found >= 1.0 - slack);
+        assert!(is_right, "{name}: a vector of length {found} is {known:?}");
+        at += 3;
+    }
 }
 
 /// Every function of every node on random boxes; gives the functions, the boxes that were followed

@@ -19,6 +19,7 @@ pub use sample::{ContextSample, SurfacePart, SurfacePoint};
 
 use super::PassId;
 use table::TABLE;
+pub use table::{MAX_COORDINATE, MAX_PLACE};
 
 /// Rate at which a value changes: the earliest time at which the value is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize)]

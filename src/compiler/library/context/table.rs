@@ -50,10 +50,10 @@ const TURNED_BACK: &str = "(vec4f(texel.xyz, 0.0) * view.camera_from_world).xyz"
 
 /// Greatest number of a place, in scene units: scenes end sooner, and loaders refuse meshes that
 /// could reach beyond.
-const MAX_PLACE: f64 = 1e15;
+pub const MAX_PLACE: f64 = 4e18;
 
 /// Greatest texture coordinate, and number of a vertex color: loaders clamp both.
-pub(super) const MAX_COORDINATE: f64 = 1e6;
+pub const MAX_COORDINATE: f64 = 1e6;
 
 /// Rows of the table. Structs of generated modules have their members in this order.
 pub(super) const TABLE: &[Row] = &[

@@ -30,6 +30,10 @@ pub const MAX_VERTICES: usize = 1 << 24;
 /// Greatest number of triangles in a file; files of more are refused.
 pub const MAX_TRIANGLES: usize = 1 << 24;
 
+/// Greatest coordinate of a vertex: a scene may scale it a million times and still stay within what
+/// shaders are promised ([`MAX_PLACE`](crate::library::MAX_PLACE)).
+const FARTHEST: f32 = 2e12;
+
 /// Radii of meshes that are accepted: squares and cubes of coordinates must fit an f32.
 const RADII: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
 
@@ -168,6 +172,14 @@ fn finish(soup: TriangleSoup, report: &mut ImportReport) -> Mesh {
         );
         report
             .add(Diagnostic::error("mesh-scale", message).hint("scale the mesh where it was made"));
+    }
+    let far = mesh.positions.iter().flatten().fold(0.0_f32, |far, x| far.max(x.abs()));
+    if far > FARTHEST {
+        let message = format!(
+            "the mesh reaches to the coordinate {far:e}; only those up to {FARTHEST:e} can be drawn"
+        );
+        report
+            .add(Diagnostic::error("mesh-scale", message).hint("move the mesh where it was made"));
     }
     if made.normals > 0 {
         let degrees = CREASE_ANGLE.to_degrees().round();

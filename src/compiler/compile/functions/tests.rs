@@ -1,0 +1,170 @@
+//! The forms of `@where` rules give what their functions give, wherever the facts hold.
+
+use super::facts;
+use crate::compile::intervals::{self, Ranges};
+use crate::document::Tier;
+use crate::interp::{
+    Derivatives, FunctionOptions, Precision, Program, Scalar, ScalarKind, Shape, Value,
+};
+use crate::library::{Fact, Library, NodeModule, Rule};
+
+/// Arguments that each rule is tried with, where its facts hold.
+const WANTED: usize = 200;
+/// Arguments drawn for a rule at most.
+const MOST_DRAWN: usize = 400_000;
+
+/// Splitmix64: the test draws the same arguments on every machine.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn index(&mut self, count: usize) -> usize {
+        (self.next() % count as u64) as usize
+    }
+
+    /// A number of the sizes that looks have, exact in f32.
+    fn number(&mut self) -> f64 {
+        let x = match self.index(8) {
+            0 => [0.0, 1.0, -1.0, 0.5, 2.0, 48.0][self.index(6)],
+            1..=3 => self.unit(),
+            4 => 0.2 * self.unit() - 0.1,
+            5 => 4.0 * self.unit() - 2.0,
+            6 => 200.0 * self.unit() - 100.0,
+            _ => 1e4 * (self.unit() - 0.5),
+        };
+        f64::from(x as f32)
+    }
+
+    fn vector(&mut self, size: usize) -> Value {
+        let numbers: Vec<f64> = match self.index(4) {
+            0 => vec![self.number(); size],
+            1 => {
+                let raw: Vec<f64> = (0..size).map(|_| 2.0 * self.unit() - 1.0).collect();
+                let length = raw.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
+                raw.into_iter().map(|x| f64::from((x / length) as f32)).collect()
+            }
+            _ => (0..size).map(|_| self.number()).collect(),
+        };
+        Value::vec(&numbers)
+    }
+
+    fn argument(&mut self, shape: &Shape) -> Value {
+        match shape {
+            Shape::Scalar(ScalarKind::Bool) => Value::Bool(self.index(2) == 0),
+            Shape::Scalar(_) => Value::Float(self.number()),
+            Shape::Vector { size, .. } => self.vector(*size),
+            other => panic!("no rule takes {other:?} yet"),
+        }
+    }
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    match (value.parts(), value.components()) {
+        (Some(parts), _) => parts.iter().flat_map(numbers).collect(),
+        (None, Some(components)) => components.to_vec(),
+        (None, None) => value.as_scalar().map(Scalar::as_f64).into_iter().collect(),
+    }
+}
+
+/// Greatest size of the numbers of arguments, at least 1: rounding goes by it.
+fn scale(arguments: &[Value]) -> f64 {
+    arguments.iter().flat_map(numbers).fold(1.0, |most, x| most.max(x.abs()))
+}
+
+/// True for arguments at which a rule says that its form differs: a vector too short to have a
+/// direction, and a phase that rounding has left nothing of.
+fn is_excepted(function: &str, arguments: &[Value]) -> bool {
+    let first = arguments.first().map(numbers).unwrap_or_default();
+    let length = first.iter().map(|x| x * x).sum::<f64>().sqrt();
+    match function {
+        "normalize_or" | "normalize_quick" | "normalize_moderate" => length < 1e-14,
+        "sine_of" | "cosine_of" => length > 1000.0,
+        _ => false,
+    }
+}
+
+struct RuleTrial<'a> {
+    module: &'a NodeModule,
+    function: &'a str,
+    rule: &'a Rule,
+}
+
+impl RuleTrial<'_> {
+    fn form(&self) -> Program {
+        let (valid, literals) = self.module.read(self.function).expect("it is valid");
+        let options = FunctionOptions {
+            derivatives: Derivatives::Zero,
+            literals: Some(literals),
+            ..FunctionOptions::default()
+        };
+        Program::compile(&valid.module, &self.rule.function, options).expect("it runs")
+    }
+
+    /// The number of arguments at which the facts held.
+    fn run(&self, random: &mut Random) -> usize {
+        let (whole, form) = (self.module.program(self.function).expect("it runs"), self.form());
+        let mut held = 0;
+        for _ in 0..MOST_DRAWN {
+            let arguments: Vec<Value> = whole
+                .parameters()
+                .iter()
+                .map(|parameter| random.argument(&parameter.shape))
+                .collect();
+            let ranges: Vec<Ranges> = arguments.iter().map(intervals::of_value).collect();
+            let holds = facts::all_hold(&self.rule.facts, Tier::Fast, &ranges);
+            if !holds || is_excepted(self.function, &arguments) {
+                continue;
+            }
+            held += 1;
+            for (precision, rounding) in [(Precision::F64, 1e-8), (Precision::F32, 2e-6)] {
+                let call = |program: &Program| {
+                    numbers(&program.call(&arguments, precision).expect("it ends"))
+                };
+                // What counts as unit is so but for roundings of f32.
+                let is_of_units = self.rule.facts.iter().any(|fact| matches!(fact, Fact::Unit(_)));
+                let rounding = if is_of_units { 4e-6 } else { rounding };
+                let bound = self.rule.bound.unwrap_or_default() + rounding;
+                for (a, b) in call(&whole).into_iter().zip(call(&form)) {
+                    let size = scale(&arguments).max(a.abs());
+                    assert!(
+                        (a - b).abs() <= bound * size,
+                        "{} in {precision:?}: {a} or {b} for {arguments:?}",
+                        self.rule.function
+                    );
+                }
+            }
+            if held == WANTED {
+                break;
+            }
+        }
+        held
+    }
+}
+
+#[test]
+fn forms_give_what_functions_give() {
+    let module = &Library::built_in().nodes["profile"].module;
+    let mut functions: Vec<&str> = module.ruled_functions().collect();
+    functions.sort_unstable();
+    assert!(functions.len() > 15, "{functions:?}");
+    let mut random = Random(17);
+    for function in functions {
+        for rule in module.rules(function) {
+            let held = RuleTrial { module, function, rule }.run(&mut random);
+            assert!(held >= 20, "the facts of `{}` held {held} times", rule.function);
+            let is_cheaper = rule.facts.iter().any(|fact| matches!(fact, Fact::Tier(_)));
+            assert!(is_cheaper || rule.bound.is_none(), "`{}` is exact", rule.function);
+        }
+    }
+}
