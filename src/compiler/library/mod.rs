@@ -62,5 +62,5 @@ pub use passes::{
     PassId, PassInput, PassOutput, PassRow, PassWork, Stage, StageRow, StageValue, TexelFormat,
 };
 pub use read::load_node;
-pub use rules::{Fact, Rule, RuleLimit};
+pub use rules::{Fact, FactLimit, FormRule};
 pub use types::{Conversion, Type};

@@ -8,7 +8,7 @@
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use super::rules::{Rule, read_rules};
+use super::rules::{FormRule, read_rules};
 use crate::diag::Diagnostic;
 use crate::interp::{Derivatives, FunctionOptions, Literals, Program};
 use crate::wgsl::{self, Declaration, LinkedSource, Operations, ValidModule, WgslError};
@@ -22,7 +22,7 @@ pub struct NodeModule {
     /// file.
     by_name: HashMap<String, (usize, usize)>,
     /// Rules by function.
-    rules: HashMap<String, Vec<Rule>>,
+    rules: HashMap<String, Vec<FormRule>>,
     parts: ModuleParts,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
 }
@@ -87,7 +87,7 @@ impl NodeModule {
     }
 
     /// Forms that a function comes to where facts about its arguments hold, the cheapest first.
-    pub fn rules(&self, function: &str) -> &[Rule] {
+    pub fn rules(&self, function: &str) -> &[FormRule] {
         self.rules.get(function).map_or(&[], Vec::as_slice)
     }
 

@@ -21,7 +21,7 @@ use crate::wgsl::{Declaration, DeclarationKind, LinkedSource};
 
 /// Form that a function comes to where facts hold.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Rule {
+pub struct FormRule {
     /// Facts about the arguments; all must hold.
     pub facts: Vec<Fact>,
     /// Name of the function that has the form as its body.
@@ -42,11 +42,11 @@ pub enum Fact {
     /// The vector's length is 1.
     Unit(usize),
     /// Numbers are no less than a limit.
-    AtLeast(usize, RuleLimit),
+    AtLeast(usize, FactLimit),
     /// Numbers are no more than a limit.
-    AtMost(usize, RuleLimit),
+    AtMost(usize, FactLimit),
     /// Numbers are less than a limit.
-    Below(usize, RuleLimit),
+    Below(usize, FactLimit),
     /// Numbers are no farther from 0 than this.
     Within(usize, f64),
     /// All numbers are this one.
@@ -55,7 +55,7 @@ pub enum Fact {
 
 /// Limit of a fact.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum RuleLimit {
+pub enum FactLimit {
     /// A number.
     Number(f64),
     /// Another parameter, by index.
@@ -69,8 +69,8 @@ const TAG: &str = "@where ";
 ///
 /// # Errors
 /// A message for the first line that is no rule.
-pub(super) fn read_rules(declaration: &Declaration) -> Result<Vec<Rule>, String> {
-    let mut rules: Vec<Rule> = Vec::new();
+pub(super) fn read_rules(declaration: &Declaration) -> Result<Vec<FormRule>, String> {
+    let mut rules: Vec<FormRule> = Vec::new();
     if declaration.kind != DeclarationKind::Function {
         return Ok(rules);
     }
@@ -88,7 +88,7 @@ pub(super) fn read_rules(declaration: &Declaration) -> Result<Vec<Rule>, String>
             parameters.join(", "),
             declaration.result.as_deref().unwrap_or_default()
         );
-        rules.push(Rule { facts, function, text, bound });
+        rules.push(FormRule { facts, function, text, bound });
     }
     Ok(rules)
 }
@@ -163,8 +163,8 @@ fn read_fact(text: &str, declaration: &Declaration) -> Result<Fact, String> {
         index.ok_or_else(|| format!("there is no parameter `{name}`"))
     };
     let limit = |text: &str| match text.parse::<f64>() {
-        Ok(number) => Ok(RuleLimit::Number(number)),
-        Err(_) => parameter(text).map(RuleLimit::Parameter),
+        Ok(number) => Ok(FactLimit::Number(number)),
+        Err(_) => parameter(text).map(FactLimit::Parameter),
     };
     let words: Vec<&str> = text.split_whitespace().collect();
     match words.as_slice() {
@@ -201,10 +201,10 @@ mod tests {
         let text = "/// x.\n/// @where x is finite and low < x : x\n///   + low ~ 0.5\n\
                     fn f(x: f32, low: f32) -> f32 { return x; }";
         let rules = read_rules(&scan(text).declarations[0]).expect("it is one");
-        let facts = vec![Fact::Finite(0), Fact::Below(1, RuleLimit::Parameter(0))];
+        let facts = vec![Fact::Finite(0), Fact::Below(1, FactLimit::Parameter(0))];
         let text = "fn f_where_1(x: f32, low: f32) -> f32 { return x + low; }\n".to_owned();
         let function = "f_where_1".to_owned();
-        assert_eq!(rules, [Rule { facts, function, text, bound: Some(0.5) }]);
+        assert_eq!(rules, [FormRule { facts, function, text, bound: Some(0.5) }]);
     }
 
     #[test]

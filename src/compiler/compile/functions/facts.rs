@@ -2,7 +2,7 @@
 
 use crate::compile::intervals::{Floats, Length, Range, Ranges};
 use crate::document::Tier;
-use crate::library::{Fact, RuleLimit};
+use crate::library::{Fact, FactLimit};
 
 /// True if ranges prove all facts.
 pub(super) fn all_hold(facts: &[Fact], tier: Tier, arguments: &[Ranges]) -> bool {
@@ -20,10 +20,10 @@ fn holds(fact: &Fact, tier: Tier, arguments: &[Ranges]) -> Option<bool> {
     let all = |parameter: usize, holds: &dyn Fn(Floats) -> bool| {
         Some(floats(parameter)?.into_iter().all(|x| !x.nan && !x.is_none() && holds(x)))
     };
-    let limit = |limit: &RuleLimit, side: fn(Floats) -> f64, pick: fn(f64, f64) -> f64| match limit
+    let limit = |limit: &FactLimit, side: fn(Floats) -> f64, pick: fn(f64, f64) -> f64| match limit
     {
-        RuleLimit::Number(number) => Some(*number),
-        RuleLimit::Parameter(parameter) => {
+        FactLimit::Number(number) => Some(*number),
+        FactLimit::Parameter(parameter) => {
             let floats = floats(*parameter)?;
             let is_number = floats.iter().all(|x| !x.nan && !x.is_none());
             is_number.then(|| floats.into_iter().map(side).reduce(pick)).flatten()

@@ -6,7 +6,7 @@ use crate::document::Tier;
 use crate::interp::{
     Derivatives, FunctionOptions, Precision, Program, Scalar, ScalarKind, Shape, Value,
 };
-use crate::library::{Fact, Library, NodeModule, Rule};
+use crate::library::{Fact, FormRule, Library, NodeModule};
 
 /// Arguments that each rule is tried with, where its facts hold.
 const WANTED: usize = 200;
@@ -97,7 +97,7 @@ fn is_excepted(function: &str, arguments: &[Value]) -> bool {
 struct RuleTrial<'a> {
     module: &'a NodeModule,
     function: &'a str,
-    rule: &'a Rule,
+    rule: &'a FormRule,
 }
 
 impl RuleTrial<'_> {
