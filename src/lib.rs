@@ -24,8 +24,8 @@
 //!
 //! Shaders:
 //! - Order of nodes: `compiler/compile/emit/mod.rs` (`order_calls`).
-//! - Shorter forms of functions where facts hold: `@where` lines in `shaders/lib/`, read in
-//!   `compiler/library/rules.rs`; `compiler/compile/functions/` takes them.
+//! - Shorter forms of functions where facts hold: lines of docs in `shaders/lib/`, read in
+//!   `compiler/library/rules.rs` (`FormRule`); `compiler/compile/functions/` takes them.
 //! - Contexts, which nodes read of the surroundings: `compiler/library/context/table.rs`.
 //! - Passes: `compiler/library/passes/table.rs`.
 //! - Curvature: `shaders/passes/curvature.wgsl`, `shaders/lib/curvature_map.wgsl`,

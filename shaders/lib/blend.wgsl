@@ -5,7 +5,7 @@ import chiaro::types;
 
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-/// @where opacity = 1 and |below| <= 1e30 and |blended| <= 1e30 :
+/// @where opacity = 1 and below is finite and blended is finite :
 ///   select(vec4f(blended, alpha), clamp(vec4f(blended, alpha), vec4f(0.0), vec4f(1.0)), clamped)
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32,
     clamped: bool) -> Composite {

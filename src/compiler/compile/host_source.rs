@@ -112,8 +112,8 @@ impl Functions {
             }
         }
         let mut names = Names::default();
-        let mut collected = items.collect(&mut names, &SpecializedFunctions::default());
-        let mut text = std::mem::take(&mut collected.text);
+        let collected = items.collect(&mut names, &SpecializedFunctions::default());
+        let mut text = collected.text();
         let mut named = BTreeMap::new();
         for ((from, to), template) in conversions {
             let name = names.give_exact(&format!("{to}_from_{from}"));

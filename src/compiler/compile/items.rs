@@ -27,7 +27,8 @@ pub(super) struct Items {
 /// The text of all items, and what functions and types are called in it.
 #[derive(Debug, Default)]
 pub(super) struct CollectedItems {
-    pub(super) text: String,
+    /// Names and texts, in file order.
+    items: Vec<(String, String)>,
     names: HashMap<(usize, String), String>,
     modules: Vec<usize>,
     made: HashMap<usize, String>,
@@ -157,6 +158,13 @@ impl Items {
             printed.push((module, PrintedItem::Original(scanned, text)));
         }
         for (module, item) in printed {
+            let name = match &item {
+                PrintedItem::Original(declaration, _) => {
+                    collected.names.get(&(module, declaration.name.clone())).cloned()
+                }
+                PrintedItem::Made(_, made) => collected.made.get(made).cloned(),
+            };
+            let name = name.unwrap_or_default();
             let text = match item {
                 PrintedItem::Original(declaration, text) => {
                     let is_constant = declaration.kind == DeclarationKind::Constant;
@@ -183,13 +191,37 @@ impl Items {
                     collected.made_text(module, declaration, made, functions)
                 }
             };
-            collected.text.push_str(&text);
+            collected.items.push((name, text));
         }
         collected
     }
 }
 
 impl CollectedItems {
+    /// The text of all items.
+    pub(super) fn text(&self) -> String {
+        self.items.iter().map(|(_, text)| text.as_str()).collect()
+    }
+
+    /// The text of those items that others use, or items that these use.
+    pub(super) fn text_for(&self, others: &[&str]) -> String {
+        let by_name: HashMap<&str, usize> =
+            self.items.iter().enumerate().map(|(i, (name, _))| (name.as_str(), i)).collect();
+        let mut used = vec![false; self.items.len()];
+        let mut open: Vec<&str> = others.to_vec();
+        while let Some(text) = open.pop() {
+            for word in words(text) {
+                if let Some(&index) = by_name.get(word)
+                    && !std::mem::replace(&mut used[index], true)
+                {
+                    open.push(&self.items[index].1);
+                }
+            }
+        }
+        let kept = self.items.iter().zip(used).filter(|(_, used)| *used);
+        kept.map(|((_, text), _)| text.as_str()).collect()
+    }
+
     /// The name of a declaration in the collected text.
     pub(super) fn name<'n>(&'n self, module: &Arc<NodeModule>, name: &'n str) -> &'n str {
         let index = self.modules.iter().position(|known| *known == Arc::as_ptr(module) as usize);
@@ -268,6 +300,13 @@ impl CodeNames for NamesOfFunction<'_> {
     fn made(&self, index: usize) -> String {
         self.items.made(index).to_owned()
     }
+}
+
+/// Names and numbers in code, without those in comments.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    let code = text.lines().map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(|line| line.split(|c: char| !c.is_alphanumeric() && c != '_'))
+        .filter(|word| !word.is_empty())
 }
 
 /// The docs without what only the editor reads.

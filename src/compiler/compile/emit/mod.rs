@@ -571,16 +571,20 @@ impl<'a> Emitter<'a> {
         self.write_header();
         self.write_structs();
         let bindings = self.write_bindings();
-        self.out.push_str(&self.collected.text);
+        let head = std::mem::take(&mut self.out);
         self.write_constants();
-        let offset = self.out.len();
-        self.out.push_str(&body.text);
+        let constants = std::mem::take(&mut self.out);
+        self.write_entry_points();
+        let entry_points = std::mem::take(&mut self.out);
+        // Conversions and constants that were folded leave types and functions without a user.
+        let items = self.collected.text_for(&[&head, &constants, &body.text, &entry_points]);
+        let offset = head.len() + items.len() + constants.len();
+        self.out = [head, items, constants, body.text, entry_points].concat();
         self.spans.spans = body
             .spans
             .into_iter()
             .map(|(span, path)| (span.start + offset..span.end + offset, path))
             .collect();
-        self.write_entry_points();
         EmittedModule {
             removed_within: self.removed_within(),
             root_type: self.special.values[self.special.root].ty.clone(),

@@ -25,9 +25,14 @@ impl FunctionWriter<'_> {
         {
             return Ok(whole);
         }
+        // A parameter keeps its name though its value is known, so that calls with other values
+        // share the function; drivers fold it.
         let is_written = matches!(
             expression,
-            Expression::Literal(_) | Expression::Constant(_) | Expression::LocalVariable(_)
+            Expression::Literal(_)
+                | Expression::Constant(_)
+                | Expression::LocalVariable(_)
+                | Expression::FunctionArgument(_)
         );
         if !is_written && let Some(known) = self.known(handle) {
             // A vector of constants is the same in other words.
