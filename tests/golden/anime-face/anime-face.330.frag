@@ -78,11 +78,11 @@ layout(location = 0) out vec4 out_color;
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && true))) {
-        return vec3(0.0);
+        return otherwise;
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    return (((floatBitsToUint(square) & 2139095040u) == 2139095040u) ? vec3(0.0) : (scaled * (1.0 / sqrt(square))));
+    return (((floatBitsToUint(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / sqrt(square))));
 }
 
 float exp2_stable(float x) {
@@ -135,18 +135,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0, 0.0, 1.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -190,7 +180,7 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (vec4(1.0) - concave)));
+    return (concave + (convexity * (convex - concave)));
 }
 
 float curvature_signed(float kappa, float slope) {
@@ -233,7 +223,7 @@ LitLayer light_apply_3_(Light light_2, vec4 color_5, float tone_5) {
 }
 
 Angle parametrization_diffuse(Light light_3, vec3 normal) {
-    vec3 _e6 = normalize_moderate_3_(normal, vec3(0.0, 0.0, 1.0));
+    vec3 _e6 = normalize_moderate(normal, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e6 - light_3.direction))), (0.5 * length((_e6 + light_3.direction))));
 }
 
@@ -245,7 +235,7 @@ Angle parametrization_specular(Light light_4, vec3 normal_1, vec3 view) {
 
 Angle parametrization_screen_aligned(Light light_5, vec3 normal_2, mat3x3 camera_from_world) {
     vec3 n = (camera_from_world * normal_2);
-    vec3 _e8 = normalize_moderate_3_(n, vec3(0.0, 0.0, 1.0));
+    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e8 - light_5.own_direction))), (0.5 * length((_e8 + light_5.own_direction))));
 }
 
@@ -349,7 +339,7 @@ vec4 shade(Surface surface_1) {
     VectorParts high = VectorParts(place.x, place.y, place.z);
     float is_face = smoothstep(0.02, 0.16, high.y);
     vec3 face_or_body = mix(normal_3, _e15, is_face);
-    vec3 _e27 = normalize_moderate_2_(face_or_body, vec3(0.0));
+    vec3 _e27 = normalize_moderate(face_or_body, vec3(0.0));
     Light _e30 = u_look.key;
     Angle _e31 = parametrization_diffuse(_e30, _e27);
     float _e34 = profile(_e31, 0.0, edge_of_the_shadow_shape);
@@ -390,7 +380,7 @@ vec4 shade(Surface surface_1) {
     float _e197 = profile_4_(_e182, contour_warp, contour_tone_shape);
     Light _e200 = u_look.eye;
     LitLayer _e203 = light_apply_2_(_e200, vec4(1.0), _e197);
-    vec4 output_ = clamp(vec4((_e174.xyz + ((_e174.xyz * (_e203.tone * _e203.color.xyz)) - _e174.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 output_ = clamp(vec4((_e174.xyz * (_e203.tone * _e203.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

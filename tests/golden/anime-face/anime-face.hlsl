@@ -133,11 +133,11 @@ float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) & true))) {
-        return (0.0).xxx;
+        return otherwise;
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    return (((asuint(square) & 2139095040u) == 2139095040u) ? (0.0).xxx : (scaled * (1.0 / sqrt(square))));
+    return (((asuint(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / sqrt(square))));
 }
 
 int naga_f2i32(float value) {
@@ -201,21 +201,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_2)
+float3 normalize_seen(float3 v_2)
 {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_moderate_3_(float3 v_3, float3 otherwise_3)
-{
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : float3(0.0, 0.0, 1.0));
-}
-
-float3 normalize_seen(float3 v_4)
-{
-    const float3 _e5 = normalize_moderate(v_4, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -273,7 +261,7 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * ((1.0).xxxx - concave)));
+    return (concave + (convexity * (convex - concave)));
 }
 
 float curvature_signed(float kappa, float slope)
@@ -334,7 +322,7 @@ LitLayer light_apply_3_(Light light_2, float4 color_5, float tone_5)
 
 Angle parametrization_diffuse(Light light_3, float3 normal)
 {
-    const float3 _e6 = normalize_moderate_3_(normal, float3(0.0, 0.0, 1.0));
+    const float3 _e6 = normalize_moderate(normal, float3(0.0, 0.0, 1.0));
     const Angle angle_6 = ConstructAngle((0.5 * length((_e6 - light_3.direction))), (0.5 * length((_e6 + light_3.direction))));
     return angle_6;
 }
@@ -350,7 +338,7 @@ Angle parametrization_specular(Light light_4, float3 normal_1, float3 view)
 Angle parametrization_screen_aligned(Light light_5, float3 normal_2, float3x3 camera_from_world)
 {
     float3 n = mul(normal_2, camera_from_world);
-    const float3 _e8 = normalize_moderate_3_(n, float3(0.0, 0.0, 1.0));
+    const float3 _e8 = normalize_moderate(n, float3(0.0, 0.0, 1.0));
     const Angle angle_8 = ConstructAngle((0.5 * length((_e8 - light_5.own_direction))), (0.5 * length((_e8 + light_5.own_direction))));
     return angle_8;
 }
@@ -474,7 +462,7 @@ float4 shade(Surface surface_1)
     VectorParts high = ConstructVectorParts(place.x, place.y, place.z);
     float is_face = smoothstep(0.02, 0.16, high.y);
     float3 face_or_body = lerp(normal_5, _e15, is_face);
-    const float3 _e27 = normalize_moderate_2_(face_or_body, (0.0).xxx);
+    const float3 _e27 = normalize_moderate(face_or_body, (0.0).xxx);
     Light _e30 = look.key;
     const Angle _e31 = parametrization_diffuse(_e30, _e27);
     const float _e34 = profile(_e31, 0.0, edge_of_the_shadow_shape);
@@ -515,7 +503,7 @@ float4 shade(Surface surface_1)
     const float _e197 = profile_4_(_e182, contour_warp, contour_tone_shape);
     Light _e200 = look.eye;
     const LitLayer _e203 = light_apply_2_(_e200, (1.0).xxxx, _e197);
-    float4 output = clamp(float4((_e174.xyz + ((_e174.xyz * (_e203.tone * _e203.color.xyz)) - _e174.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 output = clamp(float4((_e174.xyz * (_e203.tone * _e203.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -90,11 +90,11 @@ metal::float3 normalize_or(
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
     if (!(((largest > 0.000000000000000000000000000001) & true))) {
-        return metal::float3(0.0);
+        return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? metal::float3(0.0) : (scaled * (1.0 / metal::sqrt(square)));
+    return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? otherwise : (scaled * (1.0 / metal::sqrt(square)));
 }
 
 int naga_f2i32(float value) {
@@ -166,26 +166,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_3,
-    metal::float3 otherwise_3
-) {
-    float square_3 = metal::dot(v_3, v_3);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -244,7 +228,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (metal::float4(1.0) - concave));
+    return concave + (convexity * (convex - concave));
 }
 
 float curvature_signed(
@@ -323,7 +307,7 @@ Angle parametrization_diffuse(
     Light light_3,
     metal::float3 normal
 ) {
-    metal::float3 _e6 = normalize_moderate_3_(normal, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e6 = normalize_moderate(normal, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e6 - light_3.direction), 0.5 * metal::length(_e6 + light_3.direction)};
 }
 
@@ -343,7 +327,7 @@ Angle parametrization_screen_aligned(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 n = camera_from_world * normal_2;
-    metal::float3 _e8 = normalize_moderate_3_(n, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e8 - light_5.own_direction), 0.5 * metal::length(_e8 + light_5.own_direction)};
 }
 
@@ -483,7 +467,7 @@ metal::float4 shade(
     VectorParts high = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
     float is_face = metal::smoothstep(0.02, 0.16, high.y);
     metal::float3 face_or_body = metal::mix(normal_3, _e15, is_face);
-    metal::float3 _e27 = normalize_moderate_2_(face_or_body, metal::float3(0.0));
+    metal::float3 _e27 = normalize_moderate(face_or_body, metal::float3(0.0));
     Light _e30 = look.key;
     Angle _e31 = parametrization_diffuse(_e30, _e27);
     float _e34 = profile(_e31, 0.0, edge_of_the_shadow_shape);
@@ -524,7 +508,7 @@ metal::float4 shade(
     float _e197 = profile_4_(_e182, contour_warp, contour_tone_shape);
     Light _e200 = look.eye;
     LitLayer _e203 = light_apply_2_(_e200, metal::float4(1.0), _e197);
-    metal::float4 output = metal::clamp(metal::float4(_e174.xyz + ((_e174.xyz * (_e203.tone * _e203.color.xyz)) - _e174.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 output = metal::clamp(metal::float4(_e174.xyz * (_e203.tone * _e203.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

@@ -75,11 +75,11 @@ const LOG2_E: f32 = 1.44269504088896340736;
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !((largest > 1e-30) & true) {
-        return vec3f(0.0);
+        return otherwise;
     }
     let scaled = v * (1.0 / largest);
     let square = dot(scaled, scaled);
-    return select(scaled * (1.0 / sqrt(square)), vec3f(0.0), (bitcast<u32>(square)
+    return select(scaled * (1.0 / sqrt(square)), otherwise, (bitcast<u32>(square)
         & 0x7f800000u) == 0x7f800000u);
 }
 
@@ -145,28 +145,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_3(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0, 0.0, 1.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -227,7 +213,7 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
+    return concave + convexity * (convex - concave);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
@@ -304,7 +290,7 @@ struct LitLayer {
 /// Screen-aligned ignores the illumination frame and the camera: the light is read in the picture's
 /// own axes.
 fn parametrization_diffuse(light: Light, normal: vec3f) -> Angle {
-    let d = normalize_moderate_3(normal, vec3f(0.0, 0.0, 1.0));
+    let d = normalize_moderate(normal, vec3f(0.0, 0.0, 1.0));
     return Angle(0.5 * length(d - light.direction), 0.5 * length(d + light.direction));
 }
 
@@ -317,7 +303,7 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
 fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
     -> Angle {
     let n = camera_from_world * normal;
-    let d = normalize_moderate_3(n, vec3f(0.0, 0.0, 1.0));
+    let d = normalize_moderate(n, vec3f(0.0, 0.0, 1.0));
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
@@ -476,7 +462,7 @@ fn shade(surface: Surface) -> vec4f {
     let high = VectorParts(place.x, place.y, place.z);
     let is_face = smoothstep(0.02, 0.16, high.y);
     let face_or_body = mix(normal, face_direction, is_face);
-    let shading_direction = normalize_moderate_2(face_or_body, vec3f(0.0));
+    let shading_direction = normalize_moderate(face_or_body, vec3f(0.0));
     let from_the_light = parametrization_diffuse(look.key, shading_direction);
     let edge_of_the_shadow = profile(from_the_light, 0.0, edge_of_the_shadow_shape);
     let soft_dark = 1.0 - edge_of_the_shadow;
@@ -504,7 +490,7 @@ fn shade(surface: Surface) -> vec4f {
     let contour_warp = (2.0 * contour_convexity - 1.0) * 0.28;
     let contour_tone = profile_4(contour_angle, contour_warp, contour_tone_shape);
     let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = clamp(vec4f(rim_light_blend.xyz + (rim_light_blend.xyz * (contour_lit.tone * contour_lit.color.xyz) - rim_light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let contour_blend = clamp(vec4f(rim_light_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let output = contour_blend;
     return output;
 }

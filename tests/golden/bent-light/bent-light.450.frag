@@ -115,18 +115,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_seen(vec3 v_3) {
-    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -169,21 +159,36 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-float footprint_of(float x_5) {
-    float _e1 = dFdx(x_5);
-    float _e2 = dFdy(x_5);
+float bounded(float x_5) {
+    uint bits_1 = floatBitsToUint(x_5);
+    uint magnitude = (bits_1 & 2147483647u);
+    float largest = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
+}
+
+float eased(float x_6, float low, float high) {
+    float _e3 = bounded(x_6);
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
+float footprint_of(float x_7) {
+    float _e1 = dFdx(x_7);
+    float _e2 = dFdy(x_7);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
 
-float footprint_of_vec3_(vec3 v_4) {
-    vec3 dx_1 = dFdx(v_4);
-    vec3 dy_1 = dFdy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+float footprint_of_vec3_(vec3 v_2) {
+    vec3 dx_1 = dFdx(v_2);
+    vec3 dy_1 = dFdy(v_2);
+    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate_2_(y_axis, vec3(0.0));
+    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
     return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
@@ -194,18 +199,17 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 y_3 = vec3(0.0, 1.0, 0.0);
-    vec3 leaning = cross(y_3, toward);
-    float square_3 = dot(leaning, leaning);
+    vec3 leaning = cross(up, toward);
+    float square_1 = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_3 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e32 = normalize_moderate_3_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e32, cross(toward, _e32), toward);
+    vec3 across = ((square_1 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e28, cross(toward, _e28), toward);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e6 = axes_around(direction_1, vec3(0.0, 1.0, 0.0));
-    return AxesAround(_e6[0], _e6[1]);
+    mat3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround(_e2[0], _e2[1]);
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -341,36 +345,36 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_5 = uvec3(0u);
-    v_5 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_5;
-    uvec3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_5;
+    uvec3 v_3 = uvec3(0u);
+    v_3 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_3;
+    uvec3 _e32 = v_3;
+    v_3 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_3;
     return _e61;
 }
 
@@ -444,7 +448,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_3 * _e21)));
+        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -489,7 +494,8 @@ float fractal_noise_2_(uint kind_1, vec3 p_2, int octaves_1, float roughness_1, 
             break;
         }
         float _e21 = frequency_1;
-        float visible_1 = (1.0 - smoothstep(0.5, 1.0, (w_4 * _e21)));
+        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float visible_1 = (1.0 - _e25);
         octave_1 = 0.5;
         if ((visible_1 > 0.0)) {
             float _e31 = frequency_1;
@@ -525,17 +531,17 @@ float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport) {
 }
 
 float noise_perlin(vec3 position, float scale, int octaves_2, float roughness_2, int seed_5) {
-    vec3 p_3 = (position * 3.5);
-    float _e11 = footprint_of_vec3_(p_3);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_3, 2, 0.5, 1, _e11);
-    return _e12;
+    vec3 p_3 = (position * scale);
+    float _e7 = footprint_of_vec3_(p_3);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_3, octaves_2, roughness_2, seed_5, _e7);
+    return _e8;
 }
 
 float noise_perlin_2_(vec3 position_1, float scale_1, int octaves_3, float roughness_3, int seed_6) {
-    vec3 p_4 = (position_1 * 3.5);
-    float _e11 = footprint_of_vec3_(p_4);
-    float _e12 = fractal_noise_2_(NOISE_PERLIN, p_4, 2, 0.5, 5, _e11);
-    return _e12;
+    vec3 p_4 = (position_1 * scale_1);
+    float _e7 = footprint_of_vec3_(p_4);
+    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_4, octaves_3, roughness_3, seed_6, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {

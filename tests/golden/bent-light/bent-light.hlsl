@@ -76,16 +76,6 @@ struct AxesAround {
     int _end_pad_0;
 };
 
-struct LightParts {
-    float3 direction;
-    int _pad1_0;
-    float4 color;
-    float intensity;
-    int _end_pad_0;
-    int _end_pad_1;
-    int _end_pad_2;
-};
-
 struct ProfileShape {
     float half_cos_offset;
     float half_sin_offset;
@@ -200,21 +190,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_1, float3 otherwise_1)
+float3 normalize_seen(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_moderate_3_(float3 v_2, float3 otherwise_2)
-{
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_seen(float3 v_3)
-{
-    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -270,19 +248,36 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_4;
 }
 
-float footprint_of(float x_5)
+float bounded(float x_5)
 {
-    float _e1 = ddx(x_5);
-    float _e2 = ddy(x_5);
+    uint bits_1 = asuint(x_5);
+    uint magnitude = (bits_1 & 2147483647u);
+    float largest = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0));
+}
+
+float eased(float x_6, float low, float high)
+{
+    const float _e3 = bounded(x_6);
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
+float footprint_of(float x_7)
+{
+    float _e1 = ddx(x_7);
+    float _e2 = ddy(x_7);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
 
-float footprint_of_vec3_(float3 v_4)
+float footprint_of_vec3_(float3 v_2)
 {
-    float3 dx_1 = ddx(v_4);
-    float3 dy_1 = ddy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    float3 dx_1 = ddx(v_2);
+    float3 dy_1 = ddy(v_2);
+    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, float2 arg3) {
@@ -296,7 +291,7 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate_2_(y_axis, (0.0).xxx);
+    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
     const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
     return directionparts;
 }
@@ -310,13 +305,12 @@ float3 direction_moved(DirectionParts parts, float2 by)
 
 float3x3 axes_around(float3 toward, float3 up)
 {
-    float3 y_3 = float3(0.0, 1.0, 0.0);
-    float3 leaning = cross(y_3, toward);
-    float square_3 = dot(leaning, leaning);
+    float3 leaning = cross(up, toward);
+    float square_1 = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_3 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e32 = normalize_moderate_3_((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e32, cross(toward, _e32), toward);
+    float3 across = ((square_1 > 1e-8) ? leaning : cross(aside, toward));
+    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e28, cross(toward, _e28), toward);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -328,8 +322,8 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 
 AxesAround axes(float3 direction_1, float3 up_1)
 {
-    const float3x3 _e6 = axes_around(direction_1, float3(0.0, 1.0, 0.0));
-    const AxesAround axesaround = ConstructAxesAround(_e6[0], _e6[1]);
+    const float3x3 _e2 = axes_around(direction_1, up_1);
+    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
 
@@ -481,37 +475,37 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_5 = (uint3)0;
+    uint3 v_3 = (uint3)0;
 
-    v_5 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_5;
-    uint3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_5;
+    v_3 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_3;
+    uint3 _e32 = v_3;
+    v_3 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_3;
     return _e61;
 }
 
@@ -606,7 +600,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_3 * _e21)));
+        const float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -656,7 +651,8 @@ float fractal_noise_2_(uint kind_1, float3 p_2, int octaves_1, float roughness_1
             break;
         }
         float _e21 = frequency_1;
-        float visible_1 = (1.0 - smoothstep(0.5, 1.0, (w_4 * _e21)));
+        const float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float visible_1 = (1.0 - _e25);
         octave_1 = 0.5;
         if ((visible_1 > 0.0)) {
             float _e31 = frequency_1;
@@ -694,18 +690,18 @@ float outer_contour(float width, float3 normal, float3 view, float2 viewport)
 
 float noise_perlin(float3 position, float scale, int octaves_2, float roughness_2, int seed_5)
 {
-    float3 p_3 = (position * 3.5);
-    const float _e11 = footprint_of_vec3_(p_3);
-    const float _e12 = fractal_noise(NOISE_PERLIN, p_3, int(2), 0.5, int(1), _e11);
-    return _e12;
+    float3 p_3 = (position * scale);
+    const float _e7 = footprint_of_vec3_(p_3);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_3, octaves_2, roughness_2, seed_5, _e7);
+    return _e8;
 }
 
 float noise_perlin_2_(float3 position_1, float scale_1, int octaves_3, float roughness_3, int seed_6)
 {
-    float3 p_4 = (position_1 * 3.5);
-    const float _e11 = footprint_of_vec3_(p_4);
-    const float _e12 = fractal_noise_2_(NOISE_PERLIN, p_4, int(2), 0.5, int(5), _e11);
-    return _e12;
+    float3 p_4 = (position_1 * scale_1);
+    const float _e7 = footprint_of_vec3_(p_4);
+    const float _e8 = fractal_noise_2_(NOISE_PERLIN, p_4, octaves_3, roughness_3, seed_6, _e7);
+    return _e8;
 }
 
 Light ConstructLight(float3 arg0, float3 arg1, float3 arg2, float arg3) {

@@ -59,12 +59,6 @@ struct AxesAround {
     metal::float3 x_axis;
     metal::float3 y_axis;
 };
-struct LightParts {
-    metal::float3 direction;
-    Color color;
-    float intensity;
-    char _pad3[12];
-};
 struct ProfileShape {
     float half_cos_offset;
     float half_sin_offset;
@@ -151,26 +145,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_3
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -224,21 +202,42 @@ Angle angle_turned_2_(
     return Angle {turned_1.x, turned_1.y};
 }
 
-float footprint_of(
+float bounded(
     float x_5
 ) {
-    float _e1 = metal::dfdx(x_5);
-    float _e2 = metal::dfdy(x_5);
+    uint bits_1 = as_type<uint>(x_5);
+    uint magnitude = bits_1 & 2147483647u;
+    float largest = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest : 0.0);
+}
+
+float eased(
+    float x_6,
+    float low,
+    float high
+) {
+    float _e3 = bounded(x_6);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
+    float t_4 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_4 * t_4) * (3.0 - (2.0 * t_4));
+}
+
+float footprint_of(
+    float x_7
+) {
+    float _e1 = metal::dfdx(x_7);
+    float _e2 = metal::dfdy(x_7);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_1, d_1));
 }
 
 float footprint_of_vec3_(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 dx_1 = metal::dfdx(v_4);
-    metal::float3 dy_1 = metal::dfdy(v_4);
-    return metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1)));
+    metal::float3 dx_1 = metal::dfdx(v_2);
+    metal::float3 dy_1 = metal::dfdy(v_2);
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
+    return _e7;
 }
 
 DirectionParts direction_within(
@@ -246,7 +245,7 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate_2_(y_axis, metal::float3(0.0));
+    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
     return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
 }
 
@@ -263,21 +262,20 @@ metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 y_3 = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y_3, toward);
-    float square_3 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, toward);
+    float square_1 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_3 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e32 = normalize_moderate_3_(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e32, metal::cross(toward, _e32), toward);
+    metal::float3 across = (square_1 > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
 }
 
 AxesAround axes(
     metal::float3 direction_1,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e6 = axes_around(direction_1, metal::float3(0.0, 1.0, 0.0));
-    return AxesAround {_e6[0], _e6[1]};
+    metal::float3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround {_e2[0], _e2[1]};
 }
 
 Composite blend_alpha(
@@ -460,36 +458,36 @@ float profile_3_(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_5 = {};
-    v_5 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_5;
-    metal::uint3 _e32 = v_5;
-    v_5 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_5;
+    metal::uint3 v_3 = {};
+    v_3 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_3.x;
+    uint _e10 = v_3.y;
+    uint _e12 = v_3.z;
+    v_3.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_3.y;
+    uint _e18 = v_3.z;
+    uint _e20 = v_3.x;
+    v_3.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_3.z;
+    uint _e26 = v_3.x;
+    uint _e28 = v_3.y;
+    v_3.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_3;
+    metal::uint3 _e32 = v_3;
+    v_3 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_3.x;
+    uint _e40 = v_3.y;
+    uint _e42 = v_3.z;
+    v_3.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_3.y;
+    uint _e48 = v_3.z;
+    uint _e50 = v_3.x;
+    v_3.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_3.z;
+    uint _e56 = v_3.x;
+    uint _e58 = v_3.y;
+    v_3.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_3;
     return _e61;
 }
 
@@ -595,7 +593,8 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * _e21);
+        float _e25 = eased(w_3 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
@@ -650,7 +649,8 @@ float fractal_noise_2_(
             break;
         }
         float _e21 = frequency_1;
-        float visible_1 = 1.0 - metal::smoothstep(0.5, 1.0, w_4 * _e21);
+        float _e25 = eased(w_4 * _e21, 0.5, 1.0);
+        float visible_1 = 1.0 - _e25;
         octave_1 = 0.5;
         if (visible_1 > 0.0) {
             float _e31 = frequency_1;
@@ -697,10 +697,10 @@ float noise_perlin(
     float roughness_2,
     int seed_5
 ) {
-    metal::float3 p_3 = position * 3.5;
-    float _e11 = footprint_of_vec3_(p_3);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_3, 2, 0.5, 1, _e11);
-    return _e12;
+    metal::float3 p_3 = position * scale;
+    float _e7 = footprint_of_vec3_(p_3);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_3, octaves_2, roughness_2, seed_5, _e7);
+    return _e8;
 }
 
 float noise_perlin_2_(
@@ -710,10 +710,10 @@ float noise_perlin_2_(
     float roughness_3,
     int seed_6
 ) {
-    metal::float3 p_4 = position_1 * 3.5;
-    float _e11 = footprint_of_vec3_(p_4);
-    float _e12 = fractal_noise_2_(NOISE_PERLIN, p_4, 2, 0.5, 5, _e11);
-    return _e12;
+    metal::float3 p_4 = position_1 * scale_1;
+    float _e7 = footprint_of_vec3_(p_4);
+    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_4, octaves_3, roughness_3, seed_6, _e7);
+    return _e8;
 }
 
 metal::float4 shade(

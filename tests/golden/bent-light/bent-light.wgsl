@@ -119,28 +119,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_3(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -197,6 +183,22 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+fn bounded(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    let magnitude = bits & 0x7fffffffu;
+    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
+    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
+}
+
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 /// Change of x over one pixel: |grad x|, finite. Call it in uniform control flow.
 fn footprint_of(x: f32) -> f32 {
     let d = vec2f(dpdx(x), dpdy(x));
@@ -208,7 +210,7 @@ fn footprint_of(x: f32) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
 /// A direction with the two axes along which it is bent.
@@ -224,7 +226,7 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let y = normalize_moderate_2(y_axis, vec3f(0.0));
+    let y = normalize_moderate(y_axis, vec3f(0.0));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
@@ -238,12 +240,11 @@ fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
-    let y = vec3f(0.0, 1.0, 0.0);
-    let leaning = cross(y, toward);
+    let leaning = cross(up, toward);
     let square = dot(leaning, leaning);
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(toward.x) > 0.7);
     let across = select(cross(aside, toward), leaning, square > 1e-8);
-    let x = normalize_moderate_3(across - dot(across, toward) * toward, vec3f(1.0, 0.0, 0.0));
+    let x = normalize_moderate(across - dot(across, toward) * toward, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(toward, x), toward);
 }
 
@@ -253,7 +254,7 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
 /// moved, stretched or split so that it keeps its shape on every object, whatever its texture
 /// coordinates.
 fn axes(direction: vec3f, up: vec3f) -> AxesAround {
-    let axes_2 = axes_around(direction, vec3f(0.0, 1.0, 0.0));
+    let axes_2 = axes_around(direction, up);
     return AxesAround(axes_2[0], axes_2[1]);
 }
 
@@ -267,15 +268,6 @@ struct AxesAround {
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
     return vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0);
-}
-
-struct LightParts {
-    /// Unit, toward the light, world space.
-    direction: vec3f,
-    /// The light's color, opaque.
-    color: Color,
-    /// With the light's distance and cone attenuation; 0 or more.
-    intensity: f32,
 }
 
 /// Constants of a profile, from its offset, fall-off and cut-off; made once, in f64 wherever those
@@ -505,7 +497,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         if !(i < 2i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -537,7 +529,7 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
         if !(i < 2i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -568,13 +560,13 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = position * 3.5;
-    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 1i, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = position * 3.5;
-    return fractal_noise_2(NOISE_PERLIN, p, 2i, 0.5, 5i, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 const lit_shape = ProfileShape(0.8253356, 0.5646425, 25.006668, 1.7790966, 1.2, 0.04446849, 0.018017149, 0u);

@@ -182,19 +182,26 @@ vec4 mixed_vec4_(vec4 a_2, vec4 b_2, float t_1) {
 
 float eased(float x_4, float low, float high) {
     float _e3 = bounded(x_4);
-    float _e8 = bounded(((_e3 - 0.75) / 0.75));
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
     float t_4 = clamp(_e8, 0.0, 1.0);
     return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
 }
 
 float eased_2_(float x_5, float low_1, float high_1) {
-    float t_5 = clamp(((x_5 - low_1) / (high_1 - low_1)), 0.0, 1.0);
+    float _e3 = bounded(x_5);
+    float _e8 = bounded(((_e3 - 0.75) / 0.75));
+    float t_5 = clamp(_e8, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
-float footprint_of(float x_6) {
-    float _e1 = dFdx(x_6);
-    float _e2 = dFdy(x_6);
+float eased_3_(float x_6, float low_2, float high_2) {
+    float t_6 = clamp(((x_6 - low_2) / (high_2 - low_2)), 0.0, 1.0);
+    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
+}
+
+float footprint_of(float x_7) {
+    float _e1 = dFdx(x_7);
+    float _e2 = dFdy(x_7);
     vec2 d_3 = vec2(_e1, _e2);
     return sqrt(dot(d_3, d_3));
 }
@@ -202,7 +209,8 @@ float footprint_of(float x_6) {
 float footprint_of_vec3_(vec3 v_6) {
     vec3 dx = dFdx(v_6);
     vec3 dy = dFdy(v_6);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
+    return _e7;
 }
 
 vec4 hermite(vec4 a_3, vec4 b_3, vec4 from_a, vec4 to_b, float t_2) {
@@ -236,7 +244,7 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
     return vec4(_e8, _e13, _e18, _e23);
 }
 
-vec4 ramp_at(Ramp ramp, float x_7, float w) {
+vec4 ramp_at(Ramp ramp, float x_8, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2_ = 1u;
@@ -261,13 +269,13 @@ vec4 ramp_at(Ramp ramp, float x_7, float w) {
         uint _e17 = i_2_;
         uint _e21 = i_2_;
         float _e25 = places[(_e17 / 4u)][(_e21 % 4u)];
-        at = ((_e25 <= x_7) ? _e16 : _e15);
+        at = ((_e25 <= x_8) ? _e16 : _e15);
     }
     uint _e31 = at;
     uint _e35 = at;
     float place_3 = places[(_e31 / 4u)][(_e35 % 4u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_3))) {
+    if ((((_e40 + 1u) >= 5u) || (x_8 <= place_3))) {
         uint _e47 = at;
         vec4 _e49 = colors[_e47];
         return _e49;
@@ -276,8 +284,8 @@ vec4 ramp_at(Ramp ramp, float x_7, float w) {
     uint after_1 = (_e50 + 1u);
     float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
     float span = (_e59 - place_3);
-    float _e62 = divided((x_7 - place_3), span);
-    float t_6 = clamp(_e62, 0.0, 1.0);
+    float _e62 = divided((x_8 - place_3), span);
+    float t_7 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
         uint _e72 = at;
@@ -309,7 +317,7 @@ vec4 ramp_at(Ramp ramp, float x_7, float w) {
     vec4 _e140 = colors[after_1];
     vec4 _e141 = from_a_1;
     vec4 _e143 = to_b_1;
-    vec4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_6);
+    vec4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_7);
     vec4 _e146 = bounded_vec4_(_e145);
     return _e146;
 }
@@ -327,8 +335,8 @@ float curvature_signed(float kappa, float slope) {
         return (a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     float _e33 = exp2_stable((-2.88539 * magnitude_4));
-    float t_7 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_5 >= 0.0) ? t_7 : -(t_7));
+    float t_8 = ((1.0 - _e33) / (1.0 + _e33));
+    return ((a_5 >= 0.0) ? t_8 : -(t_8));
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
@@ -435,7 +443,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_1 * _e21)));
+        float _e25 = eased((w_1 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -495,11 +504,11 @@ uint blue_index(ivec2 cell_1) {
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x_8 = ((turn.y * along) + (turn.x * across));
+    vec3 x_9 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    vec3 stretch_4 = vec3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
+    vec3 stretch_4 = vec3(dot(x_9, x_9), dot(x_9, y), dot(y, y));
     vec2 _e37 = bounded_vec2_(turned);
     return StretchedPlace(_e37, stretch_4);
 }
@@ -593,7 +602,7 @@ float stippled(SpacedPlace at_1, float ink_1, Dots style_1) {
     }
     float mean = (ink_1 * ((0.7853982 * style_1.size) * style_1.size));
     float _e71 = dots;
-    float _e74 = eased(_e13, 0.75, 1.5);
+    float _e74 = eased_2_(_e13, 0.75, 1.5);
     return mix(_e71, mean, _e74);
 }
 
@@ -603,8 +612,8 @@ MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_2);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_5 = (_e15 / vec2(size));
-    StretchedPlace _e29 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), 0.0);
-    return MarkPlace(_e29.place, _e29.stretch);
+    StretchedPlace _e28 = mark_place_of(place_5, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport_3) {
@@ -617,10 +626,10 @@ float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport_3) {
 }
 
 float noise_perlin(vec3 position, float scale_2, int octaves_1, float roughness_1, int seed_4) {
-    vec3 p_4 = (position * 4.0);
-    float _e11 = footprint_of_vec3_(p_4);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_4, 3, 0.5, 0, _e11);
-    return _e12;
+    vec3 p_4 = (position * scale_2);
+    float _e7 = footprint_of_vec3_(p_4);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
@@ -651,7 +660,7 @@ vec4 shade(Surface surface_1) {
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
     float _e127 = curvature_signed(curvature, 0.25);
     float hollow = (0.5 + (0.5 * _e127));
-    float _e134 = eased_2_(hollow, 0.24, 0.16);
+    float _e134 = eased_3_(hollow, 0.24, 0.16);
     float ink_2 = max(i1_, _e134);
     vec4 _e136 = bounded_vec4_(_e65);
     vec4 _e142 = mixed_vec4_(_e136, vec4(0.1725, 0.1412, 0.1216, 1.0), ink_2);

@@ -270,21 +270,29 @@ float4 mixed_vec4_(float4 a_2, float4 b_2, float t_1)
 float eased(float x_4, float low, float high)
 {
     const float _e3 = bounded(x_4);
-    const float _e8 = bounded(((_e3 - 0.75) / 0.75));
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
     float t_4 = clamp(_e8, 0.0, 1.0);
     return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
 }
 
 float eased_2_(float x_5, float low_1, float high_1)
 {
-    float t_5 = clamp(((x_5 - low_1) / (high_1 - low_1)), 0.0, 1.0);
+    const float _e3 = bounded(x_5);
+    const float _e8 = bounded(((_e3 - 0.75) / 0.75));
+    float t_5 = clamp(_e8, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
-float footprint_of(float x_6)
+float eased_3_(float x_6, float low_2, float high_2)
 {
-    float _e1 = ddx(x_6);
-    float _e2 = ddy(x_6);
+    float t_6 = clamp(((x_6 - low_2) / (high_2 - low_2)), 0.0, 1.0);
+    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
+}
+
+float footprint_of(float x_7)
+{
+    float _e1 = ddx(x_7);
+    float _e2 = ddy(x_7);
     float2 d_3 = float2(_e1, _e2);
     return sqrt(dot(d_3, d_3));
 }
@@ -293,7 +301,8 @@ float footprint_of_vec3_(float3 v_6)
 {
     float3 dx = ddx(v_6);
     float3 dy = ddy(v_6);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
+    return _e7;
 }
 
 float4 hermite(float4 a_3, float4 b_3, float4 from_a, float4 to_b, float t_2)
@@ -338,7 +347,7 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_7, float w)
+float4 ramp_at(Ramp ramp, float x_8, float w)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -368,13 +377,13 @@ float4 ramp_at(Ramp ramp, float x_7, float w)
         uint _e17 = i_2_;
         uint _e21 = i_2_;
         float _e25 = places[min(uint(naga_div(_e17, 4u)), 3u)][min(uint(naga_mod(_e21, 4u)), 3u)];
-        at = ((_e25 <= x_7) ? _e16 : _e15);
+        at = ((_e25 <= x_8) ? _e16 : _e15);
     }
     uint _e31 = at;
     uint _e35 = at;
     float place_3 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_3))) {
+    if ((((_e40 + 1u) >= 5u) | (x_8 <= place_3))) {
         uint _e47 = at;
         float4 _e49 = colors[min(uint(_e47), 15u)];
         return _e49;
@@ -383,8 +392,8 @@ float4 ramp_at(Ramp ramp, float x_7, float w)
     uint after_1 = (_e50 + 1u);
     float _e59 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
     float span = (_e59 - place_3);
-    const float _e62 = divided((x_7 - place_3), span);
-    float t_6 = clamp(_e62, 0.0, 1.0);
+    const float _e62 = divided((x_8 - place_3), span);
+    float t_7 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
         uint _e72 = at;
@@ -416,7 +425,7 @@ float4 ramp_at(Ramp ramp, float x_7, float w)
     float4 _e140 = colors[min(uint(after_1), 15u)];
     float4 _e141 = from_a_1;
     float4 _e143 = to_b_1;
-    const float4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_6);
+    const float4 _e145 = hermite(_e138, _e140, (span * _e141), (span * _e143), t_7);
     const float4 _e146 = bounded_vec4_(_e145);
     return _e146;
 }
@@ -436,8 +445,8 @@ float curvature_signed(float kappa, float slope)
         return (a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     const float _e33 = exp2_stable((-2.88539 * magnitude_4));
-    float t_7 = ((1.0 - _e33) / (1.0 + _e33));
-    return ((a_5 >= 0.0) ? t_7 : -(t_7));
+    float t_8 = ((1.0 - _e33) / (1.0 + _e33));
+    return ((a_5 >= 0.0) ? t_8 : -(t_8));
 }
 
 uint3 hash_pcg3d(uint3 seed)
@@ -563,7 +572,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_1 * _e21)));
+        const float _e25 = eased((w_1 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -636,11 +646,11 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x_8 = ((turn.y * along) + (turn.x * across));
+    float3 x_9 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);
     float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    float3 stretch_4 = float3(dot(x_8, x_8), dot(x_8, y), dot(y, y));
+    float3 stretch_4 = float3(dot(x_9, x_9), dot(x_9, y), dot(y, y));
     const float2 _e37 = bounded_vec2_(turned);
     const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_4);
     return stretchedplace;
@@ -766,7 +776,7 @@ float stippled(SpacedPlace at_1, float ink_1, Dots style_1)
     }
     float mean = (ink_1 * ((0.7853982 * style_1.size) * style_1.size));
     float _e71 = dots;
-    const float _e74 = eased(_e13, 0.75, 1.5);
+    const float _e74 = eased_2_(_e13, 0.75, 1.5);
     return lerp(_e71, mean, _e74);
 }
 
@@ -784,8 +794,8 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_5 = (_e15 / (size).xx);
-    const StretchedPlace _e29 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), 0.0);
-    const MarkPlace markplace = ConstructMarkPlace(_e29.place, _e29.stretch);
+    const StretchedPlace _e28 = mark_place_of(place_5, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
 
@@ -801,10 +811,10 @@ float outer_contour(float width, float3 normal, float3 view, float2 viewport_3)
 
 float noise_perlin(float3 position, float scale_2, int octaves_1, float roughness_1, int seed_4)
 {
-    float3 p_4 = (position * 4.0);
-    const float _e11 = footprint_of_vec3_(p_4);
-    const float _e12 = fractal_noise(NOISE_PERLIN, p_4, int(3), 0.5, int(0), _e11);
-    return _e12;
+    float3 p_4 = (position * scale_2);
+    const float _e7 = footprint_of_vec3_(p_4);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 VectorParts ConstructVectorParts(float arg0, float arg1, float arg2) {
@@ -852,7 +862,7 @@ float4 shade(Surface surface_1)
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
     const float _e127 = curvature_signed(curvature, 0.25);
     float hollow = (0.5 + (0.5 * _e127));
-    const float _e134 = eased_2_(hollow, 0.24, 0.16);
+    const float _e134 = eased_3_(hollow, 0.24, 0.16);
     float ink_2 = max(i1_, _e134);
     const float4 _e136 = bounded_vec4_(_e65);
     const float4 _e142 = mixed_vec4_(_e136, float4(0.1725, 0.1412, 0.1216, 1.0), ink_2);

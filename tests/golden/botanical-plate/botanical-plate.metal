@@ -232,7 +232,7 @@ float eased(
     float high
 ) {
     float _e3 = bounded(x_4);
-    float _e8 = bounded((_e3 - 0.75) / 0.75);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
     float t_4 = metal::clamp(_e8, 0.0, 1.0);
     return (t_4 * t_4) * (3.0 - (2.0 * t_4));
 }
@@ -242,15 +242,26 @@ float eased_2_(
     float low_1,
     float high_1
 ) {
-    float t_5 = metal::clamp((x_5 - low_1) / (high_1 - low_1), 0.0, 1.0);
+    float _e3 = bounded(x_5);
+    float _e8 = bounded((_e3 - 0.75) / 0.75);
+    float t_5 = metal::clamp(_e8, 0.0, 1.0);
     return (t_5 * t_5) * (3.0 - (2.0 * t_5));
 }
 
-float footprint_of(
-    float x_6
+float eased_3_(
+    float x_6,
+    float low_2,
+    float high_2
 ) {
-    float _e1 = metal::dfdx(x_6);
-    float _e2 = metal::dfdy(x_6);
+    float t_6 = metal::clamp((x_6 - low_2) / (high_2 - low_2), 0.0, 1.0);
+    return (t_6 * t_6) * (3.0 - (2.0 * t_6));
+}
+
+float footprint_of(
+    float x_7
+) {
+    float _e1 = metal::dfdx(x_7);
+    float _e2 = metal::dfdy(x_7);
     metal::float2 d_3 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_3, d_3));
 }
@@ -260,7 +271,8 @@ float footprint_of_vec3_(
 ) {
     metal::float3 dx = metal::dfdx(v_6);
     metal::float3 dy = metal::dfdy(v_6);
-    return metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy)));
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
+    return _e7;
 }
 
 metal::float4 hermite(
@@ -320,7 +332,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_7,
+    float x_8,
     float w
 ) {
     type_7 colors = {};
@@ -350,13 +362,13 @@ Color ramp_at(
         uint _e17 = i_2_;
         uint _e21 = i_2_;
         float _e25 = places.inner[naga_div(_e17, 4u)][naga_mod(_e21, 4u)];
-        at = (_e25 <= x_7) ? _e16 : _e15;
+        at = (_e25 <= x_8) ? _e16 : _e15;
     }
     uint _e31 = at;
     uint _e35 = at;
     float place_3 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
     uint _e40 = at;
-    if (((_e40 + 1u) >= 5u) | (x_7 <= place_3)) {
+    if (((_e40 + 1u) >= 5u) | (x_8 <= place_3)) {
         uint _e47 = at;
         metal::float4 _e49 = colors.inner[_e47];
         return _e49;
@@ -365,8 +377,8 @@ Color ramp_at(
     uint after_1 = _e50 + 1u;
     float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
     float span = _e59 - place_3;
-    float _e62 = divided(x_7 - place_3, span);
-    float t_6 = metal::clamp(_e62, 0.0, 1.0);
+    float _e62 = divided(x_8 - place_3, span);
+    float t_7 = metal::clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if (_e69 > 0u) {
         uint _e72 = at;
@@ -398,7 +410,7 @@ Color ramp_at(
     metal::float4 _e140 = colors.inner[after_1];
     metal::float4 _e141 = from_a_1;
     metal::float4 _e143 = to_b_1;
-    metal::float4 _e145 = hermite(_e138, _e140, span * _e141, span * _e143, t_6);
+    metal::float4 _e145 = hermite(_e138, _e140, span * _e141, span * _e143, t_7);
     metal::float4 _e146 = bounded_vec4_(_e145);
     return _e146;
 }
@@ -423,8 +435,8 @@ float curvature_signed(
         return a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
     float _e33 = exp2_stable(-2.88539 * magnitude_4);
-    float t_7 = (1.0 - _e33) / (1.0 + _e33);
-    return (a_5 >= 0.0) ? t_7 : -(t_7);
+    float t_8 = (1.0 - _e33) / (1.0 + _e33);
+    return (a_5 >= 0.0) ? t_8 : -(t_8);
 }
 
 metal::uint3 hash_pcg3d(
@@ -561,7 +573,8 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * _e21);
+        float _e25 = eased(w_1 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
@@ -643,11 +656,11 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x_8 = (turn.y * along) + (turn.x * across);
+    metal::float3 x_9 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
-    metal::float3 stretch_4 = metal::float3(metal::dot(x_8, x_8), metal::dot(x_8, y), metal::dot(y, y));
+    metal::float3 stretch_4 = metal::float3(metal::dot(x_9, x_9), metal::dot(x_9, y), metal::dot(y, y));
     metal::float2 _e37 = bounded_vec2_(turned);
     return StretchedPlace {_e37, {}, stretch_4};
 }
@@ -778,7 +791,7 @@ float stippled(
     }
     float mean = ink_1 * ((0.7853982 * style_1.size) * style_1.size);
     float _e71 = dots;
-    float _e74 = eased(_e13, 0.75, 1.5);
+    float _e74 = eased_2_(_e13, 0.75, 1.5);
     return metal::mix(_e71, mean, _e74);
 }
 
@@ -793,8 +806,8 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_5 = _e15 / metal::float2(size);
-    StretchedPlace _e29 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
-    return MarkPlace {_e29.place, {}, _e29.stretch};
+    StretchedPlace _e28 = mark_place_of(place_5, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 float outer_contour(
@@ -818,10 +831,10 @@ float noise_perlin(
     float roughness_1,
     int seed_4
 ) {
-    metal::float3 p_4 = position * 4.0;
-    float _e11 = footprint_of_vec3_(p_4);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_4, 3, 0.5, 0, _e11);
-    return _e12;
+    metal::float3 p_4 = position * scale_2;
+    float _e7 = footprint_of_vec3_(p_4);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 metal::float4 shade(
@@ -855,7 +868,7 @@ metal::float4 shade(
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
     float _e127 = curvature_signed(curvature, 0.25);
     float hollow = 0.5 + (0.5 * _e127);
-    float _e134 = eased_2_(hollow, 0.24, 0.16);
+    float _e134 = eased_3_(hollow, 0.24, 0.16);
     float ink_2 = metal::max(i1_, _e134);
     metal::float4 _e136 = bounded_vec4_(_e65);
     metal::float4 _e142 = mixed_vec4_(_e136, metal::float4(0.1725, 0.1412, 0.1216, 1.0), ink_2);

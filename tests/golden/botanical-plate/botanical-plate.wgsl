@@ -112,14 +112,14 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -185,13 +185,20 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
-    let t = clamp(bounded((bounded(x) - 0.75) / 0.75), 0.0, 1.0);
+    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
 
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased_2(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(bounded((bounded(x) - 0.75) / 0.75), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+fn eased_3(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
@@ -207,7 +214,7 @@ fn footprint_of(x: f32) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
 /// The cubic from a to b that leaves with the slope `from_a` and arrives with `to_b`, per unit of
@@ -364,7 +371,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         if !(i < 3i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -605,13 +612,13 @@ fn stippled(at: SpacedPlace, ink: f32, style: Dots) -> f32 {
         dots = max(dots, finer);
     }
     let mean = ink * (0.785398163397448310 * style.size * style.size);
-    return mix(dots, mean, eased(w, 0.75, 1.5));
+    return mix(dots, mean, eased_2(w, 0.75, 1.5));
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.0);
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -635,8 +642,8 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = position * 4.0;
-    return fractal_noise(NOISE_PERLIN, p, 3i, 0.5, 0i, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 struct VectorParts {
@@ -672,7 +679,7 @@ fn shade(surface: Surface) -> vec4f {
     let i1 = max(stipple, contour);
     let curvature = select(clamp(surface.kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(surface.kappa) & 0x7fffffffu) > 0x7f800000u);
     let hollow = 0.5 + 0.5 * curvature_signed(curvature, 0.25);
-    let inked_hollows = eased_2(hollow, 0.24, 0.16);
+    let inked_hollows = eased_3(hollow, 0.24, 0.16);
     let ink = max(i1, inked_hollows);
     let plate_2 = mixed_vec4(bounded_vec4(wash), vec4f(0.1725, 0.1412, 0.1216, 1.0), ink);
     let output = finite_vec4(plate_2);

@@ -132,8 +132,8 @@ float angle_footprint(Angle u) {
     vec2 half_ = vec2(u.half_sin, u.half_cos);
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
-    float w_4 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_4, 0.5);
+    float w_2 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
+    return min(w_2, 0.5);
 }
 
 Angle angle_turned(Angle u_1, vec2 t) {
@@ -297,11 +297,11 @@ float perlin_noise(vec3 p, uint seed_1) {
         int _e25 = i;
         int _e28 = i;
         int _e33 = i;
-        ivec3 at_3 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
-        vec3 weight = mix((vec3(1.0) - f_2), f_2, equal(at_3, ivec3(1)));
+        ivec3 at_1 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
+        vec3 weight = mix((vec3(1.0) - f_2), f_2, equal(at_1, ivec3(1)));
         float _e44 = sum;
-        uvec3 _e58 = hash_pcg3d((uvec3((cell + at_3)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-        float _e61 = gradient_dot(_e58, (d_1 - vec3(at_3)));
+        uvec3 _e58 = hash_pcg3d((uvec3((cell + at_1)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
+        float _e61 = gradient_dot(_e58, (d_1 - vec3(at_1)));
         sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
     }
     float _e67 = sum;
@@ -373,138 +373,66 @@ MarkPlace mark_place_object(float angle_2, vec3 anchor, vec2 pixel_1, vec2 viewp
     float size = clamp(_e5, 1e-6, 1000000.0);
     vec2 _e9 = place_in_picture(pixel_1, viewport_4);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_10 = (_e15 / vec2(size));
-    StretchedPlace _e29 = mark_place_of(place_10, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), 0.0);
-    return MarkPlace(_e29.place, _e29.stretch);
+    vec2 place_8 = (_e15 / vec2(size));
+    StretchedPlace _e28 = mark_place_of(place_8, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_2);
+    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 float paper_octave(vec2 place_4, int zoom, float w_1, float fiber, uint seed_2) {
     float scale_5 = uintBitsToFloat((uint((zoom + 127)) << 23u));
     vec2 p_4 = clamp((place_4 * scale_5), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (5u + (7u * uint(zoom)));
-    float _e24 = perlin_noise(vec3(p_4, 0.5), own);
-    float grain = (_e24 - 0.5);
+    uint own = (seed_2 + (7u * uint(zoom)));
+    float _e23 = perlin_noise(vec3(p_4, 0.5), own);
+    float grain = (_e23 - 0.5);
     vec2 q_2 = clamp((2.7 * vec2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e53 = perlin_noise(vec3(q_2, 0.5), (own + 1u));
-    float felt = (_e53 - 0.5);
+    float _e52 = perlin_noise(vec3(q_2, 0.5), (own + 1u));
+    float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_1 * scale_5)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_1) * scale_5)));
-    return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((0.5 * felt_seen) * felt)))), 0.0, 1.0);
+    return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
 }
 
 float paper_height(SpacedPlace at, float fiber_1, uint seed_3) {
     float height = 0.0;
     vec2 x_6 = dFdx(at.place);
     vec2 y_3 = dFdy(at.place);
-    float w_5 = sqrt(max(dot(x_6, x_6), dot(y_3, y_3)));
+    float w_3 = sqrt(max(dot(x_6, x_6), dot(y_3, y_3)));
     float _e12 = area_square(at.stretch);
     float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_3 = floor(level);
-    float f_3 = (level - zoom_3);
-    float _e28 = paper_octave(at.place, int(zoom_3), w_5, 0.5, 5u);
-    height = _e28;
+    float zoom_1 = floor(level);
+    float f_3 = (level - zoom_1);
+    float _e27 = paper_octave(at.place, int(zoom_1), w_3, 0.5, seed_3);
+    height = _e27;
     if ((f_3 > 0.0)) {
-        float _e32 = height;
-        float _e39 = paper_octave(at.place, (int(zoom_3) + 1), w_5, 0.5, 5u);
-        float both = mix(_e32, _e39, f_3);
+        float _e31 = height;
+        float _e37 = paper_octave(at.place, (int(zoom_1) + 1), w_3, 0.5, seed_3);
+        float both = mix(_e31, _e37, f_3);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_3 * f_3) + ((1.0 - f_3) * (1.0 - f_3)))))), 0.0, 1.0);
     }
-    float _e57 = height;
-    return _e57;
+    float _e55 = height;
+    return _e55;
 }
 
-float paper_octave_2_(vec2 place_5, int zoom_1, float w_2, float fiber_2, uint seed_4) {
-    float scale_6 = uintBitsToFloat((uint((zoom_1 + 127)) << 23u));
-    vec2 p_5 = clamp((place_5 * scale_6), vec2(-4194304.0), vec2(4194304.0));
-    uint own_1 = (9u + (7u * uint(zoom_1)));
-    float _e24 = perlin_noise(vec3(p_5, 0.5), own_1);
-    float grain_1 = (_e24 - 0.5);
-    vec2 q_3 = clamp((2.7 * vec2(((0.8 * p_5.x) - (0.6 * p_5.y)), ((0.6 * p_5.x) + (0.8 * p_5.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e53 = perlin_noise(vec3(q_3, 0.5), (own_1 + 1u));
-    float felt_1 = (_e53 - 0.5);
-    float coarse_seen_1 = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_6)));
-    float felt_seen_1 = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_6)));
-    return clamp((0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((0.5 * felt_seen_1) * felt_1)))), 0.0, 1.0);
-}
-
-float paper_height_2_(SpacedPlace at_1, float fiber_3, uint seed_5) {
-    float height_1 = 0.0;
-    vec2 x_7 = dFdx(at_1.place);
-    vec2 y_4 = dFdy(at_1.place);
-    float w_6 = sqrt(max(dot(x_7, x_7), dot(y_4, y_4)));
-    float _e12 = area_square(at_1.stretch);
-    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level_1 = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_4 = floor(level_1);
-    float f_4 = (level_1 - zoom_4);
-    float _e28 = paper_octave_2_(at_1.place, int(zoom_4), w_6, 0.5, 9u);
-    height_1 = _e28;
-    if ((f_4 > 0.0)) {
-        float _e32 = height_1;
-        float _e39 = paper_octave_2_(at_1.place, (int(zoom_4) + 1), w_6, 0.5, 9u);
-        float both_1 = mix(_e32, _e39, f_4);
-        height_1 = clamp((0.5 + ((both_1 - 0.5) / sqrt(((f_4 * f_4) + ((1.0 - f_4) * (1.0 - f_4)))))), 0.0, 1.0);
-    }
-    float _e57 = height_1;
-    return _e57;
-}
-
-float paper_octave_3_(vec2 place_6, int zoom_2, float w_3, float fiber_4, uint seed_6) {
-    float scale_7 = uintBitsToFloat((uint((zoom_2 + 127)) << 23u));
-    vec2 p_6 = clamp((place_6 * scale_7), vec2(-4194304.0), vec2(4194304.0));
-    uint own_2 = (3u + (7u * uint(zoom_2)));
-    float _e24 = perlin_noise(vec3(p_6, 0.5), own_2);
-    float grain_2 = (_e24 - 0.5);
-    vec2 q_4 = clamp((2.7 * vec2(((0.8 * p_6.x) - (0.6 * p_6.y)), ((0.6 * p_6.x) + (0.8 * p_6.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e53 = perlin_noise(vec3(q_4, 0.5), (own_2 + 1u));
-    float felt_2 = (_e53 - 0.5);
-    float coarse_seen_2 = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_7)));
-    float felt_seen_2 = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_7)));
-    return clamp((0.5 + (1.4 * ((coarse_seen_2 * grain_2) + ((0.5 * felt_seen_2) * felt_2)))), 0.0, 1.0);
-}
-
-float paper_height_3_(SpacedPlace at_2, float fiber_5, uint seed_7) {
-    float height_2 = 0.0;
-    vec2 x_8 = dFdx(at_2.place);
-    vec2 y_5 = dFdy(at_2.place);
-    float w_7 = sqrt(max(dot(x_8, x_8), dot(y_5, y_5)));
-    float _e12 = area_square(at_2.stretch);
-    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level_2 = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_5 = floor(level_2);
-    float f_5 = (level_2 - zoom_5);
-    float _e28 = paper_octave_3_(at_2.place, int(zoom_5), w_7, 0.5, 3u);
-    height_2 = _e28;
-    if ((f_5 > 0.0)) {
-        float _e32 = height_2;
-        float _e39 = paper_octave_3_(at_2.place, (int(zoom_5) + 1), w_7, 0.5, 3u);
-        float both_2 = mix(_e32, _e39, f_5);
-        height_2 = clamp((0.5 + ((both_2 - 0.5) / sqrt(((f_5 * f_5) + ((1.0 - f_5) * (1.0 - f_5)))))), 0.0, 1.0);
-    }
-    float _e57 = height_2;
-    return _e57;
-}
-
-PaperGrain paper_grain(float value, vec2 place_7, vec3 stretch_4, float count_3, float tooth, float fiber_6, int seed_8, vec2 viewport_5) {
-    SpacedPlace _e9 = spaced(place_7, stretch_4, viewport_5, 120.0);
-    float _e12 = paper_height(_e9, 0.5, 5u);
+PaperGrain paper_grain(float value, vec2 place_5, vec3 stretch_4, float count_3, float tooth, float fiber_2, int seed_4, vec2 viewport_5) {
+    SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
+    float _e10 = paper_height(_e8, fiber_2, 5u);
     float ink = (1.0 - value);
-    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (_e12 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e12);
+    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
 }
 
-PaperGrain paper_grain_2_(float value_1, vec2 place_8, vec3 stretch_5, float count_4, float tooth_1, float fiber_7, int seed_9, vec2 viewport_6) {
-    SpacedPlace _e9 = spaced_2_(place_8, stretch_5, viewport_6, 220.0);
-    float _e12 = paper_height_2_(_e9, 0.5, 9u);
+PaperGrain paper_grain_2_(float value_1, vec2 place_6, vec3 stretch_5, float count_4, float tooth_1, float fiber_3, int seed_5, vec2 viewport_6) {
+    SpacedPlace _e8 = spaced_2_(place_6, stretch_5, viewport_6, count_4);
+    float _e10 = paper_height(_e8, fiber_3, 9u);
     float ink_1 = (1.0 - value_1);
-    return PaperGrain((1.0 - clamp((ink_1 + ((((8.0 * tooth_1) * (_e12 - 0.5)) * ink_1) * (1.0 - ink_1))), 0.0, 1.0)), _e12);
+    return PaperGrain((1.0 - clamp((ink_1 + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink_1) * (1.0 - ink_1))), 0.0, 1.0)), _e10);
 }
 
-PaperGrain paper_grain_3_(float value_2, vec2 place_9, vec3 stretch_6, float count_5, float tooth_2, float fiber_8, int seed_10, vec2 viewport_7) {
-    SpacedPlace _e9 = spaced_3_(place_9, stretch_6, viewport_7, 260.0);
-    float _e12 = paper_height_3_(_e9, 0.5, 3u);
+PaperGrain paper_grain_3_(float value_2, vec2 place_7, vec3 stretch_6, float count_5, float tooth_2, float fiber_4, int seed_6, vec2 viewport_7) {
+    SpacedPlace _e8 = spaced_3_(place_7, stretch_6, viewport_7, count_5);
+    float _e10 = paper_height(_e8, fiber_4, 3u);
     float ink_2 = (1.0 - max(value_2, 0.0));
-    return PaperGrain((1.0 - clamp((ink_2 + ((((8.0 * tooth_2) * (_e12 - 0.5)) * ink_2) * (1.0 - ink_2))), 0.0, 1.0)), _e12);
+    return PaperGrain((1.0 - clamp((ink_2 + ((((8.0 * tooth_2) * (_e10 - 0.5)) * ink_2) * (1.0 - ink_2))), 0.0, 1.0)), _e10);
 }
 
 vec4 shade(Surface surface_1) {

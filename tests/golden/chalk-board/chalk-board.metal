@@ -158,8 +158,8 @@ float angle_footprint(
     metal::float2 half_ = metal::float2(u.half_sin, u.half_cos);
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
-    float w_4 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_4, 0.5);
+    float w_2 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
+    return metal::min(w_2, 0.5);
 }
 
 Angle angle_turned(
@@ -371,11 +371,11 @@ float perlin_noise(
         int _e25 = i;
         int _e28 = i;
         int _e33 = i;
-        metal::int3 at_3 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
-        metal::float3 weight = metal::select(metal::float3(1.0) - f_2, f_2, at_3 == metal::int3(1));
+        metal::int3 at_1 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f_2, f_2, at_1 == metal::int3(1));
         float _e44 = sum;
-        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_3))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        float _e61 = gradient_dot(_e58, d_1 - static_cast<metal::float3>(at_3));
+        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        float _e61 = gradient_dot(_e58, d_1 - static_cast<metal::float3>(at_1));
         sum = _e44 + (((weight.x * weight.y) * 0.5) * _e61);
     }
     float _e67 = sum;
@@ -485,9 +485,9 @@ MarkPlace mark_place_object(
     float size = metal::clamp(_e5, 0.000001, 1000000.0);
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_4);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_10 = _e15 / metal::float2(size);
-    StretchedPlace _e29 = mark_place_of(place_10, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
-    return MarkPlace {_e29.place, {}, _e29.stretch};
+    metal::float2 place_8 = _e15 / metal::float2(size);
+    StretchedPlace _e28 = mark_place_of(place_8, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_2);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 float paper_octave(
@@ -499,15 +499,15 @@ float paper_octave(
 ) {
     float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
     metal::float2 p_4 = metal::clamp(place_4 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = 5u + (7u * as_type<uint>(zoom));
-    float _e24 = perlin_noise(metal::float3(p_4, 0.5), own);
-    float grain = _e24 - 0.5;
+    uint own = seed_2 + (7u * as_type<uint>(zoom));
+    float _e23 = perlin_noise(metal::float3(p_4, 0.5), own);
+    float grain = _e23 - 0.5;
     metal::float2 q_2 = metal::clamp(2.7 * metal::float2((0.8 * p_4.x) - (0.6 * p_4.y), (0.6 * p_4.x) + (0.8 * p_4.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e53 = perlin_noise(metal::float3(q_2, 0.5), own + 1u);
-    float felt = _e53 - 0.5;
+    float _e52 = perlin_noise(metal::float3(q_2, 0.5), own + 1u);
+    float felt = _e52 - 0.5;
     float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * scale_5);
     float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_1) * scale_5);
-    return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((0.5 * felt_seen) * felt))), 0.0, 1.0);
+    return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
 }
 
 float paper_height(
@@ -518,162 +518,70 @@ float paper_height(
     float height = {};
     metal::float2 x_6 = metal::dfdx(at.place);
     metal::float2 y_3 = metal::dfdy(at.place);
-    float w_5 = metal::sqrt(metal::max(metal::dot(x_6, x_6), metal::dot(y_3, y_3)));
+    float w_3 = metal::sqrt(metal::max(metal::dot(x_6, x_6), metal::dot(y_3, y_3)));
     float _e12 = area_square(at.stretch);
     float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
-    float zoom_3 = metal::floor(level);
-    float f_3 = level - zoom_3;
-    float _e28 = paper_octave(at.place, naga_f2i32(zoom_3), w_5, 0.5, 5u);
-    height = _e28;
+    float zoom_1 = metal::floor(level);
+    float f_3 = level - zoom_1;
+    float _e27 = paper_octave(at.place, naga_f2i32(zoom_1), w_3, 0.5, seed_3);
+    height = _e27;
     if (f_3 > 0.0) {
-        float _e32 = height;
-        float _e39 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), w_5, 0.5, 5u);
-        float both = metal::mix(_e32, _e39, f_3);
+        float _e31 = height;
+        float _e37 = paper_octave(at.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_3, 0.5, seed_3);
+        float both = metal::mix(_e31, _e37, f_3);
         height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_3 * f_3) + ((1.0 - f_3) * (1.0 - f_3)))), 0.0, 1.0);
     }
-    float _e57 = height;
-    return _e57;
-}
-
-float paper_octave_2_(
-    metal::float2 place_5,
-    int zoom_1,
-    float w_2,
-    float fiber_2,
-    uint seed_4
-) {
-    float scale_6 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom_1) + as_type<uint>(127))) << 23u);
-    metal::float2 p_5 = metal::clamp(place_5 * scale_6, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own_1 = 9u + (7u * as_type<uint>(zoom_1));
-    float _e24 = perlin_noise(metal::float3(p_5, 0.5), own_1);
-    float grain_1 = _e24 - 0.5;
-    metal::float2 q_3 = metal::clamp(2.7 * metal::float2((0.8 * p_5.x) - (0.6 * p_5.y), (0.6 * p_5.x) + (0.8 * p_5.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e53 = perlin_noise(metal::float3(q_3, 0.5), own_1 + 1u);
-    float felt_1 = _e53 - 0.5;
-    float coarse_seen_1 = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * scale_6);
-    float felt_seen_1 = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_2) * scale_6);
-    return metal::clamp(0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((0.5 * felt_seen_1) * felt_1))), 0.0, 1.0);
-}
-
-float paper_height_2_(
-    SpacedPlace at_1,
-    float fiber_3,
-    uint seed_5
-) {
-    float height_1 = {};
-    metal::float2 x_7 = metal::dfdx(at_1.place);
-    metal::float2 y_4 = metal::dfdy(at_1.place);
-    float w_6 = metal::sqrt(metal::max(metal::dot(x_7, x_7), metal::dot(y_4, y_4)));
-    float _e12 = area_square(at_1.stretch);
-    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
-    float level_1 = metal::clamp(-0.5 * _e16, -16.0, 16.0);
-    float zoom_4 = metal::floor(level_1);
-    float f_4 = level_1 - zoom_4;
-    float _e28 = paper_octave_2_(at_1.place, naga_f2i32(zoom_4), w_6, 0.5, 9u);
-    height_1 = _e28;
-    if (f_4 > 0.0) {
-        float _e32 = height_1;
-        float _e39 = paper_octave_2_(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_4)) + as_type<uint>(1)), w_6, 0.5, 9u);
-        float both_1 = metal::mix(_e32, _e39, f_4);
-        height_1 = metal::clamp(0.5 + ((both_1 - 0.5) / metal::sqrt((f_4 * f_4) + ((1.0 - f_4) * (1.0 - f_4)))), 0.0, 1.0);
-    }
-    float _e57 = height_1;
-    return _e57;
-}
-
-float paper_octave_3_(
-    metal::float2 place_6,
-    int zoom_2,
-    float w_3,
-    float fiber_4,
-    uint seed_6
-) {
-    float scale_7 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom_2) + as_type<uint>(127))) << 23u);
-    metal::float2 p_6 = metal::clamp(place_6 * scale_7, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own_2 = 3u + (7u * as_type<uint>(zoom_2));
-    float _e24 = perlin_noise(metal::float3(p_6, 0.5), own_2);
-    float grain_2 = _e24 - 0.5;
-    metal::float2 q_4 = metal::clamp(2.7 * metal::float2((0.8 * p_6.x) - (0.6 * p_6.y), (0.6 * p_6.x) + (0.8 * p_6.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e53 = perlin_noise(metal::float3(q_4, 0.5), own_2 + 1u);
-    float felt_2 = _e53 - 0.5;
-    float coarse_seen_2 = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * scale_7);
-    float felt_seen_2 = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_3) * scale_7);
-    return metal::clamp(0.5 + (1.4 * ((coarse_seen_2 * grain_2) + ((0.5 * felt_seen_2) * felt_2))), 0.0, 1.0);
-}
-
-float paper_height_3_(
-    SpacedPlace at_2,
-    float fiber_5,
-    uint seed_7
-) {
-    float height_2 = {};
-    metal::float2 x_8 = metal::dfdx(at_2.place);
-    metal::float2 y_5 = metal::dfdy(at_2.place);
-    float w_7 = metal::sqrt(metal::max(metal::dot(x_8, x_8), metal::dot(y_5, y_5)));
-    float _e12 = area_square(at_2.stretch);
-    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
-    float level_2 = metal::clamp(-0.5 * _e16, -16.0, 16.0);
-    float zoom_5 = metal::floor(level_2);
-    float f_5 = level_2 - zoom_5;
-    float _e28 = paper_octave_3_(at_2.place, naga_f2i32(zoom_5), w_7, 0.5, 3u);
-    height_2 = _e28;
-    if (f_5 > 0.0) {
-        float _e32 = height_2;
-        float _e39 = paper_octave_3_(at_2.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_5)) + as_type<uint>(1)), w_7, 0.5, 3u);
-        float both_2 = metal::mix(_e32, _e39, f_5);
-        height_2 = metal::clamp(0.5 + ((both_2 - 0.5) / metal::sqrt((f_5 * f_5) + ((1.0 - f_5) * (1.0 - f_5)))), 0.0, 1.0);
-    }
-    float _e57 = height_2;
-    return _e57;
+    float _e55 = height;
+    return _e55;
 }
 
 PaperGrain paper_grain(
     float value,
-    metal::float2 place_7,
+    metal::float2 place_5,
     metal::float3 stretch_4,
     float count_3,
     float tooth,
-    float fiber_6,
-    int seed_8,
+    float fiber_2,
+    int seed_4,
     metal::float2 viewport_5
 ) {
-    SpacedPlace _e9 = spaced(place_7, stretch_4, viewport_5, 120.0);
-    float _e12 = paper_height(_e9, 0.5, 5u);
+    SpacedPlace _e8 = spaced(place_5, stretch_4, viewport_5, count_3);
+    float _e10 = paper_height(_e8, fiber_2, 5u);
     float ink = 1.0 - value;
-    return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth) * (_e12 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e12};
+    return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth) * (_e10 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e10};
 }
 
 PaperGrain paper_grain_2_(
     float value_1,
-    metal::float2 place_8,
+    metal::float2 place_6,
     metal::float3 stretch_5,
     float count_4,
     float tooth_1,
-    float fiber_7,
-    int seed_9,
+    float fiber_3,
+    int seed_5,
     metal::float2 viewport_6
 ) {
-    SpacedPlace _e9 = spaced_2_(place_8, stretch_5, viewport_6, 220.0);
-    float _e12 = paper_height_2_(_e9, 0.5, 9u);
+    SpacedPlace _e8 = spaced_2_(place_6, stretch_5, viewport_6, count_4);
+    float _e10 = paper_height(_e8, fiber_3, 9u);
     float ink_1 = 1.0 - value_1;
-    return PaperGrain {1.0 - metal::clamp(ink_1 + ((((8.0 * tooth_1) * (_e12 - 0.5)) * ink_1) * (1.0 - ink_1)), 0.0, 1.0), _e12};
+    return PaperGrain {1.0 - metal::clamp(ink_1 + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink_1) * (1.0 - ink_1)), 0.0, 1.0), _e10};
 }
 
 PaperGrain paper_grain_3_(
     float value_2,
-    metal::float2 place_9,
+    metal::float2 place_7,
     metal::float3 stretch_6,
     float count_5,
     float tooth_2,
-    float fiber_8,
-    int seed_10,
+    float fiber_4,
+    int seed_6,
     metal::float2 viewport_7
 ) {
-    SpacedPlace _e9 = spaced_3_(place_9, stretch_6, viewport_7, 260.0);
-    float _e12 = paper_height_3_(_e9, 0.5, 3u);
+    SpacedPlace _e8 = spaced_3_(place_7, stretch_6, viewport_7, count_5);
+    float _e10 = paper_height(_e8, fiber_4, 3u);
     float ink_2 = 1.0 - metal::max(value_2, 0.0);
-    return PaperGrain {1.0 - metal::clamp(ink_2 + ((((8.0 * tooth_2) * (_e12 - 0.5)) * ink_2) * (1.0 - ink_2)), 0.0, 1.0), _e12};
+    return PaperGrain {1.0 - metal::clamp(ink_2 + ((((8.0 * tooth_2) * (_e10 - 0.5)) * ink_2) * (1.0 - ink_2)), 0.0, 1.0), _e10};
 }
 
 metal::float4 shade(

@@ -114,14 +114,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -401,7 +401,7 @@ fn area_square(stretch: vec3f) -> f32 {
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.0);
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -421,43 +421,9 @@ fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
     let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
-    var height = paper_octave(at.place, i32(zoom), w, 0.5, 5u);
+    var height = paper_octave(at.place, i32(zoom), w, 0.5, seed);
     if f > 0.0 {
-        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, 0.5, 5u), f);
-        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
-    }
-    return height;
-}
-
-/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
-/// octaves are seen.
-fn paper_height_2(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
-    let x = dpdx(at.place);
-    let y = dpdy(at.place);
-    let w = sqrt(max(dot(x, x), dot(y, y)));
-    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
-    let zoom = floor(level);
-    let f = level - zoom;
-    var height = paper_octave_2(at.place, i32(zoom), w, 0.5, 9u);
-    if f > 0.0 {
-        let both = mix(height, paper_octave_2(at.place, i32(zoom) + 1, w, 0.5, 9u), f);
-        height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
-    }
-    return height;
-}
-
-/// The height of paper, from 0 to 1 and 1/2 on average. Where an octave fades into the next, both
-/// octaves are seen.
-fn paper_height_3(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
-    let x = dpdx(at.place);
-    let y = dpdy(at.place);
-    let w = sqrt(max(dot(x, x), dot(y, y)));
-    let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
-    let zoom = floor(level);
-    let f = level - zoom;
-    var height = paper_octave_3(at.place, i32(zoom), w, 0.5, 3u);
-    if f > 0.0 {
-        let both = mix(height, paper_octave_3(at.place, i32(zoom) + 1, w, 0.5, 3u), f);
+        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, 0.5, seed), f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
@@ -467,42 +433,14 @@ fn paper_height_3(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
 fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let scale = bitcast<f32>(u32(zoom + 127) << 23u);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let own = 5u + 7u * bitcast<u32>(zoom);
+    let own = seed + 7u * bitcast<u32>(zoom);
     let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
     let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
         vec2f(4194304.0));
     let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
     let coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
     let felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
-    return clamp(0.5 + 1.4 * (coarse_seen * grain + 0.5 * felt_seen * felt), 0.0, 1.0);
-}
-
-/// The height of paper in one octave; paper finer than a pixel is flat.
-fn paper_octave_2(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
-    let scale = bitcast<f32>(u32(zoom + 127) << 23u);
-    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let own = 9u + 7u * bitcast<u32>(zoom);
-    let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
-    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
-        vec2f(4194304.0));
-    let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
-    let coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
-    let felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
-    return clamp(0.5 + 1.4 * (coarse_seen * grain + 0.5 * felt_seen * felt), 0.0, 1.0);
-}
-
-/// The height of paper in one octave; paper finer than a pixel is flat.
-fn paper_octave_3(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
-    let scale = bitcast<f32>(u32(zoom + 127) << 23u);
-    let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let own = 3u + 7u * bitcast<u32>(zoom);
-    let grain = perlin_noise(vec3f(p, 0.5), own) - 0.5;
-    let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
-        vec2f(4194304.0));
-    let felt = perlin_noise(vec3f(q, 0.5), own + 1u) - 0.5;
-    let coarse_seen = 1.0 - smoothstep(0.5, 1.0, w * scale);
-    let felt_seen = 1.0 - smoothstep(0.5, 1.0, 2.7 * w * scale);
-    return clamp(0.5 + 1.4 * (coarse_seen * grain + 0.5 * felt_seen * felt), 0.0, 1.0);
+    return clamp(0.5 + 1.4 * (coarse_seen * grain + fiber * felt_seen * felt), 0.0, 1.0);
 }
 
 /// Paper grain
@@ -512,7 +450,7 @@ fn paper_octave_3(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32
 /// an object and does not swim through it.
 fn paper_grain(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height(spaced(place, stretch, viewport, 120.0), 0.5, 5u);
+    let height = paper_height(spaced(place, stretch, viewport, count), fiber, 5u);
     let ink = 1.0 - value;
     return PaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink), 0.0, 1.0),
         height);
@@ -525,7 +463,7 @@ fn paper_grain(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32,
 /// an object and does not swim through it.
 fn paper_grain_2(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height_2(spaced_2(place, stretch, viewport, 220.0), 0.5, 9u);
+    let height = paper_height(spaced_2(place, stretch, viewport, count), fiber, 9u);
     let ink = 1.0 - value;
     return PaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink), 0.0, 1.0),
         height);
@@ -538,7 +476,7 @@ fn paper_grain_2(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f3
 /// an object and does not swim through it.
 fn paper_grain_3(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height_3(spaced_3(place, stretch, viewport, 260.0), 0.5, 3u);
+    let height = paper_height(spaced_3(place, stretch, viewport, count), fiber, 3u);
     let ink = 1.0 - max(value, 0.0);
     return PaperGrain(1.0 - clamp(ink + 8.0 * tooth * (height - 0.5) * ink * (1.0 - ink), 0.0, 1.0),
         height);

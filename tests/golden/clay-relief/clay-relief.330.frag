@@ -95,13 +95,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -111,13 +106,13 @@ float atan2_positive(float y, float x_3) {
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
+    float t = (small / large);
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_4 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_3) ? (HALF_PI - a_4) : a_4);
+    float a_3 = (is_wide ? (series + 0.7853982) : series);
+    return ((y > x_3) ? (HALF_PI - a_3) : a_3);
 }
 
 float bounded(float x_4) {
@@ -127,12 +122,12 @@ float bounded(float x_4) {
     return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_3) {
-    uvec2 bits_2 = floatBitsToUint(v_3);
+vec2 bounded_vec2_(vec2 v_2) {
+    uvec2 bits_2 = floatBitsToUint(v_2);
     uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
     vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -156,11 +151,6 @@ float exponential_of(float x_5) {
     return _e4;
 }
 
-vec3 mixed_vec3_(vec3 a_1, vec3 b_1, float t) {
-    vec3 d = (b_1 - a_1);
-    return ((t < 0.5) ? (a_1 + (t * d)) : (b_1 - ((1.0 - t) * d)));
-}
-
 float angle_of_point(float y_1, float x_6) {
     vec2 _e3 = bounded_vec2_(vec2(x_6, y_1));
     vec2 p = abs(_e3);
@@ -173,8 +163,8 @@ float angle_of_point(float y_1, float x_6) {
 float footprint_of(float x_7) {
     float _e1 = dFdx(x_7);
     float _e2 = dFdy(x_7);
-    vec2 d_1 = vec2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+    vec2 d = vec2(_e1, _e2);
+    return sqrt(dot(d, d));
 }
 
 float srgb_of_linear(float light) {
@@ -184,12 +174,12 @@ float srgb_of_linear(float light) {
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
-float soft_light(float a_2, float b_2) {
-    if ((b_2 <= 0.5)) {
-        return (a_2 - (((1.0 - (2.0 * b_2)) * a_2) * (1.0 - a_2)));
+float soft_light(float a_1, float b_1) {
+    if ((b_1 <= 0.5)) {
+        return (a_1 - (((1.0 - (2.0 * b_1)) * a_1) * (1.0 - a_1)));
     }
-    float curved_1 = ((a_2 <= 0.25) ? (((((16.0 * a_2) - 12.0) * a_2) + 4.0) * a_2) : sqrt(max(a_2, 0.0)));
-    return (a_2 + (((2.0 * b_2) - 1.0) * (curved_1 - a_2)));
+    float curved_1 = ((a_1 <= 0.25) ? (((((16.0 * a_1) - 12.0) * a_1) + 4.0) * a_1) : sqrt(max(a_1, 0.0)));
+    return (a_1 + (((2.0 * b_1) - 1.0) * (curved_1 - a_1)));
 }
 
 vec3 oklab_of_linear(vec3 rgb) {
@@ -261,16 +251,15 @@ RampPlace ramp_place(Ramp ramp, float x_8) {
     float place = places[(_e35 / 4u)][(_e39 % 4u)];
     float _e51 = places[(after / 4u)][(after % 4u)];
     float _e53 = divided((x_8 - place), (_e51 - place));
-    float t_2 = clamp(_e53, 0.0, 1.0);
+    float t_1 = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     vec4 _e59 = colors[_e57];
     vec4 _e61 = colors[after];
-    return RampPlace(_e59, _e61, t_2);
+    return RampPlace(_e59, _e61, t_1);
 }
 
-vec4 mix_colors_screen(vec4 a_3, vec4 b_3, float factor) {
-    vec3 _e11 = mixed_vec3_(a_3.xyz, ((a_3.xyz + b_3.xyz) - (a_3.xyz * b_3.xyz)), factor);
-    return vec4(_e11, 1.0);
+vec4 mix_colors_screen(vec4 a_2, vec4 b_2, float factor) {
+    return vec4(mix(a_2.xyz, ((a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz)), factor), 1.0);
 }
 
 float kappa_safe(float kappa) {
@@ -279,15 +268,15 @@ float kappa_safe(float kappa) {
 }
 
 float curvature_signed(float kappa_1, float slope) {
-    float a_5 = ((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a_5), 50.0);
+    float a_4 = ((((floatBitsToUint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
+    float magnitude_3 = min(abs(a_4), 50.0);
     if ((magnitude_3 < 0.0625)) {
-        float a2_ = (a_5 * a_5);
-        return (a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
+        float a2_ = (a_4 * a_4);
+        return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     float _e32 = exp2_stable((-2.88539 * magnitude_3));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_5 >= 0.0) ? t_3 : -(t_3));
+    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_4 >= 0.0) ? t_2 : -(t_2));
 }
 
 vec3 tensor_safe(vec3 tensor) {
@@ -327,7 +316,7 @@ float rim(Light light_2, vec3 normal_1, vec3 view, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    vec3 _e42 = normalize_moderate_2_(across, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across, vec3(0.0));
     float side = dot((normal_1 - (dot(normal_1, view) * view)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -366,8 +355,7 @@ vec4 shade(Surface surface_1) {
     float _e25 = soft_light(_e12.y, _e18.y);
     float _e28 = soft_light(_e12.z, _e18.z);
     float _e31 = bounded(_e15.strength);
-    vec3 _e35 = mixed_vec3_(_e12.xyz, vec3(_e22, _e25, _e28), clamp(_e31, 0.0, 1.0));
-    vec4 slip_in_the_hollows = vec4(_e35, 1.0);
+    vec4 slip_in_the_hollows = vec4(mix(_e12.xyz, vec3(_e22, _e25, _e28), clamp(_e31, 0.0, 1.0)), 1.0);
     Light _e40 = u_look.sky;
     float _e46 = rim(_e40, surface_1.normal, surface_1.view, 0.4, 0.9, 1.0);
     vec4 _e52 = mix_colors_screen(slip_in_the_hollows, vec4(0.3725, 0.498, 0.6588, 1.0), _e46);

@@ -163,15 +163,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_1, float3 otherwise_1)
+float3 normalize_seen(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -182,13 +176,13 @@ float atan2_positive(float y, float x_3)
     if ((large <= 0.0)) {
         return 0.0;
     }
-    float t_1 = (small / large);
-    bool is_wide = (t_1 > 0.41421357);
-    float r = (is_wide ? ((small - large) / (small + large)) : t_1);
+    float t = (small / large);
+    bool is_wide = (t > 0.41421357);
+    float r = (is_wide ? ((small - large) / (small + large)) : t);
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
-    float a_4 = (is_wide ? (series + 0.7853982) : series);
-    return ((y > x_3) ? (HALF_PI - a_4) : a_4);
+    float a_3 = (is_wide ? (series + 0.7853982) : series);
+    return ((y > x_3) ? (HALF_PI - a_3) : a_3);
 }
 
 float bounded(float x_4)
@@ -199,13 +193,13 @@ float bounded(float x_4)
     return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_3)
+float2 bounded_vec2_(float2 v_2)
 {
-    uint2 bits_2 = asuint(v_3);
+    uint2 bits_2 = asuint(v_2);
     uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
     float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
 }
 
 float divided(float a, float b)
@@ -232,12 +226,6 @@ float exponential_of(float x_5)
     return _e4;
 }
 
-float3 mixed_vec3_(float3 a_1, float3 b_1, float t)
-{
-    float3 d = (b_1 - a_1);
-    return ((t < 0.5) ? (a_1 + (t * d)) : (b_1 - ((1.0 - t) * d)));
-}
-
 float angle_of_point(float y_1, float x_6)
 {
     const float2 _e3 = bounded_vec2_(float2(x_6, y_1));
@@ -252,8 +240,8 @@ float footprint_of(float x_7)
 {
     float _e1 = ddx(x_7);
     float _e2 = ddy(x_7);
-    float2 d_1 = float2(_e1, _e2);
-    return sqrt(dot(d_1, d_1));
+    float2 d = float2(_e1, _e2);
+    return sqrt(dot(d, d));
 }
 
 float srgb_of_linear(float light)
@@ -264,13 +252,13 @@ float srgb_of_linear(float light)
     return ((light < 0.0) ? -(value_1) : value_1);
 }
 
-float soft_light(float a_2, float b_2)
+float soft_light(float a_1, float b_1)
 {
-    if ((b_2 <= 0.5)) {
-        return (a_2 - (((1.0 - (2.0 * b_2)) * a_2) * (1.0 - a_2)));
+    if ((b_1 <= 0.5)) {
+        return (a_1 - (((1.0 - (2.0 * b_1)) * a_1) * (1.0 - a_1)));
     }
-    float curved_1 = ((a_2 <= 0.25) ? (((((16.0 * a_2) - 12.0) * a_2) + 4.0) * a_2) : sqrt(max(a_2, 0.0)));
-    return (a_2 + (((2.0 * b_2) - 1.0) * (curved_1 - a_2)));
+    float curved_1 = ((a_1 <= 0.25) ? (((((16.0 * a_1) - 12.0) * a_1) + 4.0) * a_1) : sqrt(max(a_1, 0.0)));
+    return (a_1 + (((2.0 * b_1) - 1.0) * (curved_1 - a_1)));
 }
 
 float3 oklab_of_linear(float3 rgb)
@@ -367,18 +355,17 @@ RampPlace ramp_place(Ramp ramp, float x_8)
     float place = places[min(uint(naga_div(_e35, 4u)), 3u)][min(uint(naga_mod(_e39, 4u)), 3u)];
     float _e51 = places[min(uint(naga_div(after, 4u)), 3u)][min(uint(naga_mod(after, 4u)), 3u)];
     const float _e53 = divided((x_8 - place), (_e51 - place));
-    float t_2 = clamp(_e53, 0.0, 1.0);
+    float t_1 = clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     float4 _e59 = colors[min(uint(_e57), 15u)];
     float4 _e61 = colors[min(uint(after), 15u)];
-    const RampPlace rampplace = ConstructRampPlace(_e59, _e61, t_2);
+    const RampPlace rampplace = ConstructRampPlace(_e59, _e61, t_1);
     return rampplace;
 }
 
-float4 mix_colors_screen(float4 a_3, float4 b_3, float factor)
+float4 mix_colors_screen(float4 a_2, float4 b_2, float factor)
 {
-    const float3 _e11 = mixed_vec3_(a_3.xyz, ((a_3.xyz + b_3.xyz) - (a_3.xyz * b_3.xyz)), factor);
-    return float4(_e11, 1.0);
+    return float4(lerp(a_2.xyz, ((a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz)), factor), 1.0);
 }
 
 float kappa_safe(float kappa)
@@ -389,15 +376,15 @@ float kappa_safe(float kappa)
 
 float curvature_signed(float kappa_1, float slope)
 {
-    float a_5 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
-    float magnitude_3 = min(abs(a_5), 50.0);
+    float a_4 = ((((asuint(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa_1, -10000.0, 10000.0)) * slope);
+    float magnitude_3 = min(abs(a_4), 50.0);
     if ((magnitude_3 < 0.0625)) {
-        float a2_ = (a_5 * a_5);
-        return (a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
+        float a2_ = (a_4 * a_4);
+        return (a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     const float _e32 = exp2_stable((-2.88539 * magnitude_3));
-    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_5 >= 0.0) ? t_3 : -(t_3));
+    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_4 >= 0.0) ? t_2 : -(t_2));
 }
 
 float3 tensor_safe(float3 tensor)
@@ -442,7 +429,7 @@ float rim(Light light_2, float3 normal_1, float3 view, float width, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    const float3 _e42 = normalize_moderate_2_(across, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
     float side = dot((normal_1 - (dot(normal_1, view) * view)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -495,8 +482,7 @@ float4 shade(Surface surface_1)
     const float _e25 = soft_light(_e12.y, _e18.y);
     const float _e28 = soft_light(_e12.z, _e18.z);
     const float _e31 = bounded(_e15.strength);
-    const float3 _e35 = mixed_vec3_(_e12.xyz, float3(_e22, _e25, _e28), clamp(_e31, 0.0, 1.0));
-    float4 slip_in_the_hollows = float4(_e35, 1.0);
+    float4 slip_in_the_hollows = float4(lerp(_e12.xyz, float3(_e22, _e25, _e28), clamp(_e31, 0.0, 1.0)), 1.0);
     Light _e40 = look.sky;
     const float _e46 = rim(_e40, surface_1.normal, surface_1.view, 0.4, 0.9, 1.0);
     const float4 _e52 = mix_colors_screen(slip_in_the_hollows, float4(0.3725, 0.498, 0.6588, 1.0), _e46);

@@ -122,18 +122,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -146,13 +138,13 @@ float atan2_positive(
     if (large <= 0.0) {
         return 0.0;
     }
-    float t_1 = small / large;
-    bool is_wide = t_1 > 0.41421357;
-    float r = is_wide ? ((small - large) / (small + large)) : t_1;
+    float t = small / large;
+    bool is_wide = t > 0.41421357;
+    float r = is_wide ? ((small - large) / (small + large)) : t;
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
-    float a_4 = is_wide ? (series + 0.7853982) : series;
-    return (y > x_3) ? (HALF_PI - a_4) : a_4;
+    float a_3 = is_wide ? (series + 0.7853982) : series;
+    return (y > x_3) ? (HALF_PI - a_3) : a_3;
 }
 
 float bounded(
@@ -165,13 +157,13 @@ float bounded(
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_3
+    metal::float2 v_2
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
     metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
     metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float divided(
@@ -203,15 +195,6 @@ float exponential_of(
     return _e4;
 }
 
-metal::float3 mixed_vec3_(
-    metal::float3 a_1,
-    metal::float3 b_1,
-    float t
-) {
-    metal::float3 d = b_1 - a_1;
-    return (t < 0.5) ? (a_1 + (t * d)) : (b_1 - ((1.0 - t) * d));
-}
-
 float angle_of_point(
     float y_1,
     float x_6
@@ -229,8 +212,8 @@ float footprint_of(
 ) {
     float _e1 = metal::dfdx(x_7);
     float _e2 = metal::dfdy(x_7);
-    metal::float2 d_1 = metal::float2(_e1, _e2);
-    return metal::sqrt(metal::dot(d_1, d_1));
+    metal::float2 d = metal::float2(_e1, _e2);
+    return metal::sqrt(metal::dot(d, d));
 }
 
 float srgb_of_linear(
@@ -243,14 +226,14 @@ float srgb_of_linear(
 }
 
 float soft_light(
-    float a_2,
-    float b_2
+    float a_1,
+    float b_1
 ) {
-    if (b_2 <= 0.5) {
-        return a_2 - (((1.0 - (2.0 * b_2)) * a_2) * (1.0 - a_2));
+    if (b_1 <= 0.5) {
+        return a_1 - (((1.0 - (2.0 * b_1)) * a_1) * (1.0 - a_1));
     }
-    float curved_1 = (a_2 <= 0.25) ? (((((16.0 * a_2) - 12.0) * a_2) + 4.0) * a_2) : metal::sqrt(metal::max(a_2, 0.0));
-    return a_2 + (((2.0 * b_2) - 1.0) * (curved_1 - a_2));
+    float curved_1 = (a_1 <= 0.25) ? (((((16.0 * a_1) - 12.0) * a_1) + 4.0) * a_1) : metal::sqrt(metal::max(a_1, 0.0));
+    return a_1 + (((2.0 * b_1) - 1.0) * (curved_1 - a_1));
 }
 
 metal::float3 oklab_of_linear(
@@ -344,20 +327,19 @@ RampPlace ramp_place(
     float place = places.inner[naga_div(_e35, 4u)][naga_mod(_e39, 4u)];
     float _e51 = places.inner[naga_div(after, 4u)][naga_mod(after, 4u)];
     float _e53 = divided(x_8 - place, _e51 - place);
-    float t_2 = metal::clamp(_e53, 0.0, 1.0);
+    float t_1 = metal::clamp(_e53, 0.0, 1.0);
     uint _e57 = at;
     metal::float4 _e59 = colors.inner[_e57];
     metal::float4 _e61 = colors.inner[after];
-    return RampPlace {_e59, _e61, t_2};
+    return RampPlace {_e59, _e61, t_1};
 }
 
 Color mix_colors_screen(
-    Color a_3,
-    Color b_3,
+    Color a_2,
+    Color b_2,
     float factor
 ) {
-    metal::float3 _e11 = mixed_vec3_(a_3.xyz, (a_3.xyz + b_3.xyz) - (a_3.xyz * b_3.xyz), factor);
-    return metal::float4(_e11, 1.0);
+    return metal::float4(metal::mix(a_2.xyz, (a_2.xyz + b_2.xyz) - (a_2.xyz * b_2.xyz), factor), 1.0);
 }
 
 float kappa_safe(
@@ -371,15 +353,15 @@ float curvature_signed(
     float kappa_1,
     float slope
 ) {
-    float a_5 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope;
-    float magnitude_3 = metal::min(metal::abs(a_5), 50.0);
+    float a_4 = (((as_type<uint>(kappa_1) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(kappa_1, -10000.0, 10000.0)) * slope;
+    float magnitude_3 = metal::min(metal::abs(a_4), 50.0);
     if (magnitude_3 < 0.0625) {
-        float a2_ = a_5 * a_5;
-        return a_5 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
+        float a2_ = a_4 * a_4;
+        return a_4 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
     float _e32 = exp2_stable(-2.88539 * magnitude_3);
-    float t_3 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_5 >= 0.0) ? t_3 : -(t_3);
+    float t_2 = (1.0 - _e32) / (1.0 + _e32);
+    return (a_4 >= 0.0) ? t_2 : -(t_2);
 }
 
 metal::float3 tensor_safe(
@@ -436,7 +418,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
-    metal::float3 _e42 = normalize_moderate_2_(across, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
     float side = metal::dot(normal_1 - (metal::dot(normal_1, view) * view), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
@@ -491,8 +473,7 @@ metal::float4 shade(
     float _e25 = soft_light(_e12.y, _e18.y);
     float _e28 = soft_light(_e12.z, _e18.z);
     float _e31 = bounded(_e15.strength);
-    metal::float3 _e35 = mixed_vec3_(_e12.xyz, metal::float3(_e22, _e25, _e28), metal::clamp(_e31, 0.0, 1.0));
-    metal::float4 slip_in_the_hollows = metal::float4(_e35, 1.0);
+    metal::float4 slip_in_the_hollows = metal::float4(metal::mix(_e12.xyz, metal::float3(_e22, _e25, _e28), metal::clamp(_e31, 0.0, 1.0)), 1.0);
     Light _e40 = look.sky;
     float _e46 = rim(_e40, surface_1.normal, surface_1.view, 0.4, 0.9, 1.0);
     Color _e52 = mix_colors_screen(slip_in_the_hollows, metal::float4(0.3725, 0.498, 0.6588, 1.0), _e46);

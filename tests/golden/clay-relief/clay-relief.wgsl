@@ -106,21 +106,14 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -186,12 +179,6 @@ fn powered(base: f32, exponent: f32) -> f32 {
 /// e^x; 0 far below, the largest number from 88.73 on.
 fn exponential_of(x: f32) -> f32 {
     return exp2_stable(bounded(x * LOG2_E));
-}
-
-/// [`mixed`], component by component.
-fn mixed_vec3(a: vec3f, b: vec3f, t: f32) -> vec3f {
-    let d = b - a;
-    return select(b - (1.0 - t) * d, a + t * d, t < 0.5);
 }
 
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
@@ -297,7 +284,7 @@ fn ramp_place(ramp: Ramp, x: f32) -> RampPlace {
 }
 
 fn mix_colors_screen(a: Color, b: Color, factor: f32) -> Color {
-    return vec4f(mixed_vec3(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
+    return vec4f(mix(a.xyz, a.xyz + b.xyz - a.xyz * b.xyz, factor), 1.0);
 }
 
 /// kappa fit for use: 0 where it is NaN, within +-1e4.
@@ -362,7 +349,7 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate_2(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -417,7 +404,7 @@ fn shade(surface: Surface) -> vec4f {
     let terracotta_2 = ramp_oklab(worked_by_curvature, terracotta);
     let what_the_surface_does = relief(surface.curvature_tensor, 0.025);
     let pits_to_bumps_2 = ramp_oklab(what_the_surface_does.shape, pits_to_bumps);
-    let slip_in_the_hollows = vec4f(mixed_vec3(terracotta_2.xyz, vec3f(soft_light(terracotta_2.x, pits_to_bumps_2.x), soft_light(terracotta_2.y, pits_to_bumps_2.y), soft_light(terracotta_2.z, pits_to_bumps_2.z)), clamp(bounded(what_the_surface_does.strength), 0.0, 1.0)), 1.0);
+    let slip_in_the_hollows = vec4f(mix(terracotta_2.xyz, vec3f(soft_light(terracotta_2.x, pits_to_bumps_2.x), soft_light(terracotta_2.y, pits_to_bumps_2.y), soft_light(terracotta_2.z, pits_to_bumps_2.z)), clamp(bounded(what_the_surface_does.strength), 0.0, 1.0)), 1.0);
     let sky_along_the_edge = rim(look.sky, surface.normal, surface.view, 0.4, 0.9, 1.0);
     let cool_edge = mix_colors_screen(slip_in_the_hollows, vec4f(0.3725, 0.498, 0.6588, 1.0), sky_along_the_edge);
     let output = cool_edge;

@@ -171,6 +171,13 @@ float bounded(float x_7) {
     return ((magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
+float eased(float x_8, float low, float high) {
+    float _e3 = bounded(x_8);
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_2 = clamp(_e8, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+}
+
 float length_of(vec3 v_3) {
     float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
     if ((largest_2 < SMALLEST_NORMAL)) {
@@ -183,15 +190,12 @@ float length_of(vec3 v_3) {
 float footprint_of_vec3_(vec3 v_4) {
     vec3 dx_1 = dFdx(v_4);
     vec3 dy_1 = dFdy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
-}
-
-vec4 curvature_color_2_(float convexity_1, vec4 convex_1, vec4 concave_1) {
-    return (concave_1 + (convexity_1 * (vec4(1.0) - concave_1)));
 }
 
 float curvature_signed(float kappa, float slope) {
@@ -202,8 +206,8 @@ float curvature_signed(float kappa, float slope) {
         return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_2 : -(t_2));
+    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a >= 0.0) ? t_3 : -(t_3));
 }
 
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
@@ -214,9 +218,9 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
         return normal;
     }
     vec3 s_3 = (along_x.xyz / vec3(largest_3));
-    vec3 t_3 = (along_y.xyz / vec3(largest_3));
+    vec3 t_4 = (along_y.xyz / vec3(largest_3));
     vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_3, normal);
+    vec3 right = cross(t_4, normal);
     vec3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -242,7 +246,7 @@ vec3 bump_map(float height, float scale, vec3 normal_1, vec3 position) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
@@ -471,7 +475,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_2 * _e21)));
+        float _e25 = eased((w_2 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -500,9 +505,9 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
 
 float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4) {
     vec3 p_2 = (position_1 * scale_1);
-    float _e9 = footprint_of_vec3_(p_2);
-    float _e10 = fractal_noise(NOISE_PERLIN, p_2, 2, roughness_1, 0, _e9);
-    return _e10;
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
@@ -520,7 +525,7 @@ vec4 shade(Surface surface_1) {
     Light _e56 = u_look.window;
     LitLayer _e57 = light_apply(_e56, _e18, _e53);
     vec4 _e67 = blend_alpha(vec4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
-    vec4 _e75 = curvature_color_2_(shade_in_hollows_convexity, vec4(1.0), vec4(0.7216, 0.4706, 0.4235, 1.0));
+    vec4 _e75 = curvature_color(shade_in_hollows_convexity, vec4(1.0), vec4(0.7216, 0.4706, 0.4235, 1.0));
     Light _e78 = u_look.window;
     LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
     vec4 shade_in_hollows_blend = clamp(vec4((_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz))), 1.0), vec4(0.0), vec4(1.0));
@@ -534,15 +539,15 @@ vec4 shade(Surface surface_1) {
     float _e142 = profile_2_(bounce_angle, bounce_warp, bounce_tone_shape);
     Light _e145 = u_look.table;
     LitLayer _e146 = light_apply(_e145, _e117, _e142);
-    vec4 bounce_blend = clamp(vec4((shade_in_hollows_blend.xyz + ((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)) - shade_in_hollows_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e174 = curvature_color(soft_sheen_convexity, vec4(0.302, 0.2039, 0.1686, 1.0), vec4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e177 = u_look.window;
-    Angle _e179 = parametrization_specular(_e177, _e28, surface_1.view);
+    vec4 bounce_blend = clamp(vec4((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e170 = curvature_color(soft_sheen_convexity, vec4(0.302, 0.2039, 0.1686, 1.0), vec4(0.1647, 0.102, 0.0863, 1.0));
+    Light _e173 = u_look.window;
+    Angle _e175 = parametrization_specular(_e173, _e28, surface_1.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    float _e187 = profile_3_(_e179, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e190 = u_look.window;
-    LitLayer _e191 = light_apply(_e190, _e174, _e187);
-    vec4 output_ = clamp(vec4((bounce_blend.xyz + ((bounce_blend.xyz + (_e191.tone * _e191.color.xyz)) - bounce_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e183 = profile_3_(_e175, soft_sheen_warp, soft_sheen_tone_shape);
+    Light _e186 = u_look.window;
+    LitLayer _e187 = light_apply(_e186, _e170, _e183);
+    vec4 output_ = clamp(vec4((bounce_blend.xyz + (_e187.tone * _e187.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -250,6 +250,14 @@ float bounded(float x_7)
     return ((magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
+float eased(float x_8, float low, float high)
+{
+    const float _e3 = bounded(x_8);
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_2 = clamp(_e8, 0.0, 1.0);
+    return ((t_2 * t_2) * (3.0 - (2.0 * t_2)));
+}
+
 float length_of(float3 v_3)
 {
     float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
@@ -264,17 +272,13 @@ float footprint_of_vec3_(float3 v_4)
 {
     float3 dx_1 = ddx(v_4);
     float3 dy_1 = ddy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
     return (concave + (convexity * (convex - concave)));
-}
-
-float4 curvature_color_2_(float convexity_1, float4 convex_1, float4 concave_1)
-{
-    return (concave_1 + (convexity_1 * ((1.0).xxxx - concave_1)));
 }
 
 float curvature_signed(float kappa, float slope)
@@ -286,8 +290,8 @@ float curvature_signed(float kappa, float slope)
         return (a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     const float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_2 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a >= 0.0) ? t_2 : -(t_2));
+    float t_3 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a >= 0.0) ? t_3 : -(t_3));
 }
 
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
@@ -299,9 +303,9 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
         return normal;
     }
     float3 s_3 = (along_x.xyz / (largest_3).xxx);
-    float3 t_3 = (along_y.xyz / (largest_3).xxx);
+    float3 t_4 = (along_y.xyz / (largest_3).xxx);
     float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_3, normal);
+    float3 right = cross(t_4, normal);
     float3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -329,7 +333,7 @@ float3 bump_map(float height, float scale, float3 normal_1, float3 position)
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -605,7 +609,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_2 * _e21)));
+        const float _e25 = eased((w_2 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -635,9 +640,9 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
 float noise_perlin(float3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4)
 {
     float3 p_2 = (position_1 * scale_1);
-    const float _e9 = footprint_of_vec3_(p_2);
-    const float _e10 = fractal_noise(NOISE_PERLIN, p_2, int(2), roughness_1, int(0), _e9);
-    return _e10;
+    const float _e7 = footprint_of_vec3_(p_2);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)
@@ -656,7 +661,7 @@ float4 shade(Surface surface_1)
     Light _e56 = look.window;
     const LitLayer _e57 = light_apply(_e56, _e18, _e53);
     const float4 _e67 = blend_alpha(float4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
-    const float4 _e75 = curvature_color_2_(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
+    const float4 _e75 = curvature_color(shade_in_hollows_convexity, (1.0).xxxx, float4(0.7216, 0.4706, 0.4235, 1.0));
     Light _e78 = look.window;
     const LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
     float4 shade_in_hollows_blend = clamp(float4((_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
@@ -670,15 +675,15 @@ float4 shade(Surface surface_1)
     const float _e142 = profile_2_(bounce_angle, bounce_warp, bounce_tone_shape);
     Light _e145 = look.table;
     const LitLayer _e146 = light_apply(_e145, _e117, _e142);
-    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + ((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)) - shade_in_hollows_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e174 = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e177 = look.window;
-    const Angle _e179 = parametrization_specular(_e177, _e28, surface_1.view);
+    float4 bounce_blend = clamp(float4((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e170 = curvature_color(soft_sheen_convexity, float4(0.302, 0.2039, 0.1686, 1.0), float4(0.1647, 0.102, 0.0863, 1.0));
+    Light _e173 = look.window;
+    const Angle _e175 = parametrization_specular(_e173, _e28, surface_1.view);
     float soft_sheen_warp = (((2.0 * soft_sheen_convexity) - 1.0) * 0.1);
-    const float _e187 = profile_3_(_e179, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e190 = look.window;
-    const LitLayer _e191 = light_apply(_e190, _e174, _e187);
-    float4 output = clamp(float4((bounce_blend.xyz + ((bounce_blend.xyz + (_e191.tone * _e191.color.xyz)) - bounce_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e183 = profile_3_(_e175, soft_sheen_warp, soft_sheen_tone_shape);
+    Light _e186 = look.window;
+    const LitLayer _e187 = light_apply(_e186, _e170, _e183);
+    float4 output = clamp(float4((bounce_blend.xyz + (_e187.tone * _e187.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -215,6 +215,17 @@ float bounded(
     return (magnitude < 2139095040u) ? x_7 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
+float eased(
+    float x_8,
+    float low,
+    float high
+) {
+    float _e3 = bounded(x_8);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
+    float t_2 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_2 * t_2) * (3.0 - (2.0 * t_2));
+}
+
 float length_of(
     metal::float3 v_3
 ) {
@@ -231,7 +242,8 @@ float footprint_of_vec3_(
 ) {
     metal::float3 dx_1 = metal::dfdx(v_4);
     metal::float3 dy_1 = metal::dfdy(v_4);
-    return metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1)));
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
+    return _e7;
 }
 
 Color curvature_color(
@@ -240,14 +252,6 @@ Color curvature_color(
     Color concave
 ) {
     return concave + (convexity * (convex - concave));
-}
-
-Color curvature_color_2_(
-    float convexity_1,
-    Color convex_1,
-    Color concave_1
-) {
-    return concave_1 + (convexity_1 * (metal::float4(1.0) - concave_1));
 }
 
 float curvature_signed(
@@ -261,8 +265,8 @@ float curvature_signed(
         return a * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
     float _e32 = exp2_stable(-2.88539 * magnitude_1);
-    float t_2 = (1.0 - _e32) / (1.0 + _e32);
-    return (a >= 0.0) ? t_2 : -(t_2);
+    float t_3 = (1.0 - _e32) / (1.0 + _e32);
+    return (a >= 0.0) ? t_3 : -(t_3);
 }
 
 metal::float3 bumped_normal(
@@ -277,9 +281,9 @@ metal::float3 bumped_normal(
         return normal;
     }
     metal::float3 s_3 = along_x.xyz / metal::float3(largest_3);
-    metal::float3 t_3 = along_y.xyz / metal::float3(largest_3);
+    metal::float3 t_4 = along_y.xyz / metal::float3(largest_3);
     metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 right = metal::cross(t_3, normal);
+    metal::float3 right = metal::cross(t_4, normal);
     metal::float3 up = metal::cross(normal, s_3);
     float area = metal::dot(s_3, right);
     if (metal::abs(area) < 0.000001) {
@@ -316,7 +320,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
@@ -623,7 +627,8 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * _e21);
+        float _e25 = eased(w_2 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
@@ -658,9 +663,9 @@ float noise_perlin(
     int seed_4
 ) {
     metal::float3 p_2 = position_1 * scale_1;
-    float _e9 = footprint_of_vec3_(p_2);
-    float _e10 = fractal_noise(NOISE_PERLIN, p_2, 2, roughness_1, 0, _e9);
-    return _e10;
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 metal::float4 shade(
@@ -681,7 +686,7 @@ metal::float4 shade(
     Light _e56 = look.window;
     LitLayer _e57 = light_apply(_e56, _e18, _e53);
     Composite _e67 = blend_alpha(metal::float4(0.3529, 0.2, 0.1529, 1.0), _e57.color, _e57.tone, 1.0, true);
-    Color _e75 = curvature_color_2_(shade_in_hollows_convexity, metal::float4(1.0), metal::float4(0.7216, 0.4706, 0.4235, 1.0));
+    Color _e75 = curvature_color(shade_in_hollows_convexity, metal::float4(1.0), metal::float4(0.7216, 0.4706, 0.4235, 1.0));
     Light _e78 = look.window;
     LitLayer _e80 = light_apply_2_(_e78, _e75, 1.0);
     metal::float4 shade_in_hollows_blend = metal::clamp(metal::float4(_e67.xyz + (0.8 * ((_e67.xyz * (_e80.tone * _e80.color.xyz)) - _e67.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
@@ -695,15 +700,15 @@ metal::float4 shade(
     float _e142 = profile_2_(bounce_angle, bounce_warp, bounce_tone_shape);
     Light _e145 = look.table;
     LitLayer _e146 = light_apply(_e145, _e117, _e142);
-    metal::float4 bounce_blend = metal::clamp(metal::float4(shade_in_hollows_blend.xyz + ((shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz)) - shade_in_hollows_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e174 = curvature_color(soft_sheen_convexity, metal::float4(0.302, 0.2039, 0.1686, 1.0), metal::float4(0.1647, 0.102, 0.0863, 1.0));
-    Light _e177 = look.window;
-    Angle _e179 = parametrization_specular(_e177, _e28, surface_1.view);
+    metal::float4 bounce_blend = metal::clamp(metal::float4(shade_in_hollows_blend.xyz + (_e146.tone * _e146.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e170 = curvature_color(soft_sheen_convexity, metal::float4(0.302, 0.2039, 0.1686, 1.0), metal::float4(0.1647, 0.102, 0.0863, 1.0));
+    Light _e173 = look.window;
+    Angle _e175 = parametrization_specular(_e173, _e28, surface_1.view);
     float soft_sheen_warp = ((2.0 * soft_sheen_convexity) - 1.0) * 0.1;
-    float _e187 = profile_3_(_e179, soft_sheen_warp, soft_sheen_tone_shape);
-    Light _e190 = look.window;
-    LitLayer _e191 = light_apply(_e190, _e174, _e187);
-    metal::float4 output = metal::clamp(metal::float4(bounce_blend.xyz + ((bounce_blend.xyz + (_e191.tone * _e191.color.xyz)) - bounce_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e183 = profile_3_(_e175, soft_sheen_warp, soft_sheen_tone_shape);
+    Light _e186 = look.window;
+    LitLayer _e187 = light_apply(_e186, _e170, _e183);
+    metal::float4 output = metal::clamp(metal::float4(bounce_blend.xyz + (_e187.tone * _e187.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

@@ -162,14 +162,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -206,6 +206,13 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 /// The length of v, also where its square would over- or underflow.
 fn length_of(v: vec3f) -> f32 {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -220,7 +227,7 @@ fn length_of(v: vec3f) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
 /// Convex/concave color
@@ -228,13 +235,6 @@ fn footprint_of_vec3(v: vec3f) -> f32 {
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
-}
-
-/// Convex/concave color
-///
-/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
-fn curvature_color_2(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
@@ -289,8 +289,7 @@ fn bump_map(height: f32, scale: f32, normal: vec3f, position: vec3f) -> vec3f {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -522,7 +521,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         if !(i < 2i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -542,7 +541,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * scale;
-    return fractal_noise(NOISE_PERLIN, p, 2i, roughness, 0i, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 const body_tone_shape = ProfileShape(0.9996875, 0.024997396, 1.0955735, 1.3436927, 0.05, 1.2296002, 0.5273893, 0u);
@@ -561,7 +560,7 @@ fn shade(surface: Surface) -> vec4f {
     let body_tone = profile(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.window, body_color, body_tone);
     let body_blend = blend_alpha(vec4f(0.3529, 0.2, 0.1529, 1.0), body_lit.color, body_lit.tone, 1.0, true);
-    let shade_in_hollows_color = curvature_color_2(shade_in_hollows_convexity, vec4f(1.0), vec4f(0.7216, 0.4706, 0.4235, 1.0));
+    let shade_in_hollows_color = curvature_color(shade_in_hollows_convexity, vec4f(1.0), vec4f(0.7216, 0.4706, 0.4235, 1.0));
     let shade_in_hollows_lit = light_apply_2(look.window, shade_in_hollows_color, 1.0);
     let shade_in_hollows_blend = clamp(vec4f(body_blend.xyz + 0.8 * (body_blend.xyz * (shade_in_hollows_lit.tone * shade_in_hollows_lit.color.xyz) - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let soft_sheen_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.15);
@@ -570,13 +569,13 @@ fn shade(surface: Surface) -> vec4f {
     let bounce_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.15;
     let bounce_tone = profile_2(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply(look.table, bounce_color, bounce_tone);
-    let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + (shade_in_hollows_blend.xyz + bounce_lit.tone * bounce_lit.color.xyz - shade_in_hollows_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let bounce_blend = clamp(vec4f(shade_in_hollows_blend.xyz + bounce_lit.tone * bounce_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let soft_sheen_color = curvature_color(soft_sheen_convexity, vec4f(0.302, 0.2039, 0.1686, 1.0), vec4f(0.1647, 0.102, 0.0863, 1.0));
     let soft_sheen_angle = parametrization_specular(look.window, skin, surface.view);
     let soft_sheen_warp = (2.0 * soft_sheen_convexity - 1.0) * 0.1;
     let soft_sheen_tone = profile_3(soft_sheen_angle, soft_sheen_warp, soft_sheen_tone_shape);
     let soft_sheen_lit = light_apply(look.window, soft_sheen_color, soft_sheen_tone);
-    let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + (bounce_blend.xyz + soft_sheen_lit.tone * soft_sheen_lit.color.xyz - bounce_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let soft_sheen_blend = clamp(vec4f(bounce_blend.xyz + soft_sheen_lit.tone * soft_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = soft_sheen_blend;
     return output;
 }

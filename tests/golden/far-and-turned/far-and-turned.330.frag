@@ -168,8 +168,8 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
 vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
     float a_1 = (opacity_1 * color.w);
     float alpha_1 = (below_1.w + ((tone * a_1) * (1.0 - below_1.w)));
-    vec4 _e21 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_1, true);
-    return _e21;
+    vec4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_1, clamped_1);
+    return _e20;
 }
 
 vec2 light_split(float intensity) {

@@ -68,9 +68,9 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -83,9 +83,9 @@ float exp2_stable_2_(float x_1) {
 }
 
 float exp2_stable_3_(float x_2) {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
+    float clamped_1 = max(x_2, -126.0);
+    float whole_2 = roundEven(clamped_1);
+    float f_2 = (clamped_1 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
 }
@@ -188,18 +188,14 @@ float curvature_signed_2_(float kappa_1, float slope_1) {
     return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
 }
 
 Angle parametrization_specular(Light light_2, vec3 normal, vec3 view) {
@@ -325,37 +321,37 @@ vec4 shade(Surface surface_1) {
     vec4 _e18 = curvature_color(fill_convexity, vec4(0.0863, 0.0745, 0.1216, 1.0), vec4(0.0314, 0.0235, 0.051, 1.0));
     Light _e21 = u_look.key;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 _e33 = blend_add(vec4(0.0824, 0.0745, 0.1098, 1.0), _e23.color, _e23.tone, 1.0, true);
-    float _e36 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float back_light_convexity = (0.5 + (0.5 * _e36));
-    vec4 _e51 = curvature_color(back_light_convexity, vec4(0.7098, 0.4, 0.1804, 1.0), vec4(0.4314, 0.1647, 0.1176, 1.0));
-    vec3 _e56 = u_look.key.direction;
-    vec3 _e65 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e56))), (0.5 * length((surface_1.normal + _e65))));
+    vec4 fill_blend = clamp(vec4((vec3(0.0824, 0.0745, 0.1098) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e42 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float back_light_convexity = (0.5 + (0.5 * _e42));
+    vec4 _e57 = curvature_color(back_light_convexity, vec4(0.7098, 0.4, 0.1804, 1.0), vec4(0.4314, 0.1647, 0.1176, 1.0));
+    vec3 _e62 = u_look.key.direction;
+    vec3 _e71 = u_look.key.direction;
+    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e62))), (0.5 * length((surface_1.normal + _e71))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.25);
-    float _e78 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e81 = u_look.key;
-    LitLayer _e82 = light_apply_2_(_e81, _e51, _e78);
-    vec4 diffuse_blend = clamp(vec4((_e33.xyz + ((_e33.xyz + (_e82.tone * _e82.color.xyz)) - _e33.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e102 = curvature_signed_2_(surface_1.kappa, 0.15);
-    float specular_convexity = (0.5 + (0.5 * _e102));
-    vec4 _e117 = curvature_color(specular_convexity, vec4(0.9098, 0.851, 0.7216, 1.0), vec4(0.5412, 0.3608, 0.251, 1.0));
-    Light _e120 = u_look.key;
-    Angle _e123 = parametrization_specular(_e120, surface_1.normal, surface_1.view);
+    float _e84 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e87 = u_look.key;
+    LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
+    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e104 = curvature_signed_2_(surface_1.kappa, 0.15);
+    float specular_convexity = (0.5 + (0.5 * _e104));
+    vec4 _e119 = curvature_color(specular_convexity, vec4(0.9098, 0.851, 0.7216, 1.0), vec4(0.5412, 0.3608, 0.251, 1.0));
+    Light _e122 = u_look.key;
+    Angle _e125 = parametrization_specular(_e122, surface_1.normal, surface_1.view);
     float specular_warp = (((2.0 * specular_convexity) - 1.0) * 0.1);
-    float _e131 = profile_2_(_e123, specular_warp, specular_tone_shape);
-    Light _e134 = u_look.key;
-    LitLayer _e135 = light_apply_2_(_e134, _e117, _e131);
-    vec4 specular_blend = clamp(vec4((diffuse_blend.xyz + ((diffuse_blend.xyz + (_e135.tone * _e135.color.xyz)) - diffuse_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e163 = curvature_color(back_light_convexity, vec4(0.3098, 0.5255, 0.7216, 1.0), vec4(0.1294, 0.2706, 0.4314, 1.0));
-    vec3 _e168 = u_look.back.direction;
-    vec3 _e177 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e168))), (0.5 * length((surface_1.normal + _e177))));
+    float _e133 = profile_2_(_e125, specular_warp, specular_tone_shape);
+    Light _e136 = u_look.key;
+    LitLayer _e137 = light_apply_2_(_e136, _e119, _e133);
+    vec4 specular_blend = clamp(vec4((diffuse_blend.xyz + (_e137.tone * _e137.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e161 = curvature_color(back_light_convexity, vec4(0.3098, 0.5255, 0.7216, 1.0), vec4(0.1294, 0.2706, 0.4314, 1.0));
+    vec3 _e166 = u_look.back.direction;
+    vec3 _e175 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e166))), (0.5 * length((surface_1.normal + _e175))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    float _e190 = profile_3_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e193 = u_look.back;
-    LitLayer _e194 = light_apply_2_(_e193, _e163, _e190);
-    vec4 output_ = clamp(vec4((specular_blend.xyz + ((specular_blend.xyz + (_e194.tone * _e194.color.xyz)) - specular_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e188 = profile_3_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e191 = u_look.back;
+    LitLayer _e192 = light_apply_2_(_e191, _e161, _e188);
+    vec4 output_ = clamp(vec4((specular_blend.xyz + (_e192.tone * _e192.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -119,9 +119,9 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x)
 {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
@@ -136,9 +136,9 @@ float exp2_stable_2_(float x_1)
 
 float exp2_stable_3_(float x_2)
 {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_2 = round(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
+    float clamped_1 = max(x_2, -126.0);
+    float whole_2 = round(clamped_1);
+    float f_2 = (clamped_1 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
 }
@@ -261,11 +261,6 @@ float curvature_signed_2_(float kappa_1, float slope_1)
     return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
-{
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -273,17 +268,17 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
+LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
 {
     float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
     return litlayer_1;
 }
 
@@ -424,37 +419,37 @@ float4 shade(Surface surface_1)
     const float4 _e18 = curvature_color(fill_convexity, float4(0.0863, 0.0745, 0.1216, 1.0), float4(0.0314, 0.0235, 0.051, 1.0));
     Light _e21 = look.key;
     const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    const float4 _e33 = blend_add(float4(0.0824, 0.0745, 0.1098, 1.0), _e23.color, _e23.tone, 1.0, true);
-    const float _e36 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float back_light_convexity = (0.5 + (0.5 * _e36));
-    const float4 _e51 = curvature_color(back_light_convexity, float4(0.7098, 0.4, 0.1804, 1.0), float4(0.4314, 0.1647, 0.1176, 1.0));
-    float3 _e56 = look.key.direction;
-    float3 _e65 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e56))), (0.5 * length((surface_1.normal + _e65))));
+    float4 fill_blend = clamp(float4((float3(0.0824, 0.0745, 0.1098) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e42 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float back_light_convexity = (0.5 + (0.5 * _e42));
+    const float4 _e57 = curvature_color(back_light_convexity, float4(0.7098, 0.4, 0.1804, 1.0), float4(0.4314, 0.1647, 0.1176, 1.0));
+    float3 _e62 = look.key.direction;
+    float3 _e71 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e62))), (0.5 * length((surface_1.normal + _e71))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.25);
-    const float _e78 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e81 = look.key;
-    const LitLayer _e82 = light_apply_2_(_e81, _e51, _e78);
-    float4 diffuse_blend = clamp(float4((_e33.xyz + ((_e33.xyz + (_e82.tone * _e82.color.xyz)) - _e33.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e102 = curvature_signed_2_(surface_1.kappa, 0.15);
-    float specular_convexity = (0.5 + (0.5 * _e102));
-    const float4 _e117 = curvature_color(specular_convexity, float4(0.9098, 0.851, 0.7216, 1.0), float4(0.5412, 0.3608, 0.251, 1.0));
-    Light _e120 = look.key;
-    const Angle _e123 = parametrization_specular(_e120, surface_1.normal, surface_1.view);
+    const float _e84 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e87 = look.key;
+    const LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
+    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e104 = curvature_signed_2_(surface_1.kappa, 0.15);
+    float specular_convexity = (0.5 + (0.5 * _e104));
+    const float4 _e119 = curvature_color(specular_convexity, float4(0.9098, 0.851, 0.7216, 1.0), float4(0.5412, 0.3608, 0.251, 1.0));
+    Light _e122 = look.key;
+    const Angle _e125 = parametrization_specular(_e122, surface_1.normal, surface_1.view);
     float specular_warp = (((2.0 * specular_convexity) - 1.0) * 0.1);
-    const float _e131 = profile_2_(_e123, specular_warp, specular_tone_shape);
-    Light _e134 = look.key;
-    const LitLayer _e135 = light_apply_2_(_e134, _e117, _e131);
-    float4 specular_blend = clamp(float4((diffuse_blend.xyz + ((diffuse_blend.xyz + (_e135.tone * _e135.color.xyz)) - diffuse_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e163 = curvature_color(back_light_convexity, float4(0.3098, 0.5255, 0.7216, 1.0), float4(0.1294, 0.2706, 0.4314, 1.0));
-    float3 _e168 = look.back.direction;
-    float3 _e177 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e168))), (0.5 * length((surface_1.normal + _e177))));
+    const float _e133 = profile_2_(_e125, specular_warp, specular_tone_shape);
+    Light _e136 = look.key;
+    const LitLayer _e137 = light_apply_2_(_e136, _e119, _e133);
+    float4 specular_blend = clamp(float4((diffuse_blend.xyz + (_e137.tone * _e137.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e161 = curvature_color(back_light_convexity, float4(0.3098, 0.5255, 0.7216, 1.0), float4(0.1294, 0.2706, 0.4314, 1.0));
+    float3 _e166 = look.back.direction;
+    float3 _e175 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e166))), (0.5 * length((surface_1.normal + _e175))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    const float _e190 = profile_3_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e193 = look.back;
-    const LitLayer _e194 = light_apply_2_(_e193, _e163, _e190);
-    float4 output = clamp(float4((specular_blend.xyz + ((specular_blend.xyz + (_e194.tone * _e194.color.xyz)) - specular_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e188 = profile_3_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e191 = look.back;
+    const LitLayer _e192 = light_apply_2_(_e191, _e161, _e188);
+    float4 output = clamp(float4((specular_blend.xyz + (_e192.tone * _e192.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -53,19 +53,6 @@ fn finite_vec4(v: vec4f) -> vec4f {
     return select(vec4f(0.0), v, (bitcast<vec4u>(v) & exponent) != exponent);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
-/// toward the eye. One shorter than 1e-15 points along z.
-fn normalize_seen(v: vec3f) -> vec3f {
-    return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
-}
-
 const SMALLEST_NORMAL: f32 = 1.17549435e-38;
 /// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
 /// is infinite.

@@ -53,13 +53,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
     return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_1) {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0, 0.0, 1.0));
-}
-
-vec3 normalize_seen(vec3 v_3) {
-    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -90,12 +85,12 @@ float bounded(float x_1) {
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec4 bounded_vec4_(vec4 v_4) {
-    uvec4 bits_1 = floatBitsToUint(v_4);
+vec4 bounded_vec4_(vec4 v_3) {
+    uvec4 bits_1 = floatBitsToUint(v_3);
     uvec4 magnitude_1 = (bits_1 & uvec4(2147483647u));
     vec4 largest_1 = uintBitsToFloat(((bits_1 & uvec4(2147483648u)) | uvec4(2139095039u)));
     vec4 numbers = mix(vec4(0.0), largest_1, equal(magnitude_1, uvec4(2139095040u)));
-    return mix(numbers, v_4, lessThan(magnitude_1, uvec4(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec4(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -241,7 +236,7 @@ vec4 output_(vec4 color_1) {
 
 Angle parametrization_screen_aligned(Light light, vec3 normal, mat3x3 camera_from_world) {
     vec3 n = (camera_from_world * normal);
-    vec3 _e8 = normalize_moderate_2_(n, vec3(0.0, 0.0, 1.0));
+    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e8 - light.own_direction))), (0.5 * length((_e8 + light.own_direction))));
 }
 

@@ -116,15 +116,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise)
     return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_1)
+float3 normalize_seen(float3 v_2)
 {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : float3(0.0, 0.0, 1.0));
-}
-
-float3 normalize_seen(float3 v_3)
-{
-    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -158,13 +152,13 @@ float bounded(float x_1)
     return ((magnitude < 2139095040u) ? x_1 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float4 bounded_vec4_(float4 v_4)
+float4 bounded_vec4_(float4 v_3)
 {
-    uint4 bits_1 = asuint(v_4);
+    uint4 bits_1 = asuint(v_3);
     uint4 magnitude_1 = (bits_1 & (2147483647u).xxxx);
     float4 largest_1 = asfloat(((bits_1 & (2147483648u).xxxx) | (2139095039u).xxxx));
     float4 numbers = ((magnitude_1 == (2139095040u).xxxx) ? largest_1 : (0.0).xxxx);
-    return ((magnitude_1 < (2139095040u).xxxx) ? v_4 : numbers);
+    return ((magnitude_1 < (2139095040u).xxxx) ? v_3 : numbers);
 }
 
 float divided(float a, float b)
@@ -339,7 +333,7 @@ Angle ConstructAngle(float arg0, float arg1) {
 Angle parametrization_screen_aligned(Light light, float3 normal, float3x3 camera_from_world)
 {
     float3 n = mul(normal, camera_from_world);
-    const float3 _e8 = normalize_moderate_2_(n, float3(0.0, 0.0, 1.0));
+    const float3 _e8 = normalize_moderate(n, float3(0.0, 0.0, 1.0));
     const Angle angle = ConstructAngle((0.5 * length((_e8 - light.own_direction))), (0.5 * length((_e8 + light.own_direction))));
     return angle;
 }

@@ -81,18 +81,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_2, v_2);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_3
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -131,13 +123,13 @@ float bounded(
 }
 
 metal::float4 bounded_vec4_(
-    metal::float4 v_4
+    metal::float4 v_3
 ) {
-    metal::uint4 bits_1 = as_type<metal::uint4>(v_4);
+    metal::uint4 bits_1 = as_type<metal::uint4>(v_3);
     metal::uint4 magnitude_1 = bits_1 & metal::uint4(2147483647u);
     metal::float4 largest_1 = as_type<metal::float4>((bits_1 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
     metal::float4 numbers = metal::select(metal::float4(0.0), largest_1, magnitude_1 == metal::uint4(2139095040u));
-    return metal::select(numbers, v_4, magnitude_1 < metal::uint4(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint4(2139095040u));
 }
 
 float divided(
@@ -329,7 +321,7 @@ Angle parametrization_screen_aligned(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 n = camera_from_world * normal;
-    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e8 - light.own_direction), 0.5 * metal::length(_e8 + light.own_direction)};
 }
 

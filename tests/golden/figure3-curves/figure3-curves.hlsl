@@ -155,18 +155,6 @@ float2 sin_cos_tiny(float x_6)
     return float2(s_1, c_1);
 }
 
-float3 normalize_moderate(float3 v, float3 otherwise_1)
-{
-    float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise_1);
-}
-
-float3 normalize_seen(float3 v_1)
-{
-    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
 Angle ConstructAngle(float arg0, float arg1) {
     Angle ret = (Angle)0;
     ret.half_sin = arg0;

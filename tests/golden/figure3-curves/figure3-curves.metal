@@ -138,21 +138,6 @@ metal::float2 sin_cos_tiny(
     return metal::float2(s_1, c_1);
 }
 
-metal::float3 normalize_moderate(
-    metal::float3 v,
-    metal::float3 otherwise_1
-) {
-    float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise_1;
-}
-
-metal::float3 normalize_seen(
-    metal::float3 v_1
-) {
-    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
-    return _e5;
-}
-
 Angle angle_of(
     float radians
 ) {

@@ -50,7 +50,6 @@ struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -80,9 +79,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -219,23 +218,13 @@ float step_filtered(
     return metal::clamp(0.5 + _e13, 0.0, 1.0);
 }
 
-Composite blend_add(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 float profile_power(
@@ -319,41 +308,41 @@ metal::float4 shade(
     float _e24 = profile(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
     LitLayer _e33 = light_apply(_e27, metal::float4(0.86, 0.8, 0.7, 1.0), _e24);
-    Composite _e43 = blend_add(metal::float4(0.11, 0.13, 0.19, 1.0), _e33.color, _e33.tone, 1.0, true);
-    float _e44 = angle_radians(profile_angle);
-    float _e47 = look.offset;
-    float _e49 = bounded(_e44 - _e47);
-    float _e50 = bounded(_e49);
-    float _e52 = footprint_of(_e49);
-    float _e58 = step_filtered(_e50, -0.012, metal::length(metal::float2(metal::min(_e52, 1000000000000000.0), 0.0)));
-    float _e59 = bounded(_e49);
-    float _e61 = footprint_of(_e49);
-    float _e67 = step_filtered(_e59, 0.012, metal::length(metal::float2(metal::min(_e61, 1000000000000000.0), 0.0)));
-    float offset_isocurve_line = _e58 - _e67;
+    metal::float4 profile_blend = metal::clamp(metal::float4(metal::float3(0.11, 0.13, 0.19) + (_e33.tone * _e33.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e50 = angle_radians(profile_angle);
+    float _e53 = look.offset;
+    float _e55 = bounded(_e50 - _e53);
+    float _e56 = bounded(_e55);
+    float _e58 = footprint_of(_e55);
+    float _e64 = step_filtered(_e56, -0.012, metal::length(metal::float2(metal::min(_e58, 1000000000000000.0), 0.0)));
+    float _e65 = bounded(_e55);
+    float _e67 = footprint_of(_e55);
+    float _e73 = step_filtered(_e65, 0.012, metal::length(metal::float2(metal::min(_e67, 1000000000000000.0), 0.0)));
+    float offset_isocurve_line = _e64 - _e73;
     float offset_isocurve_tone = metal::max(offset_isocurve_line, 0.0);
-    metal::float4 offset_isocurve = metal::clamp(metal::float4(_e43.xyz + (offset_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - _e43.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e87 = angle_radians(profile_angle);
-    float _e90 = look.fall_off;
-    float _e92 = bounded(_e87 - _e90);
-    float _e93 = bounded(_e92);
-    float _e95 = footprint_of(_e92);
-    float _e101 = step_filtered(_e93, -0.012, metal::length(metal::float2(metal::min(_e95, 1000000000000000.0), 0.0)));
-    float _e102 = bounded(_e92);
-    float _e104 = footprint_of(_e92);
-    float _e110 = step_filtered(_e102, 0.012, metal::length(metal::float2(metal::min(_e104, 1000000000000000.0), 0.0)));
-    float falloff_isocurve_line = _e101 - _e110;
+    metal::float4 offset_isocurve = metal::clamp(metal::float4(profile_blend.xyz + (offset_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - profile_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e93 = angle_radians(profile_angle);
+    float _e96 = look.fall_off;
+    float _e98 = bounded(_e93 - _e96);
+    float _e99 = bounded(_e98);
+    float _e101 = footprint_of(_e98);
+    float _e107 = step_filtered(_e99, -0.012, metal::length(metal::float2(metal::min(_e101, 1000000000000000.0), 0.0)));
+    float _e108 = bounded(_e98);
+    float _e110 = footprint_of(_e98);
+    float _e116 = step_filtered(_e108, 0.012, metal::length(metal::float2(metal::min(_e110, 1000000000000000.0), 0.0)));
+    float falloff_isocurve_line = _e107 - _e116;
     float falloff_isocurve_tone = metal::max(falloff_isocurve_line, 0.0);
     metal::float4 falloff_isocurve = metal::clamp(metal::float4(offset_isocurve.xyz + (falloff_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - offset_isocurve.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e130 = angle_radians(profile_angle);
-    float _e133 = look.cut_off;
-    float _e135 = bounded(_e130 - _e133);
-    float _e136 = bounded(_e135);
-    float _e138 = footprint_of(_e135);
-    float _e144 = step_filtered(_e136, -0.012, metal::length(metal::float2(metal::min(_e138, 1000000000000000.0), 0.0)));
-    float _e145 = bounded(_e135);
-    float _e147 = footprint_of(_e135);
-    float _e153 = step_filtered(_e145, 0.012, metal::length(metal::float2(metal::min(_e147, 1000000000000000.0), 0.0)));
-    float cutoff_isocurve_line = _e144 - _e153;
+    float _e136 = angle_radians(profile_angle);
+    float _e139 = look.cut_off;
+    float _e141 = bounded(_e136 - _e139);
+    float _e142 = bounded(_e141);
+    float _e144 = footprint_of(_e141);
+    float _e150 = step_filtered(_e142, -0.012, metal::length(metal::float2(metal::min(_e144, 1000000000000000.0), 0.0)));
+    float _e151 = bounded(_e141);
+    float _e153 = footprint_of(_e141);
+    float _e159 = step_filtered(_e151, 0.012, metal::length(metal::float2(metal::min(_e153, 1000000000000000.0), 0.0)));
+    float cutoff_isocurve_line = _e150 - _e159;
     float cutoff_isocurve_tone = metal::max(cutoff_isocurve_line, 0.0);
     metal::float4 output = metal::clamp(metal::float4(falloff_isocurve.xyz + (cutoff_isocurve_tone * (metal::float3(0.16, 0.36, 0.85) - falloff_isocurve.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;

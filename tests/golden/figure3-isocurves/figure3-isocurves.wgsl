@@ -40,9 +40,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -107,14 +104,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -198,14 +195,6 @@ fn step_filtered(x: f32, edge: f32, w: f32) -> f32 {
         return select(0.0, 1.0, d >= 0.0);
     }
     return clamp(0.5 + bounded(d / w), 0.0, 1.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -310,7 +299,7 @@ fn shade(surface: Surface) -> vec4f {
     let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let profile_tone = profile(profile_angle, 0.0, look.profile_tone_shape);
     let profile_lit = light_apply(look.key, vec4f(0.86, 0.8, 0.7, 1.0), profile_tone);
-    let profile_blend = blend_add(vec4f(0.11, 0.13, 0.19, 1.0), profile_lit.color, profile_lit.tone, 1.0, true);
+    let profile_blend = clamp(vec4f(vec4f(0.11, 0.13, 0.19, 1.0).xyz + profile_lit.tone * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let offset_apart = bounded(angle_radians(profile_angle) - look.offset);
     let offset_isocurve_from = step_filtered(bounded(offset_apart), -0.012, length(vec2f(min(footprint_of(offset_apart), 1e15), 0.0)));
     let offset_isocurve_to = step_filtered(bounded(offset_apart), 0.012, length(vec2f(min(footprint_of(offset_apart), 1e15), 0.0)));

@@ -49,9 +49,9 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -127,13 +127,9 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
 float profile_power(float q, float exponent) {
@@ -200,8 +196,8 @@ vec4 shade(Surface surface_1) {
     float _e24 = profile(profile_angle, 0.0, _e23);
     Light _e27 = u_look.key;
     LitLayer _e33 = light_apply(_e27, vec4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    vec4 _e43 = blend_add(vec4(0.1098, 0.1333, 0.1882, 1.0), _e33.color, _e33.tone, 1.0, true);
-    return _e43;
+    vec4 output_ = clamp(vec4((vec3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return output_;
 }
 
 void main() {

@@ -99,9 +99,9 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x)
 {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
@@ -195,11 +195,6 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_2;
 }
 
-float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
-{
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -207,10 +202,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
@@ -284,8 +279,8 @@ float4 shade(Surface surface_1)
     const float _e24 = profile(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
     const LitLayer _e33 = light_apply(_e27, float4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    const float4 _e43 = blend_add(float4(0.1098, 0.1333, 0.1882, 1.0), _e33.color, _e33.tone, 1.0, true);
-    return _e43;
+    float4 output = clamp(float4((float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return output;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

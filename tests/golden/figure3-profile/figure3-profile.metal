@@ -46,7 +46,6 @@ struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -76,9 +75,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -176,23 +175,13 @@ Angle angle_turned_2_(
     return Angle {turned_1.x, turned_1.y};
 }
 
-Composite blend_add(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 float profile_power(
@@ -276,8 +265,8 @@ metal::float4 shade(
     float _e24 = profile(profile_angle, 0.0, _e23);
     Light _e27 = look.key;
     LitLayer _e33 = light_apply(_e27, metal::float4(0.949, 0.8941, 0.7843, 1.0), _e24);
-    Composite _e43 = blend_add(metal::float4(0.1098, 0.1333, 0.1882, 1.0), _e33.color, _e33.tone, 1.0, true);
-    return _e43;
+    metal::float4 output = metal::clamp(metal::float4(metal::float3(0.1098, 0.1333, 0.1882) + (_e33.tone * _e33.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return output;
 }
 
 struct vs_mainInput {

@@ -37,9 +37,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -104,14 +101,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -166,14 +163,6 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -278,7 +267,7 @@ fn shade(surface: Surface) -> vec4f {
     let profile_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let profile_tone = profile(profile_angle, 0.0, look.profile_tone_shape);
     let profile_lit = light_apply(look.key, vec4f(0.949, 0.8941, 0.7843, 1.0), profile_tone);
-    let profile_blend = blend_add(vec4f(0.1098, 0.1333, 0.1882, 1.0), profile_lit.color, profile_lit.tone, 1.0, true);
+    let profile_blend = clamp(vec4f(vec4f(0.1098, 0.1333, 0.1882, 1.0).xyz + profile_lit.tone * profile_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = profile_blend;
     return output;
 }

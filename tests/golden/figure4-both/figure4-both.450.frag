@@ -50,9 +50,9 @@ layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -135,18 +135,14 @@ float curvature_signed(float kappa, float slope) {
     return ((a >= 0.0) ? t_1 : -(t_1));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
 }
 
 float profile_power(float q, float exponent) {
@@ -204,16 +200,16 @@ vec4 shade(Surface surface_1) {
     vec4 _e18 = curvature_color(diffuse_convexity, vec4(0.2275, 0.1569, 0.1882, 1.0), vec4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e21 = u_look.key;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 _e33 = blend_add(vec4(0.1373, 0.0941, 0.1255, 1.0), _e23.color, _e23.tone, 1.0, true);
-    vec4 _e44 = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
-    vec3 _e49 = u_look.key.direction;
-    vec3 _e58 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    vec4 fill_blend = clamp(vec4((vec3(0.1373, 0.0941, 0.1255) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e50 = curvature_color(diffuse_convexity, vec4(0.7255, 0.5137, 0.3529, 1.0), vec4(0.3608, 0.1216, 0.1725, 1.0));
+    vec3 _e55 = u_look.key.direction;
+    vec3 _e64 = u_look.key.direction;
+    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * diffuse_convexity) - 1.0) * 0.75);
-    float _e71 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e74 = u_look.key;
-    LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    vec4 output_ = clamp(vec4((_e33.xyz + ((_e33.xyz + (_e75.tone * _e75.color.xyz)) - _e33.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e77 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e80 = u_look.key;
+    LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
+    vec4 output_ = clamp(vec4((fill_blend.xyz + (_e81.tone * _e81.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -110,9 +110,9 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x)
 {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
@@ -214,11 +214,6 @@ float curvature_signed(float kappa, float slope)
     return ((a >= 0.0) ? t_1 : -(t_1));
 }
 
-float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
-{
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -226,17 +221,17 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), split.x);
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
+LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
 {
     float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
     return litlayer_1;
 }
 
@@ -301,16 +296,16 @@ float4 shade(Surface surface_1)
     const float4 _e18 = curvature_color(diffuse_convexity, float4(0.2275, 0.1569, 0.1882, 1.0), float4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e21 = look.key;
     const LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    const float4 _e33 = blend_add(float4(0.1373, 0.0941, 0.1255, 1.0), _e23.color, _e23.tone, 1.0, true);
-    const float4 _e44 = curvature_color(diffuse_convexity, float4(0.7255, 0.5137, 0.3529, 1.0), float4(0.3608, 0.1216, 0.1725, 1.0));
-    float3 _e49 = look.key.direction;
-    float3 _e58 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    float4 fill_blend = clamp(float4((float3(0.1373, 0.0941, 0.1255) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e50 = curvature_color(diffuse_convexity, float4(0.7255, 0.5137, 0.3529, 1.0), float4(0.3608, 0.1216, 0.1725, 1.0));
+    float3 _e55 = look.key.direction;
+    float3 _e64 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * diffuse_convexity) - 1.0) * 0.75);
-    const float _e71 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e74 = look.key;
-    const LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    float4 output = clamp(float4((_e33.xyz + ((_e33.xyz + (_e75.tone * _e75.color.xyz)) - _e33.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e77 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e80 = look.key;
+    const LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
+    float4 output = clamp(float4((fill_blend.xyz + (_e81.tone * _e81.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -36,7 +36,6 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -74,9 +73,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -188,32 +187,22 @@ float curvature_signed(
     return (a >= 0.0) ? t_2 : -(t_2);
 }
 
-Composite blend_add(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
 }
 
 LitLayer light_apply_2_(
     Light light_1,
-    Color color_2,
-    float tone_2
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), tone_2 * split_1.x};
+    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), tone_1 * split_1.x};
 }
 
 float profile_power(
@@ -287,15 +276,15 @@ metal::float4 shade(
     Color _e18 = curvature_color(diffuse_convexity, metal::float4(0.2275, 0.1569, 0.1882, 1.0), metal::float4(0.0863, 0.0431, 0.0667, 1.0));
     Light _e21 = look.key;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    Composite _e33 = blend_add(metal::float4(0.1373, 0.0941, 0.1255, 1.0), _e23.color, _e23.tone, 1.0, true);
-    Color _e44 = curvature_color(diffuse_convexity, metal::float4(0.7255, 0.5137, 0.3529, 1.0), metal::float4(0.3608, 0.1216, 0.1725, 1.0));
-    metal::float3 _e49 = look.key.direction;
-    metal::float3 _e58 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e49), 0.5 * metal::length(surface_1.normal + _e58)};
-    float _e66 = profile(diffuse_angle, 0.0, diffuse_tone_shape);
-    Light _e69 = look.key;
-    LitLayer _e70 = light_apply_2_(_e69, _e44, _e66);
-    metal::float4 output = metal::clamp(metal::float4(_e33.xyz + ((_e33.xyz + (_e70.tone * _e70.color.xyz)) - _e33.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.1373, 0.0941, 0.1255) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e50 = curvature_color(diffuse_convexity, metal::float4(0.7255, 0.5137, 0.3529, 1.0), metal::float4(0.3608, 0.1216, 0.1725, 1.0));
+    metal::float3 _e55 = look.key.direction;
+    metal::float3 _e64 = look.key.direction;
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
+    float _e72 = profile(diffuse_angle, 0.0, diffuse_tone_shape);
+    Light _e75 = look.key;
+    LitLayer _e76 = light_apply_2_(_e75, _e50, _e72);
+    metal::float4 output = metal::clamp(metal::float4(fill_blend.xyz + (_e76.tone * _e76.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

@@ -38,9 +38,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -114,14 +111,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -177,14 +174,6 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -289,12 +278,12 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.3);
     let fill_color = curvature_color(diffuse_convexity, vec4f(0.2275, 0.1569, 0.1882, 1.0), vec4f(0.0863, 0.0431, 0.0667, 1.0));
     let fill_lit = light_apply(look.key, fill_color, 1.0);
-    let fill_blend = blend_add(vec4f(0.1373, 0.0941, 0.1255, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    let fill_blend = clamp(vec4f(vec4f(0.1373, 0.0941, 0.1255, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let diffuse_color = curvature_color(diffuse_convexity, vec4f(0.7255, 0.5137, 0.3529, 1.0), vec4f(0.3608, 0.1216, 0.1725, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let diffuse_tone = profile(diffuse_angle, 0.0, diffuse_tone_shape);
     let diffuse_lit = light_apply_2(look.key, diffuse_color, diffuse_tone);
-    let diffuse_blend = clamp(vec4f(fill_blend.xyz + (fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz - fill_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = diffuse_blend;
     return output;
 }

@@ -201,9 +201,7 @@ vec4 shade(Surface surface_1) {
     Light _e37 = u_look.key;
     LitLayer _e43 = light_apply(_e37, vec4(0.6275, 0.4157, 0.2902, 1.0), _e34);
     vec4 _e46 = u_look.fill_blend;
-    vec4 _e50 = u_look.fill_blend;
-    vec4 _e59 = u_look.fill_blend;
-    vec4 output_ = clamp(vec4((_e46.xyz + ((_e50.xyz + (_e43.tone * _e43.color.xyz)) - _e59.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 output_ = clamp(vec4((_e46.xyz + (_e43.tone * _e43.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -290,9 +290,7 @@ float4 shade(Surface surface_1)
     Light _e37 = look.key;
     const LitLayer _e43 = light_apply(_e37, float4(0.6275, 0.4157, 0.2902, 1.0), _e34);
     float4 _e46 = look.fill_blend;
-    float4 _e50 = look.fill_blend;
-    float4 _e59 = look.fill_blend;
-    float4 output = clamp(float4((_e46.xyz + ((_e50.xyz + (_e43.tone * _e43.color.xyz)) - _e59.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 output = clamp(float4((_e46.xyz + (_e43.tone * _e43.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -264,9 +264,7 @@ metal::float4 shade(
     Light _e37 = look.key;
     LitLayer _e43 = light_apply(_e37, metal::float4(0.6275, 0.4157, 0.2902, 1.0), _e34);
     metal::float4 _e46 = look.fill_blend;
-    metal::float4 _e50 = look.fill_blend;
-    metal::float4 _e59 = look.fill_blend;
-    metal::float4 output = metal::clamp(metal::float4(_e46.xyz + ((_e50.xyz + (_e43.tone * _e43.color.xyz)) - _e59.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 output = metal::clamp(metal::float4(_e46.xyz + (_e43.tone * _e43.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

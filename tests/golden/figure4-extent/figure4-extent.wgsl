@@ -122,14 +122,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -266,7 +266,7 @@ fn shade(surface: Surface) -> vec4f {
     let diffuse_warp = (2.0 * diffuse_convexity - 1.0) * 0.75;
     let diffuse_tone = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply(look.key, vec4f(0.6275, 0.4157, 0.2902, 1.0), diffuse_tone);
-    let diffuse_blend = clamp(vec4f(look.fill_blend.xyz + (look.fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz - look.fill_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let diffuse_blend = clamp(vec4f(look.fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = diffuse_blend;
     return output;
 }

@@ -71,24 +71,33 @@ layout(location = 0) smooth in vec3 v_position;
 layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
-float exp2_stable(float x) {
-    float clamped_2 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = (clamped_2 - whole);
+bool is_finite(float x) {
+    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+}
+
+float finite_or(float x_1, float otherwise) {
+    bool _e2 = is_finite(x_1);
+    return (_e2 ? x_1 : otherwise);
+}
+
+float exp2_stable(float x_2) {
+    float clamped_1 = clamp(x_2, -126.0, 127.99999);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float clamped_3 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_3);
-    float f_1 = (clamped_3 - whole_1);
+float exp2_stable_2_(float x_3) {
+    float clamped_2 = max(x_3, -126.0);
+    float whole_1 = roundEven(clamped_2);
+    float f_1 = (clamped_2 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float log2_stable(float x_2) {
-    uint bits = floatBitsToUint(x_2);
+float log2_stable(float x_4) {
+    uint bits = floatBitsToUint(x_4);
     int exponent_2 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -102,8 +111,8 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_3) {
-    float h = (0.5 * x_3);
+vec2 sin_cos_quarter(float x_5) {
+    float h = (0.5 * x_5);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -111,23 +120,23 @@ vec2 sin_cos_quarter(float x_3) {
     return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-vec2 sin_cos_eighth(float x_4) {
-    float y_2 = (x_4 * x_4);
-    float s_1 = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+vec2 sin_cos_eighth(float x_6) {
+    float y_2 = (x_6 * x_6);
+    float s_1 = (x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
     float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
     return vec2(s_1, c_1);
 }
 
-vec2 sin_cos_tiny(float x_5) {
-    float y_3 = (x_5 * x_5);
-    float s_2 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+vec2 sin_cos_tiny(float x_7) {
+    float y_3 = (x_7 * x_7);
+    float s_2 = (x_7 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
     float c_2 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
     return vec2(s_2, c_2);
 }
 
-vec3 normalize_moderate(vec3 v, vec3 otherwise) {
+vec3 normalize_moderate(vec3 v, vec3 otherwise_1) {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
+    return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise_1);
 }
 
 vec3 normalize_seen(vec3 v_1) {
@@ -135,9 +144,9 @@ vec3 normalize_seen(vec3 v_1) {
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_6) {
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
+float atan2_positive(float y_1, float x_8) {
+    float small = min(y_1, x_8);
+    float large = max(y_1, x_8);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -147,7 +156,7 @@ float atan2_positive(float y_1, float x_6) {
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+    return ((y_1 > x_8) ? (HALF_PI - a) : a);
 }
 
 float angle_footprint(Angle u) {
@@ -155,7 +164,8 @@ float angle_footprint(Angle u) {
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
     float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    float _e13 = finite_or(w_3, 0.5);
+    return min(_e13, 0.5);
 }
 
 float angle_footprint_2_(Angle u_1) {
@@ -163,7 +173,7 @@ float angle_footprint_2_(Angle u_1) {
     vec2 dx_1 = dFdx(half_1);
     vec2 dy_1 = dFdy(half_1);
     float w_4 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
-    return min((((floatBitsToUint(w_4) & 2139095040u) != 2139095040u) ? w_4 : 0.5), 0.5);
+    return min(w_4, 0.5);
 }
 
 Angle angle_turned(Angle u_2, vec2 t) {
@@ -206,31 +216,27 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     if ((opacity <= 0.0)) {
         return below;
     }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), 1.0);
+    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
     return clamp(mixed, vec4(0.0), vec4(1.0));
-}
-
-vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + ((below_1.xyz + (tone * color.xyz)) - below_1.xyz)), 1.0), vec4(0.0), vec4(1.0));
 }
 
 vec2 light_split(float intensity) {
     return vec2(min(intensity, 1.0), max(intensity, 1.0));
 }
 
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 _e4 = light_split(light.intensity);
-    return LitLayer(vec4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
+    return LitLayer(vec4(((color.xyz * light.color) * _e4.y), color.w), (tone * _e4.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color_1.xyz * light_1.color) * split.y), 1.0), split.x);
 }
 
-LitLayer light_apply_3_(Light light_2, vec4 color_3, float tone_3) {
+LitLayer light_apply_3_(Light light_2, vec4 color_2, float tone_2) {
     vec2 split_1 = vec2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
-    return LitLayer(vec4(((color_3.xyz * light_2.color) * split_1.y), 1.0), (tone_3 * split_1.x));
+    return LitLayer(vec4(((color_2.xyz * light_2.color) * split_1.y), 1.0), (tone_2 * split_1.x));
 }
 
 Angle parametrization_specular(Light light_3, vec3 normal, vec3 view) {
@@ -369,7 +375,7 @@ float profile_filtered_3_(Angle u_8, float w_2, ProfileShape shape_5) {
 float profile(Angle angle, float shift, ProfileShape shape_6) {
     vec2 _e5 = sin_cos_eighth((0.5 * shift));
     Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
+    float _e7 = angle_footprint_2_(_e6);
     float _e8 = profile_filtered(_e6, _e7, shape_6);
     return _e8;
 }
@@ -377,7 +383,7 @@ float profile(Angle angle, float shift, ProfileShape shape_6) {
 float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
     vec2 _e8 = sin_cos_quarter((0.5 * clamp(shift_1, -3.1415927, PI)));
     Angle _e9 = angle_turned(angle_1, _e8);
-    float _e10 = angle_footprint_2_(_e9);
+    float _e10 = angle_footprint(_e9);
     float _e11 = profile_filtered_2_(_e9, _e10, shape_7);
     return _e11;
 }
@@ -385,7 +391,7 @@ float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7) {
 float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
     vec2 _e5 = sin_cos_tiny((0.5 * shift_2));
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
+    float _e7 = angle_footprint_2_(_e6);
     float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
     return _e8;
 }
@@ -396,45 +402,45 @@ vec4 shade(Surface surface_1) {
     vec4 _e18 = curvature_color(back_light_convexity, vec4(0.1647, 0.1843, 0.2392, 1.0), vec4(0.0706, 0.0784, 0.1098, 1.0));
     Light _e21 = u_look.key;
     LitLayer _e23 = light_apply_2_(_e21, _e18, 1.0);
-    vec4 _e33 = blend_add(vec4(0.0784, 0.0863, 0.1137, 1.0), _e23.color, _e23.tone, 1.0, true);
-    vec4 _e44 = curvature_color(back_light_convexity, vec4(0.498, 0.6039, 0.3216, 1.0), vec4(0.2471, 0.4, 0.251, 1.0));
-    vec3 _e49 = u_look.key.direction;
-    vec3 _e58 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    vec4 fill_blend = clamp(vec4((vec3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e50 = curvature_color(back_light_convexity, vec4(0.498, 0.6039, 0.3216, 1.0), vec4(0.2471, 0.4, 0.251, 1.0));
+    vec3 _e55 = u_look.key.direction;
+    vec3 _e64 = u_look.key.direction;
+    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    ProfileShape _e72 = u_look.diffuse_tone_shape;
-    float _e73 = profile(diffuse_angle, diffuse_warp, _e72);
-    Light _e76 = u_look.key;
-    LitLayer _e77 = light_apply_3_(_e76, _e44, _e73);
-    vec4 diffuse_blend = clamp(vec4((_e33.xyz + ((_e33.xyz + (_e77.tone * _e77.color.xyz)) - _e33.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e97 = u_look.back_light_color_concave;
-    vec4 _e100 = u_look.back_light_color_convex;
-    vec4 _e103 = u_look.back_light_color_concave;
-    vec4 back_light_color = (_e97 + (back_light_convexity * (_e100 - _e103)));
-    vec3 _e111 = u_look.back.direction;
-    vec3 _e120 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e111))), (0.5 * length((surface_1.normal + _e120))));
-    float _e132 = u_look.back_light_warp_amount;
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e132, -3.1415927, 3.1415927));
-    ProfileShape _e139 = u_look.back_light_tone_shape;
-    float _e140 = profile_2_(back_light_angle, back_light_warp, _e139);
-    Light _e143 = u_look.back;
-    LitLayer _e144 = light_apply(_e143, back_light_color, _e140);
-    vec4 _e155 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e144.tone * _e144.color.xyz)), 1.0, _e144.color.w, true);
-    float _e158 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = (0.5 + (0.5 * _e158));
-    vec4 _e165 = u_look.highlight_color_concave;
-    vec4 _e168 = u_look.highlight_color_convex;
-    vec4 _e171 = u_look.highlight_color_concave;
-    vec4 highlight_color = (_e165 + (highlight_convexity * (_e168 - _e171)));
-    Light _e177 = u_look.key;
-    Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
+    ProfileShape _e78 = u_look.diffuse_tone_shape;
+    float _e79 = profile(diffuse_angle, diffuse_warp, _e78);
+    Light _e82 = u_look.key;
+    LitLayer _e83 = light_apply_3_(_e82, _e50, _e79);
+    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (_e83.tone * _e83.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e99 = u_look.back_light_color_concave;
+    vec4 _e102 = u_look.back_light_color_convex;
+    vec4 _e105 = u_look.back_light_color_concave;
+    vec4 back_light_color = (_e99 + (back_light_convexity * (_e102 - _e105)));
+    vec3 _e113 = u_look.back.direction;
+    vec3 _e122 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e113))), (0.5 * length((surface_1.normal + _e122))));
+    float _e134 = u_look.back_light_warp_amount;
+    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e134, -3.1415927, 3.1415927));
+    ProfileShape _e141 = u_look.back_light_tone_shape;
+    float _e142 = profile_2_(back_light_angle, back_light_warp, _e141);
+    Light _e145 = u_look.back;
+    LitLayer _e146 = light_apply(_e145, back_light_color, _e142);
+    vec4 _e157 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0, _e146.color.w, true);
+    float _e160 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float highlight_convexity = (0.5 + (0.5 * _e160));
+    vec4 _e167 = u_look.highlight_color_concave;
+    vec4 _e170 = u_look.highlight_color_convex;
+    vec4 _e173 = u_look.highlight_color_concave;
+    vec4 highlight_color = (_e167 + (highlight_convexity * (_e170 - _e173)));
+    Light _e179 = u_look.key;
+    Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    float _e188 = profile_3_(_e180, highlight_warp, highlight_tone_shape);
-    Light _e191 = u_look.key;
-    LitLayer _e192 = light_apply(_e191, highlight_color, _e188);
-    vec4 _e203 = blend_finish(_e155, (_e155.xyz + (_e192.tone * _e192.color.xyz)), 1.0, _e192.color.w, true);
-    return _e203;
+    float _e190 = profile_3_(_e182, highlight_warp, highlight_tone_shape);
+    Light _e193 = u_look.key;
+    LitLayer _e194 = light_apply(_e193, highlight_color, _e190);
+    vec4 _e205 = blend_finish(_e157, (_e157.xyz + (_e194.tone * _e194.color.xyz)), 1.0, _e194.color.w, true);
+    return _e205;
 }
 
 void main() {

@@ -124,31 +124,42 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+bool is_finite(float x)
+{
+    return ((asuint(x) & 2139095040u) != 2139095040u);
+}
+
+float finite_or(float x_1, float otherwise)
+{
+    const bool _e2 = is_finite(x_1);
+    return (_e2 ? x_1 : otherwise);
+}
+
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x)
+float exp2_stable(float x_2)
 {
-    float clamped_2 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_2);
-    float f = (clamped_2 - whole);
+    float clamped_1 = clamp(x_2, -126.0, 127.99999);
+    float whole = round(clamped_1);
+    float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float exp2_stable_2_(float x_1)
+float exp2_stable_2_(float x_3)
 {
-    float clamped_3 = max(x_1, -126.0);
-    float whole_1 = round(clamped_3);
-    float f_1 = (clamped_3 - whole_1);
+    float clamped_2 = max(x_3, -126.0);
+    float whole_1 = round(clamped_2);
+    float f_1 = (clamped_2 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_2)
+float log2_stable(float x_4)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_4);
     int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
     float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -163,9 +174,9 @@ float log1p_negative_small(float y)
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-float2 sin_cos_quarter(float x_3)
+float2 sin_cos_quarter(float x_5)
 {
-    float h = (0.5 * x_3);
+    float h = (0.5 * x_5);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -173,26 +184,26 @@ float2 sin_cos_quarter(float x_3)
     return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float2 sin_cos_eighth(float x_4)
+float2 sin_cos_eighth(float x_6)
 {
-    float y_2 = (x_4 * x_4);
-    float s_1 = (x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+    float y_2 = (x_6 * x_6);
+    float s_1 = (x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
     float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
     return float2(s_1, c_1);
 }
 
-float2 sin_cos_tiny(float x_5)
+float2 sin_cos_tiny(float x_7)
 {
-    float y_3 = (x_5 * x_5);
-    float s_2 = (x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+    float y_3 = (x_7 * x_7);
+    float s_2 = (x_7 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
     float c_2 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
     return float2(s_2, c_2);
 }
 
-float3 normalize_moderate(float3 v, float3 otherwise)
+float3 normalize_moderate(float3 v, float3 otherwise_1)
 {
     float square = dot(v, v);
-    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
+    return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise_1);
 }
 
 float3 normalize_seen(float3 v_1)
@@ -201,10 +212,10 @@ float3 normalize_seen(float3 v_1)
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_6)
+float atan2_positive(float y_1, float x_8)
 {
-    float small = min(y_1, x_6);
-    float large = max(y_1, x_6);
+    float small = min(y_1, x_8);
+    float large = max(y_1, x_8);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -214,7 +225,7 @@ float atan2_positive(float y_1, float x_6)
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_6) ? (HALF_PI - a) : a);
+    return ((y_1 > x_8) ? (HALF_PI - a) : a);
 }
 
 float angle_footprint(Angle u)
@@ -223,7 +234,8 @@ float angle_footprint(Angle u)
     float2 dx = ddx(half_);
     float2 dy = ddy(half_);
     float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min(w_3, 0.5);
+    const float _e13 = finite_or(w_3, 0.5);
+    return min(_e13, 0.5);
 }
 
 float angle_footprint_2_(Angle u_1)
@@ -232,7 +244,7 @@ float angle_footprint_2_(Angle u_1)
     float2 dx_1 = ddx(half_1);
     float2 dy_1 = ddy(half_1);
     float w_4 = (2.0 * sqrt((dot(dx_1, dx_1) + dot(dy_1, dy_1))));
-    return min((((asuint(w_4) & 2139095040u) != 2139095040u) ? w_4 : 0.5), 0.5);
+    return min(w_4, 0.5);
 }
 
 Angle ConstructAngle(float arg0, float arg1) {
@@ -288,13 +300,8 @@ float4 blend_finish(float4 below, float3 blended, float alpha, float opacity, bo
     if ((opacity <= 0.0)) {
         return below;
     }
-    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), 1.0);
+    float4 mixed = float4((below.xyz + (opacity * (blended - below.xyz))), alpha);
     return clamp(mixed, (0.0).xxxx, (1.0).xxxx);
-}
-
-float4 blend_add(float4 below_1, float4 color, float tone, float opacity_1, bool clamped_1)
-{
-    return clamp(float4((below_1.xyz + ((below_1.xyz + (tone * color.xyz)) - below_1.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float2 light_split(float intensity)
@@ -309,24 +316,24 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     const float2 _e4 = light_split(light.intensity);
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * _e4.y), color_1.w), (tone_1 * _e4.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * _e4.y), color.w), (tone * _e4.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
+LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
 {
     float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split.y), 1.0), split.x);
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split.y), 1.0), split.x);
     return litlayer_1;
 }
 
-LitLayer light_apply_3_(Light light_2, float4 color_3, float tone_3)
+LitLayer light_apply_3_(Light light_2, float4 color_2, float tone_2)
 {
     float2 split_1 = float2(min(light_2.intensity, 1.0), max(light_2.intensity, 1.0));
-    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color_3.xyz * light_2.color) * split_1.y), 1.0), (tone_3 * split_1.x));
+    const LitLayer litlayer_2 = ConstructLitLayer(float4(((color_2.xyz * light_2.color) * split_1.y), 1.0), (tone_2 * split_1.x));
     return litlayer_2;
 }
 
@@ -479,7 +486,7 @@ float profile(Angle angle, float shift, ProfileShape shape_6)
 {
     const float2 _e5 = sin_cos_eighth((0.5 * shift));
     const Angle _e6 = angle_turned(angle, _e5);
-    const float _e7 = angle_footprint(_e6);
+    const float _e7 = angle_footprint_2_(_e6);
     const float _e8 = profile_filtered(_e6, _e7, shape_6);
     return _e8;
 }
@@ -488,7 +495,7 @@ float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_7)
 {
     const float2 _e8 = sin_cos_quarter((0.5 * clamp(shift_1, -3.1415927, PI)));
     const Angle _e9 = angle_turned(angle_1, _e8);
-    const float _e10 = angle_footprint_2_(_e9);
+    const float _e10 = angle_footprint(_e9);
     const float _e11 = profile_filtered_2_(_e9, _e10, shape_7);
     return _e11;
 }
@@ -497,7 +504,7 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
 {
     const float2 _e5 = sin_cos_tiny((0.5 * shift_2));
     const Angle _e6 = angle_turned(angle_2, _e5);
-    const float _e7 = angle_footprint(_e6);
+    const float _e7 = angle_footprint_2_(_e6);
     const float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
     return _e8;
 }
@@ -509,45 +516,45 @@ float4 shade(Surface surface_1)
     const float4 _e18 = curvature_color(back_light_convexity, float4(0.1647, 0.1843, 0.2392, 1.0), float4(0.0706, 0.0784, 0.1098, 1.0));
     Light _e21 = look.key;
     const LitLayer _e23 = light_apply_2_(_e21, _e18, 1.0);
-    const float4 _e33 = blend_add(float4(0.0784, 0.0863, 0.1137, 1.0), _e23.color, _e23.tone, 1.0, true);
-    const float4 _e44 = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
-    float3 _e49 = look.key.direction;
-    float3 _e58 = look.key.direction;
-    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    float4 fill_blend = clamp(float4((float3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e50 = curvature_color(back_light_convexity, float4(0.498, 0.6039, 0.3216, 1.0), float4(0.2471, 0.4, 0.251, 1.0));
+    float3 _e55 = look.key.direction;
+    float3 _e64 = look.key.direction;
+    Angle diffuse_angle = ConstructAngle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    ProfileShape _e72 = look.diffuse_tone_shape;
-    const float _e73 = profile(diffuse_angle, diffuse_warp, _e72);
-    Light _e76 = look.key;
-    const LitLayer _e77 = light_apply_3_(_e76, _e44, _e73);
-    float4 diffuse_blend = clamp(float4((_e33.xyz + ((_e33.xyz + (_e77.tone * _e77.color.xyz)) - _e33.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float4 _e97 = look.back_light_color_concave;
-    float4 _e100 = look.back_light_color_convex;
-    float4 _e103 = look.back_light_color_concave;
-    float4 back_light_color = (_e97 + (back_light_convexity * (_e100 - _e103)));
-    float3 _e111 = look.back.direction;
-    float3 _e120 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e111))), (0.5 * length((surface_1.normal + _e120))));
-    float _e132 = look.back_light_warp_amount;
-    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e132, -3.1415927, 3.1415927));
-    ProfileShape _e139 = look.back_light_tone_shape;
-    const float _e140 = profile_2_(back_light_angle, back_light_warp, _e139);
-    Light _e143 = look.back;
-    const LitLayer _e144 = light_apply(_e143, back_light_color, _e140);
-    const float4 _e155 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e144.tone * _e144.color.xyz)), 1.0, _e144.color.w, true);
-    const float _e158 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = (0.5 + (0.5 * _e158));
-    float4 _e165 = look.highlight_color_concave;
-    float4 _e168 = look.highlight_color_convex;
-    float4 _e171 = look.highlight_color_concave;
-    float4 highlight_color = (_e165 + (highlight_convexity * (_e168 - _e171)));
-    Light _e177 = look.key;
-    const Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
+    ProfileShape _e78 = look.diffuse_tone_shape;
+    const float _e79 = profile(diffuse_angle, diffuse_warp, _e78);
+    Light _e82 = look.key;
+    const LitLayer _e83 = light_apply_3_(_e82, _e50, _e79);
+    float4 diffuse_blend = clamp(float4((fill_blend.xyz + (_e83.tone * _e83.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 _e99 = look.back_light_color_concave;
+    float4 _e102 = look.back_light_color_convex;
+    float4 _e105 = look.back_light_color_concave;
+    float4 back_light_color = (_e99 + (back_light_convexity * (_e102 - _e105)));
+    float3 _e113 = look.back.direction;
+    float3 _e122 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e113))), (0.5 * length((surface_1.normal + _e122))));
+    float _e134 = look.back_light_warp_amount;
+    float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * clamp(_e134, -3.1415927, 3.1415927));
+    ProfileShape _e141 = look.back_light_tone_shape;
+    const float _e142 = profile_2_(back_light_angle, back_light_warp, _e141);
+    Light _e145 = look.back;
+    const LitLayer _e146 = light_apply(_e145, back_light_color, _e142);
+    const float4 _e157 = blend_finish(diffuse_blend, (diffuse_blend.xyz + (_e146.tone * _e146.color.xyz)), 1.0, _e146.color.w, true);
+    const float _e160 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float highlight_convexity = (0.5 + (0.5 * _e160));
+    float4 _e167 = look.highlight_color_concave;
+    float4 _e170 = look.highlight_color_convex;
+    float4 _e173 = look.highlight_color_concave;
+    float4 highlight_color = (_e167 + (highlight_convexity * (_e170 - _e173)));
+    Light _e179 = look.key;
+    const Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    const float _e188 = profile_3_(_e180, highlight_warp, highlight_tone_shape);
-    Light _e191 = look.key;
-    const LitLayer _e192 = light_apply(_e191, highlight_color, _e188);
-    const float4 _e203 = blend_finish(_e155, (_e155.xyz + (_e192.tone * _e192.color.xyz)), 1.0, _e192.color.w, true);
-    return _e203;
+    const float _e190 = profile_3_(_e182, highlight_warp, highlight_tone_shape);
+    Light _e193 = look.key;
+    const LitLayer _e194 = light_apply(_e193, highlight_color, _e190);
+    const float4 _e205 = blend_finish(_e157, (_e157.xyz + (_e194.tone * _e194.color.xyz)), 1.0, _e194.color.w, true);
+    return _e205;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

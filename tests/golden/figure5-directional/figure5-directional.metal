@@ -82,34 +82,48 @@ constant uint PROFILE_STEP = 1u;
 constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape highlight_tone_shape = ProfileShape {0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u};
 
+bool is_finite(
+    float x
+) {
+    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
+}
+
+float finite_or(
+    float x_1,
+    float otherwise
+) {
+    bool _e2 = is_finite(x_1);
+    return _e2 ? x_1 : otherwise;
+}
+
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
 
 float exp2_stable(
-    float x
+    float x_2
 ) {
-    float clamped_2 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_2);
-    float f = clamped_2 - whole;
+    float clamped_1 = metal::clamp(x_2, -126.0, 127.99999);
+    float whole = metal::rint(clamped_1);
+    float f = clamped_1 - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
 float exp2_stable_2_(
-    float x_1
+    float x_3
 ) {
-    float clamped_3 = metal::max(x_1, -126.0);
-    float whole_1 = metal::rint(clamped_3);
-    float f_1 = clamped_3 - whole_1;
+    float clamped_2 = metal::max(x_3, -126.0);
+    float whole_1 = metal::rint(clamped_2);
+    float f_1 = clamped_2 - whole_1;
     float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
     return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
 float log2_stable(
-    float x_2
+    float x_4
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_4);
     int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -126,9 +140,9 @@ float log1p_negative_small(
 }
 
 metal::float2 sin_cos_quarter(
-    float x_3
+    float x_5
 ) {
-    float h = 0.5 * x_3;
+    float h = 0.5 * x_5;
     float h2_ = h * h;
     float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
@@ -137,29 +151,29 @@ metal::float2 sin_cos_quarter(
 }
 
 metal::float2 sin_cos_eighth(
-    float x_4
+    float x_6
 ) {
-    float y_2 = x_4 * x_4;
-    float s_1 = x_4 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
+    float y_2 = x_6 * x_6;
+    float s_1 = x_6 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
     float c_1 = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
     return metal::float2(s_1, c_1);
 }
 
 metal::float2 sin_cos_tiny(
-    float x_5
+    float x_7
 ) {
-    float y_3 = x_5 * x_5;
-    float s_2 = x_5 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
+    float y_3 = x_7 * x_7;
+    float s_2 = x_7 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
     float c_2 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
     return metal::float2(s_2, c_2);
 }
 
 metal::float3 normalize_moderate(
     metal::float3 v,
-    metal::float3 otherwise
+    metal::float3 otherwise_1
 ) {
     float square = metal::dot(v, v);
-    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
 metal::float3 normalize_seen(
@@ -171,10 +185,10 @@ metal::float3 normalize_seen(
 
 float atan2_positive(
     float y_1,
-    float x_6
+    float x_8
 ) {
-    float small = metal::min(y_1, x_6);
-    float large = metal::max(y_1, x_6);
+    float small = metal::min(y_1, x_8);
+    float large = metal::max(y_1, x_8);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -184,7 +198,7 @@ float atan2_positive(
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_6) ? (HALF_PI - a) : a;
+    return (y_1 > x_8) ? (HALF_PI - a) : a;
 }
 
 float angle_footprint(
@@ -194,7 +208,8 @@ float angle_footprint(
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
     float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(w_3, 0.5);
+    float _e13 = finite_or(w_3, 0.5);
+    return metal::min(_e13, 0.5);
 }
 
 float angle_footprint_2_(
@@ -204,7 +219,7 @@ float angle_footprint_2_(
     metal::float2 dx_1 = metal::dfdx(half_1);
     metal::float2 dy_1 = metal::dfdy(half_1);
     float w_4 = 2.0 * metal::sqrt(metal::dot(dx_1, dx_1) + metal::dot(dy_1, dy_1));
-    return metal::min(((as_type<uint>(w_4) & 2139095040u) != 2139095040u) ? w_4 : 0.5, 0.5);
+    return metal::min(w_4, 0.5);
 }
 
 Angle angle_turned(
@@ -266,18 +281,8 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), 1.0);
+    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
-}
-
-Composite blend_add(
-    Composite below_1,
-    Color color,
-    float tone,
-    float opacity_1,
-    bool clamped_1
-) {
-    return metal::clamp(metal::float4(below_1.xyz + ((below_1.xyz + (tone * color.xyz)) - below_1.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 metal::float2 light_split(
@@ -288,29 +293,29 @@ metal::float2 light_split(
 
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 _e4 = light_split(light.intensity);
-    return LitLayer {metal::float4((color_1.xyz * light.color) * _e4.y, color_1.w), tone_1 * _e4.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * _e4.y, color.w), tone * _e4.x};
 }
 
 LitLayer light_apply_2_(
     Light light_1,
-    Color color_2,
-    float tone_2
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split.y, 1.0), split.x};
+    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split.y, 1.0), split.x};
 }
 
 LitLayer light_apply_3_(
     Light light_2,
-    Color color_3,
-    float tone_3
+    Color color_2,
+    float tone_2
 ) {
     metal::float2 split_1 = metal::float2(metal::min(light_2.intensity, 1.0), metal::max(light_2.intensity, 1.0));
-    return LitLayer {metal::float4((color_3.xyz * light_2.color) * split_1.y, 1.0), tone_3 * split_1.x};
+    return LitLayer {metal::float4((color_2.xyz * light_2.color) * split_1.y, 1.0), tone_2 * split_1.x};
 }
 
 Angle parametrization_specular(
@@ -484,7 +489,7 @@ float profile(
 ) {
     metal::float2 _e5 = sin_cos_eighth(0.5 * shift);
     Angle _e6 = angle_turned(angle, _e5);
-    float _e7 = angle_footprint(_e6);
+    float _e7 = angle_footprint_2_(_e6);
     float _e8 = profile_filtered(_e6, _e7, shape_6);
     return _e8;
 }
@@ -496,7 +501,7 @@ float profile_2_(
 ) {
     metal::float2 _e8 = sin_cos_quarter(0.5 * metal::clamp(shift_1, -3.1415927, PI));
     Angle _e9 = angle_turned(angle_1, _e8);
-    float _e10 = angle_footprint_2_(_e9);
+    float _e10 = angle_footprint(_e9);
     float _e11 = profile_filtered_2_(_e9, _e10, shape_7);
     return _e11;
 }
@@ -508,7 +513,7 @@ float profile_3_(
 ) {
     metal::float2 _e5 = sin_cos_tiny(0.5 * shift_2);
     Angle _e6 = angle_turned(angle_2, _e5);
-    float _e7 = angle_footprint(_e6);
+    float _e7 = angle_footprint_2_(_e6);
     float _e8 = profile_filtered_3_(_e6, _e7, shape_8);
     return _e8;
 }
@@ -522,45 +527,45 @@ metal::float4 shade(
     Color _e18 = curvature_color(back_light_convexity, metal::float4(0.1647, 0.1843, 0.2392, 1.0), metal::float4(0.0706, 0.0784, 0.1098, 1.0));
     Light _e21 = look.key;
     LitLayer _e23 = light_apply_2_(_e21, _e18, 1.0);
-    Composite _e33 = blend_add(metal::float4(0.0784, 0.0863, 0.1137, 1.0), _e23.color, _e23.tone, 1.0, true);
-    Color _e44 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
-    metal::float3 _e49 = look.key.direction;
-    metal::float3 _e58 = look.key.direction;
-    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e49), 0.5 * metal::length(surface_1.normal + _e58)};
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e50 = curvature_color(back_light_convexity, metal::float4(0.498, 0.6039, 0.3216, 1.0), metal::float4(0.2471, 0.4, 0.251, 1.0));
+    metal::float3 _e55 = look.key.direction;
+    metal::float3 _e64 = look.key.direction;
+    Angle diffuse_angle = Angle {0.5 * metal::length(surface_1.normal - _e55), 0.5 * metal::length(surface_1.normal + _e64)};
     float diffuse_warp = ((2.0 * back_light_convexity) - 1.0) * 0.3;
-    ProfileShape _e72 = look.diffuse_tone_shape;
-    float _e73 = profile(diffuse_angle, diffuse_warp, _e72);
-    Light _e76 = look.key;
-    LitLayer _e77 = light_apply_3_(_e76, _e44, _e73);
-    metal::float4 diffuse_blend = metal::clamp(metal::float4(_e33.xyz + ((_e33.xyz + (_e77.tone * _e77.color.xyz)) - _e33.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float4 _e97 = look.back_light_color_concave;
-    metal::float4 _e100 = look.back_light_color_convex;
-    metal::float4 _e103 = look.back_light_color_concave;
-    metal::float4 back_light_color = _e97 + (back_light_convexity * (_e100 - _e103));
-    metal::float3 _e111 = look.back.direction;
-    metal::float3 _e120 = look.back.direction;
-    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e111), 0.5 * metal::length(surface_1.normal + _e120)};
-    float _e132 = look.back_light_warp_amount;
-    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(_e132, -3.1415927, 3.1415927);
-    ProfileShape _e139 = look.back_light_tone_shape;
-    float _e140 = profile_2_(back_light_angle, back_light_warp, _e139);
-    Light _e143 = look.back;
-    LitLayer _e144 = light_apply(_e143, back_light_color, _e140);
-    Composite _e155 = blend_finish(diffuse_blend, diffuse_blend.xyz + (_e144.tone * _e144.color.xyz), 1.0, _e144.color.w, true);
-    float _e158 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = 0.5 + (0.5 * _e158);
-    metal::float4 _e165 = look.highlight_color_concave;
-    metal::float4 _e168 = look.highlight_color_convex;
-    metal::float4 _e171 = look.highlight_color_concave;
-    metal::float4 highlight_color = _e165 + (highlight_convexity * (_e168 - _e171));
-    Light _e177 = look.key;
-    Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
+    ProfileShape _e78 = look.diffuse_tone_shape;
+    float _e79 = profile(diffuse_angle, diffuse_warp, _e78);
+    Light _e82 = look.key;
+    LitLayer _e83 = light_apply_3_(_e82, _e50, _e79);
+    metal::float4 diffuse_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e83.tone * _e83.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 _e99 = look.back_light_color_concave;
+    metal::float4 _e102 = look.back_light_color_convex;
+    metal::float4 _e105 = look.back_light_color_concave;
+    metal::float4 back_light_color = _e99 + (back_light_convexity * (_e102 - _e105));
+    metal::float3 _e113 = look.back.direction;
+    metal::float3 _e122 = look.back.direction;
+    Angle back_light_angle = Angle {0.5 * metal::length(surface_1.normal - _e113), 0.5 * metal::length(surface_1.normal + _e122)};
+    float _e134 = look.back_light_warp_amount;
+    float back_light_warp = ((2.0 * back_light_convexity) - 1.0) * metal::clamp(_e134, -3.1415927, 3.1415927);
+    ProfileShape _e141 = look.back_light_tone_shape;
+    float _e142 = profile_2_(back_light_angle, back_light_warp, _e141);
+    Light _e145 = look.back;
+    LitLayer _e146 = light_apply(_e145, back_light_color, _e142);
+    Composite _e157 = blend_finish(diffuse_blend, diffuse_blend.xyz + (_e146.tone * _e146.color.xyz), 1.0, _e146.color.w, true);
+    float _e160 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float highlight_convexity = 0.5 + (0.5 * _e160);
+    metal::float4 _e167 = look.highlight_color_concave;
+    metal::float4 _e170 = look.highlight_color_convex;
+    metal::float4 _e173 = look.highlight_color_concave;
+    metal::float4 highlight_color = _e167 + (highlight_convexity * (_e170 - _e173));
+    Light _e179 = look.key;
+    Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
     float highlight_warp = ((2.0 * highlight_convexity) - 1.0) * 0.05;
-    float _e188 = profile_3_(_e180, highlight_warp, highlight_tone_shape);
-    Light _e191 = look.key;
-    LitLayer _e192 = light_apply(_e191, highlight_color, _e188);
-    Composite _e203 = blend_finish(_e155, _e155.xyz + (_e192.tone * _e192.color.xyz), 1.0, _e192.color.w, true);
-    return _e203;
+    float _e190 = profile_3_(_e182, highlight_warp, highlight_tone_shape);
+    Light _e193 = look.key;
+    LitLayer _e194 = light_apply(_e193, highlight_color, _e190);
+    Composite _e205 = blend_finish(_e157, _e157.xyz + (_e194.tone * _e194.color.xyz), 1.0, _e194.color.w, true);
+    return _e205;
 }
 
 struct vs_mainInput {

@@ -74,6 +74,17 @@ struct Light {
 const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LOG2_E: f32 = 1.44269504088896340736;
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// x, or `otherwise` where x is NaN or infinite.
+fn finite_or(x: f32, otherwise: f32) -> f32 {
+    return select(otherwise, x, is_finite(x));
+}
+
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
@@ -154,14 +165,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -195,7 +206,8 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    return min(w, 0.5);
+    // An infinite or NaN derivative at a silhouette gives the widest footprint.
+    return min(finite_or(w, 0.5), 0.5);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -205,7 +217,7 @@ fn angle_footprint_2(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    return min(select(0.5, w, (bitcast<u32>(w) & 0x7f800000u) != 0x7f800000u), 0.5);
+    return min(w, 0.5);
 }
 
 /// u turned by -shift, given the sine and cosine of half the shift; clamped to [0, pi].
@@ -263,16 +275,8 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
     if opacity <= 0.0 {
         return below;
     }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), 1.0);
+    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, vec4f(0.0), vec4f(1.0));
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
@@ -476,7 +480,7 @@ fn profile_filtered_3(u: Angle, w: f32, shape: ProfileShape) -> f32 {
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_eighth(0.5 * shift));
-    return profile_filtered(warped, angle_footprint(warped), shape);
+    return profile_filtered(warped, angle_footprint_2(warped), shape);
 }
 
 /// Profile
@@ -488,7 +492,7 @@ fn profile(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_quarter(0.5 * clamp(shift, -3.141592653589793, PI)));
-    return profile_filtered_2(warped, angle_footprint_2(warped), shape);
+    return profile_filtered_2(warped, angle_footprint(warped), shape);
 }
 
 /// Profile
@@ -500,7 +504,7 @@ fn profile_2(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
 /// beyond that the curve is still falling, but it is steepest elsewhere too.
 fn profile_3(angle: Angle, shift: f32, shape: ProfileShape) -> f32 {
     let warped = angle_turned(angle, sin_cos_tiny(0.5 * shift));
-    return profile_filtered_3(warped, angle_footprint(warped), shape);
+    return profile_filtered_3(warped, angle_footprint_2(warped), shape);
 }
 
 const highlight_tone_shape = ProfileShape(0.9959527, 0.08987855, 11.126125, 3.022525, 0.18, 0.08196669, 0.036355104, 0u);
@@ -510,13 +514,13 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.25);
     let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0), vec4f(0.0706, 0.0784, 0.1098, 1.0));
     let fill_lit = light_apply_2(look.key, fill_color, 1.0);
-    let fill_blend = blend_add(vec4f(0.0784, 0.0863, 0.1137, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    let fill_blend = clamp(vec4f(vec4f(0.0784, 0.0863, 0.1137, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0), vec4f(0.2471, 0.4, 0.251, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     let diffuse_tone = profile(diffuse_angle, diffuse_warp, look.diffuse_tone_shape);
     let diffuse_lit = light_apply_3(look.key, diffuse_color, diffuse_tone);
-    let diffuse_blend = clamp(vec4f(fill_blend.xyz + (fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz - fill_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let back_light_color = look.back_light_color_concave + back_light_convexity * (look.back_light_color_convex - look.back_light_color_concave);
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
     let back_light_warp = (2.0 * back_light_convexity - 1.0) * clamp(look.back_light_warp_amount, -3.141592653589793, 3.14159265358979324);

@@ -64,9 +64,9 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -79,9 +79,9 @@ float exp2_stable_2_(float x_1) {
 }
 
 float exp2_stable_3_(float x_2) {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
+    float clamped_1 = max(x_2, -126.0);
+    float whole_2 = roundEven(clamped_1);
+    float f_2 = (clamped_1 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
 }
@@ -160,10 +160,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-vec4 curvature_color_2_(float convexity_1, vec4 convex_1, vec4 concave_1) {
-    return (concave_1 + (convexity_1 * (vec4(1.0) - concave_1)));
-}
-
 float curvature_signed(float kappa, float slope) {
     float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * 0.25);
     float magnitude = min(abs(a_1), 50.0);
@@ -188,18 +184,14 @@ float curvature_signed_2_(float kappa_1, float slope_1) {
     return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
 }
 
 Angle parametrization_specular(Light light_2, vec3 normal, vec3 view) {
@@ -344,35 +336,35 @@ vec4 shade(Surface surface_1) {
     vec4 _e18 = curvature_color(back_light_convexity, vec4(0.1647, 0.1843, 0.2392, 1.0), vec4(0.0706, 0.0784, 0.1098, 1.0));
     Light _e21 = u_look.key;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 _e33 = blend_add(vec4(0.0784, 0.0863, 0.1137, 1.0), _e23.color, _e23.tone, 1.0, true);
-    vec4 _e44 = curvature_color(back_light_convexity, vec4(0.498, 0.6039, 0.3216, 1.0), vec4(0.2471, 0.4, 0.251, 1.0));
-    vec3 _e49 = u_look.key.direction;
-    vec3 _e58 = u_look.key.direction;
-    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e49))), (0.5 * length((surface_1.normal + _e58))));
+    vec4 fill_blend = clamp(vec4((vec3(0.0784, 0.0863, 0.1137) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e50 = curvature_color(back_light_convexity, vec4(0.498, 0.6039, 0.3216, 1.0), vec4(0.2471, 0.4, 0.251, 1.0));
+    vec3 _e55 = u_look.key.direction;
+    vec3 _e64 = u_look.key.direction;
+    Angle diffuse_angle = Angle((0.5 * length((surface_1.normal - _e55))), (0.5 * length((surface_1.normal + _e64))));
     float diffuse_warp = (((2.0 * back_light_convexity) - 1.0) * 0.3);
-    float _e71 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
-    Light _e74 = u_look.key;
-    LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    vec4 diffuse_blend = clamp(vec4((_e33.xyz + ((_e33.xyz + (_e75.tone * _e75.color.xyz)) - _e33.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e103 = curvature_color(back_light_convexity, vec4(0.7882, 0.8471, 1.0, 1.0), vec4(0.4784, 0.5608, 0.8157, 1.0));
-    vec3 _e108 = u_look.back.direction;
-    vec3 _e117 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e108))), (0.5 * length((surface_1.normal + _e117))));
+    float _e77 = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
+    Light _e80 = u_look.key;
+    LitLayer _e81 = light_apply_2_(_e80, _e50, _e77);
+    vec4 diffuse_blend = clamp(vec4((fill_blend.xyz + (_e81.tone * _e81.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e105 = curvature_color(back_light_convexity, vec4(0.7882, 0.8471, 1.0, 1.0), vec4(0.4784, 0.5608, 0.8157, 1.0));
+    vec3 _e110 = u_look.back.direction;
+    vec3 _e119 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e110))), (0.5 * length((surface_1.normal + _e119))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.1);
-    float _e130 = profile_2_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e133 = u_look.back;
-    LitLayer _e134 = light_apply_2_(_e133, _e103, _e130);
-    vec4 back_light_blend = clamp(vec4((diffuse_blend.xyz + ((diffuse_blend.xyz + (_e134.tone * _e134.color.xyz)) - diffuse_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e154 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float highlight_convexity = (0.5 + (0.5 * _e154));
-    vec4 _e166 = curvature_color_2_(highlight_convexity, vec4(1.0), vec4(0.8745, 0.9098, 0.7529, 1.0));
-    Light _e169 = u_look.key;
-    Angle _e172 = parametrization_specular(_e169, surface_1.normal, surface_1.view);
+    float _e132 = profile_2_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e135 = u_look.back;
+    LitLayer _e136 = light_apply_2_(_e135, _e105, _e132);
+    vec4 back_light_blend = clamp(vec4((diffuse_blend.xyz + (_e136.tone * _e136.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e152 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float highlight_convexity = (0.5 + (0.5 * _e152));
+    vec4 _e164 = curvature_color(highlight_convexity, vec4(1.0), vec4(0.8745, 0.9098, 0.7529, 1.0));
+    Light _e167 = u_look.key;
+    Angle _e170 = parametrization_specular(_e167, surface_1.normal, surface_1.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.05);
-    float _e180 = profile_3_(_e172, highlight_warp, highlight_tone_shape);
-    Light _e183 = u_look.key;
-    LitLayer _e184 = light_apply_2_(_e183, _e166, _e180);
-    vec4 output_ = clamp(vec4((back_light_blend.xyz + ((back_light_blend.xyz + (_e184.tone * _e184.color.xyz)) - back_light_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e178 = profile_3_(_e170, highlight_warp, highlight_tone_shape);
+    Light _e181 = u_look.key;
+    LitLayer _e182 = light_apply_2_(_e181, _e164, _e178);
+    vec4 output_ = clamp(vec4((back_light_blend.xyz + (_e182.tone * _e182.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -40,9 +40,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -138,14 +135,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -200,13 +197,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// Convex/concave color
-///
-/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
-fn curvature_color_2(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
-}
-
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
@@ -235,14 +225,6 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -443,26 +425,26 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.25);
     let fill_color = curvature_color(back_light_convexity, vec4f(0.1647, 0.1843, 0.2392, 1.0), vec4f(0.0706, 0.0784, 0.1098, 1.0));
     let fill_lit = light_apply(look.key, fill_color, 1.0);
-    let fill_blend = blend_add(vec4f(0.0784, 0.0863, 0.1137, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    let fill_blend = clamp(vec4f(vec4f(0.0784, 0.0863, 0.1137, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let diffuse_color = curvature_color(back_light_convexity, vec4f(0.498, 0.6039, 0.3216, 1.0), vec4f(0.2471, 0.4, 0.251, 1.0));
     let diffuse_angle = Angle(0.5 * length(surface.normal - look.key.direction), 0.5 * length(surface.normal + look.key.direction));
     let diffuse_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     let diffuse_tone = profile(diffuse_angle, diffuse_warp, diffuse_tone_shape);
     let diffuse_lit = light_apply_2(look.key, diffuse_color, diffuse_tone);
-    let diffuse_blend = clamp(vec4f(fill_blend.xyz + (fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz - fill_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let diffuse_blend = clamp(vec4f(fill_blend.xyz + diffuse_lit.tone * diffuse_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let back_light_color = curvature_color(back_light_convexity, vec4f(0.7882, 0.8471, 1.0, 1.0), vec4f(0.4784, 0.5608, 0.8157, 1.0));
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
     let back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.1;
     let back_light_tone = profile_2(back_light_angle, back_light_warp, back_light_tone_shape);
     let back_light_lit = light_apply_2(look.back, back_light_color, back_light_tone);
-    let back_light_blend = clamp(vec4f(diffuse_blend.xyz + (diffuse_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz - diffuse_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let back_light_blend = clamp(vec4f(diffuse_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let highlight_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.2);
-    let highlight_color = curvature_color_2(highlight_convexity, vec4f(1.0), vec4f(0.8745, 0.9098, 0.7529, 1.0));
+    let highlight_color = curvature_color(highlight_convexity, vec4f(1.0), vec4f(0.8745, 0.9098, 0.7529, 1.0));
     let highlight_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.05;
     let highlight_tone = profile_3(highlight_angle, highlight_warp, highlight_tone_shape);
     let highlight_lit = light_apply_2(look.key, highlight_color, highlight_tone);
-    let highlight_blend = clamp(vec4f(back_light_blend.xyz + (back_light_blend.xyz + highlight_lit.tone * highlight_lit.color.xyz - back_light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let highlight_blend = clamp(vec4f(back_light_blend.xyz + highlight_lit.tone * highlight_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = highlight_blend;
     return output;
 }

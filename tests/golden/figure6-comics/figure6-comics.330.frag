@@ -157,7 +157,7 @@ float curvature_signed_2_(float kappa_1, float slope_1) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
@@ -222,43 +222,43 @@ vec4 shade(Surface surface_1) {
     float _e71 = profile(light_angle, key_warp, key_tone_shape);
     Light _e74 = u_look.key;
     LitLayer _e75 = light_apply_2_(_e74, _e44, _e71);
-    vec4 key_blend = clamp(vec4((_e33.xyz + ((_e33.xyz + (_e75.tone * (_e75.color.xyz - _e33.xyz))) - _e33.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e97 = curvature_signed(surface_1.kappa, 0.3);
-    float light_convexity = (0.5 + (0.5 * _e97));
-    vec4 _e112 = curvature_color(light_convexity, vec4(0.8157, 0.4863, 0.3686, 1.0), vec4(0.549, 0.2275, 0.298, 1.0));
-    vec3 _e117 = u_look.fill.direction;
-    vec3 _e126 = u_look.fill.direction;
-    Angle bounce_angle = Angle((0.5 * length((surface_1.normal - _e117))), (0.5 * length((surface_1.normal + _e126))));
+    vec4 key_blend = clamp(vec4((_e33.xyz + (_e75.tone * (_e75.color.xyz - _e33.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e93 = curvature_signed(surface_1.kappa, 0.3);
+    float light_convexity = (0.5 + (0.5 * _e93));
+    vec4 _e108 = curvature_color(light_convexity, vec4(0.8157, 0.4863, 0.3686, 1.0), vec4(0.549, 0.2275, 0.298, 1.0));
+    vec3 _e113 = u_look.fill.direction;
+    vec3 _e122 = u_look.fill.direction;
+    Angle bounce_angle = Angle((0.5 * length((surface_1.normal - _e113))), (0.5 * length((surface_1.normal + _e122))));
     float bounce_warp = (((2.0 * light_convexity) - 1.0) * 0.35);
-    float _e139 = profile(bounce_angle, bounce_warp, bounce_tone_shape);
-    Light _e142 = u_look.fill;
-    LitLayer _e143 = light_apply_2_(_e142, _e112, _e139);
-    vec4 bounce_blend = clamp(vec4((key_blend.xyz + ((key_blend.xyz + (_e143.tone * (_e143.color.xyz - key_blend.xyz))) - key_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e173 = curvature_color(light_convexity, vec4(1.0, 0.851, 0.6275, 1.0), vec4(0.9412, 0.6431, 0.4078, 1.0));
+    float _e135 = profile(bounce_angle, bounce_warp, bounce_tone_shape);
+    Light _e138 = u_look.fill;
+    LitLayer _e139 = light_apply_2_(_e138, _e108, _e135);
+    vec4 bounce_blend = clamp(vec4((key_blend.xyz + (_e139.tone * (_e139.color.xyz - key_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e165 = curvature_color(light_convexity, vec4(1.0, 0.851, 0.6275, 1.0), vec4(0.9412, 0.6431, 0.4078, 1.0));
     float light_warp = (((2.0 * light_convexity) - 1.0) * 0.3);
-    float _e181 = profile(light_angle, light_warp, light_tone_shape);
-    Light _e184 = u_look.key;
-    LitLayer _e185 = light_apply_2_(_e184, _e173, _e181);
-    vec4 light_blend = clamp(vec4((bounce_blend.xyz + ((bounce_blend.xyz + (_e185.tone * (_e185.color.xyz - bounce_blend.xyz))) - bounce_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e207 = curvature_signed_2_(surface_1.kappa, 0.25);
-    float highlight_convexity = (0.5 + (0.5 * _e207));
-    vec4 _e222 = curvature_color(highlight_convexity, vec4(1.0, 0.9569, 0.8627, 1.0), vec4(0.949, 0.6588, 0.4196, 1.0));
-    vec3 _e227 = u_look.rim.direction;
-    vec3 _e236 = u_look.rim.direction;
-    Angle rim_angle = Angle((0.5 * length((surface_1.normal - _e227))), (0.5 * length((surface_1.normal + _e236))));
+    float _e173 = profile(light_angle, light_warp, light_tone_shape);
+    Light _e176 = u_look.key;
+    LitLayer _e177 = light_apply_2_(_e176, _e165, _e173);
+    vec4 light_blend = clamp(vec4((bounce_blend.xyz + (_e177.tone * (_e177.color.xyz - bounce_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e195 = curvature_signed_2_(surface_1.kappa, 0.25);
+    float highlight_convexity = (0.5 + (0.5 * _e195));
+    vec4 _e210 = curvature_color(highlight_convexity, vec4(1.0, 0.9569, 0.8627, 1.0), vec4(0.949, 0.6588, 0.4196, 1.0));
+    vec3 _e215 = u_look.rim.direction;
+    vec3 _e224 = u_look.rim.direction;
+    Angle rim_angle = Angle((0.5 * length((surface_1.normal - _e215))), (0.5 * length((surface_1.normal + _e224))));
     float rim_warp = (((2.0 * highlight_convexity) - 1.0) * 0.2);
-    float _e249 = profile(rim_angle, rim_warp, rim_tone_shape);
-    Light _e252 = u_look.rim;
-    LitLayer _e253 = light_apply_2_(_e252, _e222, _e249);
-    vec4 rim_blend = clamp(vec4((light_blend.xyz + ((light_blend.xyz + (_e253.tone * (_e253.color.xyz - light_blend.xyz))) - light_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e283 = curvature_color(highlight_convexity, vec4(1.0, 0.9804, 0.9412, 1.0), vec4(1.0, 0.8863, 0.7216, 1.0));
-    Light _e286 = u_look.key;
-    Angle _e289 = parametrization_specular(_e286, surface_1.normal, surface_1.view);
+    float _e237 = profile(rim_angle, rim_warp, rim_tone_shape);
+    Light _e240 = u_look.rim;
+    LitLayer _e241 = light_apply_2_(_e240, _e210, _e237);
+    vec4 rim_blend = clamp(vec4((light_blend.xyz + (_e241.tone * (_e241.color.xyz - light_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e267 = curvature_color(highlight_convexity, vec4(1.0, 0.9804, 0.9412, 1.0), vec4(1.0, 0.8863, 0.7216, 1.0));
+    Light _e270 = u_look.key;
+    Angle _e273 = parametrization_specular(_e270, surface_1.normal, surface_1.view);
     float highlight_warp = (((2.0 * highlight_convexity) - 1.0) * 0.1);
-    float _e297 = profile_2_(_e289, highlight_warp, highlight_tone_shape);
-    Light _e300 = u_look.key;
-    LitLayer _e301 = light_apply_2_(_e300, _e283, _e297);
-    vec4 output_ = clamp(vec4((rim_blend.xyz + ((rim_blend.xyz + (_e301.tone * (_e301.color.xyz - rim_blend.xyz))) - rim_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e281 = profile_2_(_e273, highlight_warp, highlight_tone_shape);
+    Light _e284 = u_look.key;
+    LitLayer _e285 = light_apply_2_(_e284, _e267, _e281);
+    vec4 output_ = clamp(vec4((rim_blend.xyz + (_e285.tone * (_e285.color.xyz - rim_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

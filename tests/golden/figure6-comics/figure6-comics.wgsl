@@ -96,14 +96,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -190,8 +190,7 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -304,32 +303,32 @@ fn shade(surface: Surface) -> vec4f {
     let key_warp = (2.0 * key_convexity - 1.0) * 0.45;
     let key_tone = profile(light_angle, key_warp, key_tone_shape);
     let key_lit = light_apply_2(look.key, key_color, key_tone);
-    let key_blend = clamp(vec4f(shadow_blend.xyz + (shadow_blend.xyz + key_lit.tone * (key_lit.color.xyz - shadow_blend.xyz) - shadow_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let key_blend = clamp(vec4f(shadow_blend.xyz + key_lit.tone * (key_lit.color.xyz - shadow_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let light_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.3);
     let bounce_color = curvature_color(light_convexity, vec4f(0.8157, 0.4863, 0.3686, 1.0), vec4f(0.549, 0.2275, 0.298, 1.0));
     let bounce_angle = Angle(0.5 * length(surface.normal - look.fill.direction), 0.5 * length(surface.normal + look.fill.direction));
     let bounce_warp = (2.0 * light_convexity - 1.0) * 0.35;
     let bounce_tone = profile(bounce_angle, bounce_warp, bounce_tone_shape);
     let bounce_lit = light_apply_2(look.fill, bounce_color, bounce_tone);
-    let bounce_blend = clamp(vec4f(key_blend.xyz + (key_blend.xyz + bounce_lit.tone * (bounce_lit.color.xyz - key_blend.xyz) - key_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let bounce_blend = clamp(vec4f(key_blend.xyz + bounce_lit.tone * (bounce_lit.color.xyz - key_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let light_color = curvature_color(light_convexity, vec4f(1.0, 0.851, 0.6275, 1.0), vec4f(0.9412, 0.6431, 0.4078, 1.0));
     let light_warp = (2.0 * light_convexity - 1.0) * 0.3;
     let light_tone = profile(light_angle, light_warp, light_tone_shape);
     let light_lit = light_apply_2(look.key, light_color, light_tone);
-    let light_blend = clamp(vec4f(bounce_blend.xyz + (bounce_blend.xyz + light_lit.tone * (light_lit.color.xyz - bounce_blend.xyz) - bounce_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let light_blend = clamp(vec4f(bounce_blend.xyz + light_lit.tone * (light_lit.color.xyz - bounce_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let highlight_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.25);
     let rim_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9569, 0.8627, 1.0), vec4f(0.949, 0.6588, 0.4196, 1.0));
     let rim_angle = Angle(0.5 * length(surface.normal - look.rim.direction), 0.5 * length(surface.normal + look.rim.direction));
     let rim_warp = (2.0 * highlight_convexity - 1.0) * 0.2;
     let rim_tone = profile(rim_angle, rim_warp, rim_tone_shape);
     let rim_lit = light_apply_2(look.rim, rim_color, rim_tone);
-    let rim_blend = clamp(vec4f(light_blend.xyz + (light_blend.xyz + rim_lit.tone * (rim_lit.color.xyz - light_blend.xyz) - light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let rim_blend = clamp(vec4f(light_blend.xyz + rim_lit.tone * (rim_lit.color.xyz - light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let highlight_color = curvature_color(highlight_convexity, vec4f(1.0, 0.9804, 0.9412, 1.0), vec4f(1.0, 0.8863, 0.7216, 1.0));
     let highlight_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let highlight_warp = (2.0 * highlight_convexity - 1.0) * 0.1;
     let highlight_tone = profile_2(highlight_angle, highlight_warp, highlight_tone_shape);
     let highlight_lit = light_apply_2(look.key, highlight_color, highlight_tone);
-    let highlight_blend = clamp(vec4f(rim_blend.xyz + (rim_blend.xyz + highlight_lit.tone * (highlight_lit.color.xyz - rim_blend.xyz) - rim_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let highlight_blend = clamp(vec4f(rim_blend.xyz + highlight_lit.tone * (highlight_lit.color.xyz - rim_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let output = highlight_blend;
     return output;
 }

@@ -68,9 +68,9 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -180,13 +180,9 @@ float curvature_signed_2_(float kappa_1, float slope_1) {
     return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
 Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
@@ -287,26 +283,26 @@ vec4 shade(Surface surface_1) {
     float _e45 = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     Light _e48 = u_look.warm;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 _e59 = blend_add(vec4(0.0314, 0.0275, 0.0392, 1.0), _e49.color, _e49.tone, 1.0, true);
-    vec4 _e70 = curvature_color(cool_side_convexity, vec4(0.4353, 0.698, 0.9412, 1.0), vec4(0.1451, 0.251, 0.4353, 1.0));
-    vec3 _e75 = u_look.cool.direction;
-    vec3 _e84 = u_look.cool.direction;
-    Angle cool_side_angle = Angle((0.5 * length((surface_1.normal - _e75))), (0.5 * length((surface_1.normal + _e84))));
+    vec4 warm_side_blend = clamp(vec4((vec3(0.0314, 0.0275, 0.0392) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e76 = curvature_color(cool_side_convexity, vec4(0.4353, 0.698, 0.9412, 1.0), vec4(0.1451, 0.251, 0.4353, 1.0));
+    vec3 _e81 = u_look.cool.direction;
+    vec3 _e90 = u_look.cool.direction;
+    Angle cool_side_angle = Angle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
     float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.4);
-    float _e97 = profile_2_(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e100 = u_look.cool;
-    LitLayer _e101 = light_apply(_e100, _e70, _e97);
-    vec4 cool_side_blend = clamp(vec4((_e59.xyz + ((_e59.xyz + (_e101.tone * _e101.color.xyz)) - _e59.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e121 = curvature_signed_2_(surface_1.kappa, 0.25);
-    float cool_edge_convexity = (0.5 + (0.5 * _e121));
-    vec4 _e136 = curvature_color(cool_edge_convexity, vec4(0.3529, 0.3725, 0.4, 1.0), vec4(0.1255, 0.1412, 0.1569, 1.0));
-    Light _e139 = u_look.cool;
-    Angle _e142 = parametrization_specular(_e139, surface_1.normal, surface_1.view);
+    float _e103 = profile_2_(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e106 = u_look.cool;
+    LitLayer _e107 = light_apply(_e106, _e76, _e103);
+    vec4 cool_side_blend = clamp(vec4((warm_side_blend.xyz + (_e107.tone * _e107.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e123 = curvature_signed_2_(surface_1.kappa, 0.25);
+    float cool_edge_convexity = (0.5 + (0.5 * _e123));
+    vec4 _e138 = curvature_color(cool_edge_convexity, vec4(0.3529, 0.3725, 0.4, 1.0), vec4(0.1255, 0.1412, 0.1569, 1.0));
+    Light _e141 = u_look.cool;
+    Angle _e144 = parametrization_specular(_e141, surface_1.normal, surface_1.view);
     float cool_edge_warp = (((2.0 * cool_edge_convexity) - 1.0) * 0.2);
-    float _e150 = profile_2_(_e142, cool_edge_warp, cool_edge_tone_shape);
-    Light _e153 = u_look.cool;
-    LitLayer _e154 = light_apply(_e153, _e136, _e150);
-    vec4 output_ = clamp(vec4((cool_side_blend.xyz + ((cool_side_blend.xyz + (_e154.tone * _e154.color.xyz)) - cool_side_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e152 = profile_2_(_e144, cool_edge_warp, cool_edge_tone_shape);
+    Light _e155 = u_look.cool;
+    LitLayer _e156 = light_apply(_e155, _e138, _e152);
+    vec4 output_ = clamp(vec4((cool_side_blend.xyz + (_e156.tone * _e156.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -40,9 +40,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -127,14 +124,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -217,14 +214,6 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -368,20 +357,20 @@ fn shade(surface: Surface) -> vec4f {
     let warm_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.45;
     let warm_side_tone = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     let warm_side_lit = light_apply(look.warm, warm_side_color, warm_side_tone);
-    let warm_side_blend = blend_add(vec4f(0.0314, 0.0275, 0.0392, 1.0), warm_side_lit.color, warm_side_lit.tone, 1.0, true);
+    let warm_side_blend = clamp(vec4f(vec4f(0.0314, 0.0275, 0.0392, 1.0).xyz + warm_side_lit.tone * warm_side_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let cool_side_color = curvature_color(cool_side_convexity, vec4f(0.4353, 0.698, 0.9412, 1.0), vec4f(0.1451, 0.251, 0.4353, 1.0));
     let cool_side_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5 * length(surface.normal + look.cool.direction));
     let cool_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.4;
     let cool_side_tone = profile_2(cool_side_angle, cool_side_warp, cool_side_tone_shape);
     let cool_side_lit = light_apply(look.cool, cool_side_color, cool_side_tone);
-    let cool_side_blend = clamp(vec4f(warm_side_blend.xyz + (warm_side_blend.xyz + cool_side_lit.tone * cool_side_lit.color.xyz - warm_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let cool_side_blend = clamp(vec4f(warm_side_blend.xyz + cool_side_lit.tone * cool_side_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let cool_edge_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.25);
     let cool_edge_color = curvature_color(cool_edge_convexity, vec4f(0.3529, 0.3725, 0.4, 1.0), vec4f(0.1255, 0.1412, 0.1569, 1.0));
     let cool_edge_angle = parametrization_specular(look.cool, surface.normal, surface.view);
     let cool_edge_warp = (2.0 * cool_edge_convexity - 1.0) * 0.2;
     let cool_edge_tone = profile_2(cool_edge_angle, cool_edge_warp, cool_edge_tone_shape);
     let cool_edge_lit = light_apply(look.cool, cool_edge_color, cool_edge_tone);
-    let cool_edge_blend = clamp(vec4f(cool_side_blend.xyz + (cool_side_blend.xyz + cool_edge_lit.tone * cool_edge_lit.color.xyz - cool_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let cool_edge_blend = clamp(vec4f(cool_side_blend.xyz + cool_edge_lit.tone * cool_edge_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = cool_edge_blend;
     return output;
 }

@@ -68,9 +68,9 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -83,9 +83,9 @@ float exp2_stable_2_(float x_1) {
 }
 
 float exp2_stable_3_(float x_2) {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
+    float clamped_1 = max(x_2, -126.0);
+    float whole_2 = roundEven(clamped_1);
+    float f_2 = (clamped_1 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
 }
@@ -188,18 +188,14 @@ float curvature_signed_2_(float kappa_1, float slope_1) {
     return ((a_2 >= 0.0) ? t_3 : -(t_3));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), split.x);
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), split.x);
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), (tone_2 * split_1.x));
+    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), (tone_1 * split_1.x));
 }
 
 Angle parametrization_specular(Light light_2, vec3 normal, vec3 view) {
@@ -317,37 +313,37 @@ vec4 shade(Surface surface_1) {
     vec4 _e18 = curvature_color(fill_convexity, vec4(0.1137, 0.0941, 0.1333, 1.0), vec4(0.0392, 0.0314, 0.0549, 1.0));
     Light _e21 = u_look.warm;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    vec4 _e33 = blend_add(vec4(0.051, 0.0431, 0.0706, 1.0), _e23.color, _e23.tone, 1.0, true);
-    float _e36 = curvature_signed_2_(surface_1.kappa, 0.22);
-    float cool_side_convexity = (0.5 + (0.5 * _e36));
-    vec4 _e51 = curvature_color(cool_side_convexity, vec4(0.851, 0.5451, 0.3059, 1.0), vec4(0.4784, 0.1843, 0.1333, 1.0));
-    vec3 _e56 = u_look.warm.direction;
-    vec3 _e65 = u_look.warm.direction;
-    Angle warm_side_angle = Angle((0.5 * length((surface_1.normal - _e56))), (0.5 * length((surface_1.normal + _e65))));
+    vec4 fill_blend = clamp(vec4((vec3(0.051, 0.0431, 0.0706) + (_e23.tone * _e23.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e42 = curvature_signed_2_(surface_1.kappa, 0.22);
+    float cool_side_convexity = (0.5 + (0.5 * _e42));
+    vec4 _e57 = curvature_color(cool_side_convexity, vec4(0.851, 0.5451, 0.3059, 1.0), vec4(0.4784, 0.1843, 0.1333, 1.0));
+    vec3 _e62 = u_look.warm.direction;
+    vec3 _e71 = u_look.warm.direction;
+    Angle warm_side_angle = Angle((0.5 * length((surface_1.normal - _e62))), (0.5 * length((surface_1.normal + _e71))));
     float warm_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.3);
-    float _e78 = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e81 = u_look.warm;
-    LitLayer _e82 = light_apply_2_(_e81, _e51, _e78);
-    vec4 warm_side_blend = clamp(vec4((_e33.xyz + ((_e33.xyz + (_e82.tone * _e82.color.xyz)) - _e33.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e110 = curvature_color(cool_side_convexity, vec4(0.3098, 0.498, 0.7216, 1.0), vec4(0.1098, 0.1922, 0.3412, 1.0));
-    vec3 _e115 = u_look.cool.direction;
-    vec3 _e124 = u_look.cool.direction;
-    Angle cool_side_angle = Angle((0.5 * length((surface_1.normal - _e115))), (0.5 * length((surface_1.normal + _e124))));
+    float _e84 = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    Light _e87 = u_look.warm;
+    LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
+    vec4 warm_side_blend = clamp(vec4((fill_blend.xyz + (_e88.tone * _e88.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e112 = curvature_color(cool_side_convexity, vec4(0.3098, 0.498, 0.7216, 1.0), vec4(0.1098, 0.1922, 0.3412, 1.0));
+    vec3 _e117 = u_look.cool.direction;
+    vec3 _e126 = u_look.cool.direction;
+    Angle cool_side_angle = Angle((0.5 * length((surface_1.normal - _e117))), (0.5 * length((surface_1.normal + _e126))));
     float cool_side_warp = (((2.0 * cool_side_convexity) - 1.0) * 0.25);
-    float _e137 = profile(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e140 = u_look.cool;
-    LitLayer _e141 = light_apply_2_(_e140, _e110, _e137);
-    vec4 cool_side_blend = clamp(vec4((warm_side_blend.xyz + ((warm_side_blend.xyz + (_e141.tone * _e141.color.xyz)) - warm_side_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e161 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float sheen_convexity = (0.5 + (0.5 * _e161));
-    vec4 _e176 = curvature_color(sheen_convexity, vec4(0.4196, 0.3176, 0.2196, 1.0), vec4(0.2, 0.1373, 0.1098, 1.0));
-    Light _e179 = u_look.warm;
-    Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
+    float _e139 = profile(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e142 = u_look.cool;
+    LitLayer _e143 = light_apply_2_(_e142, _e112, _e139);
+    vec4 cool_side_blend = clamp(vec4((warm_side_blend.xyz + (_e143.tone * _e143.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e159 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float sheen_convexity = (0.5 + (0.5 * _e159));
+    vec4 _e174 = curvature_color(sheen_convexity, vec4(0.4196, 0.3176, 0.2196, 1.0), vec4(0.2, 0.1373, 0.1098, 1.0));
+    Light _e177 = u_look.warm;
+    Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
     float sheen_warp = (((2.0 * sheen_convexity) - 1.0) * 0.1);
-    float _e190 = profile_2_(_e182, sheen_warp, sheen_tone_shape);
-    Light _e193 = u_look.warm;
-    LitLayer _e194 = light_apply_2_(_e193, _e176, _e190);
-    vec4 output_ = clamp(vec4((cool_side_blend.xyz + ((cool_side_blend.xyz + (_e194.tone * _e194.color.xyz)) - cool_side_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e188 = profile_2_(_e180, sheen_warp, sheen_tone_shape);
+    Light _e191 = u_look.warm;
+    LitLayer _e192 = light_apply_2_(_e191, _e174, _e188);
+    vec4 output_ = clamp(vec4((cool_side_blend.xyz + (_e192.tone * _e192.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -38,7 +38,6 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -80,9 +79,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -99,9 +98,9 @@ float exp2_stable_2_(
 float exp2_stable_3_(
     float x_2
 ) {
-    float clamped_2 = metal::max(x_2, -126.0);
-    float whole_2 = metal::rint(clamped_2);
-    float f_2 = clamped_2 - whole_2;
+    float clamped_1 = metal::max(x_2, -126.0);
+    float whole_2 = metal::rint(clamped_1);
+    float f_2 = clamped_1 - whole_2;
     float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
     return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
@@ -235,32 +234,22 @@ float curvature_signed_2_(
     return (a_2 >= 0.0) ? t_3 : -(t_3);
 }
 
-Composite blend_add(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), split.x};
 }
 
 LitLayer light_apply_2_(
     Light light_1,
-    Color color_2,
-    float tone_2
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), tone_2 * split_1.x};
+    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), tone_1 * split_1.x};
 }
 
 Angle parametrization_specular(
@@ -413,37 +402,37 @@ metal::float4 shade(
     Color _e18 = curvature_color(fill_convexity, metal::float4(0.1137, 0.0941, 0.1333, 1.0), metal::float4(0.0392, 0.0314, 0.0549, 1.0));
     Light _e21 = look.warm;
     LitLayer _e23 = light_apply(_e21, _e18, 1.0);
-    Composite _e33 = blend_add(metal::float4(0.051, 0.0431, 0.0706, 1.0), _e23.color, _e23.tone, 1.0, true);
-    float _e36 = curvature_signed_2_(surface_1.kappa, 0.22);
-    float cool_side_convexity = 0.5 + (0.5 * _e36);
-    Color _e51 = curvature_color(cool_side_convexity, metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
-    metal::float3 _e56 = look.warm.direction;
-    metal::float3 _e65 = look.warm.direction;
-    Angle warm_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e56), 0.5 * metal::length(surface_1.normal + _e65)};
+    metal::float4 fill_blend = metal::clamp(metal::float4(metal::float3(0.051, 0.0431, 0.0706) + (_e23.tone * _e23.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e42 = curvature_signed_2_(surface_1.kappa, 0.22);
+    float cool_side_convexity = 0.5 + (0.5 * _e42);
+    Color _e57 = curvature_color(cool_side_convexity, metal::float4(0.851, 0.5451, 0.3059, 1.0), metal::float4(0.4784, 0.1843, 0.1333, 1.0));
+    metal::float3 _e62 = look.warm.direction;
+    metal::float3 _e71 = look.warm.direction;
+    Angle warm_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e62), 0.5 * metal::length(surface_1.normal + _e71)};
     float warm_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.3;
-    float _e78 = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
-    Light _e81 = look.warm;
-    LitLayer _e82 = light_apply_2_(_e81, _e51, _e78);
-    metal::float4 warm_side_blend = metal::clamp(metal::float4(_e33.xyz + ((_e33.xyz + (_e82.tone * _e82.color.xyz)) - _e33.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e110 = curvature_color(cool_side_convexity, metal::float4(0.3098, 0.498, 0.7216, 1.0), metal::float4(0.1098, 0.1922, 0.3412, 1.0));
-    metal::float3 _e115 = look.cool.direction;
-    metal::float3 _e124 = look.cool.direction;
-    Angle cool_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e115), 0.5 * metal::length(surface_1.normal + _e124)};
+    float _e84 = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
+    Light _e87 = look.warm;
+    LitLayer _e88 = light_apply_2_(_e87, _e57, _e84);
+    metal::float4 warm_side_blend = metal::clamp(metal::float4(fill_blend.xyz + (_e88.tone * _e88.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e112 = curvature_color(cool_side_convexity, metal::float4(0.3098, 0.498, 0.7216, 1.0), metal::float4(0.1098, 0.1922, 0.3412, 1.0));
+    metal::float3 _e117 = look.cool.direction;
+    metal::float3 _e126 = look.cool.direction;
+    Angle cool_side_angle = Angle {0.5 * metal::length(surface_1.normal - _e117), 0.5 * metal::length(surface_1.normal + _e126)};
     float cool_side_warp = ((2.0 * cool_side_convexity) - 1.0) * 0.25;
-    float _e137 = profile(cool_side_angle, cool_side_warp, cool_side_tone_shape);
-    Light _e140 = look.cool;
-    LitLayer _e141 = light_apply_2_(_e140, _e110, _e137);
-    metal::float4 cool_side_blend = metal::clamp(metal::float4(warm_side_blend.xyz + ((warm_side_blend.xyz + (_e141.tone * _e141.color.xyz)) - warm_side_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e161 = curvature_signed_2_(surface_1.kappa, 0.2);
-    float sheen_convexity = 0.5 + (0.5 * _e161);
-    Color _e176 = curvature_color(sheen_convexity, metal::float4(0.4196, 0.3176, 0.2196, 1.0), metal::float4(0.2, 0.1373, 0.1098, 1.0));
-    Light _e179 = look.warm;
-    Angle _e182 = parametrization_specular(_e179, surface_1.normal, surface_1.view);
+    float _e139 = profile(cool_side_angle, cool_side_warp, cool_side_tone_shape);
+    Light _e142 = look.cool;
+    LitLayer _e143 = light_apply_2_(_e142, _e112, _e139);
+    metal::float4 cool_side_blend = metal::clamp(metal::float4(warm_side_blend.xyz + (_e143.tone * _e143.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e159 = curvature_signed_2_(surface_1.kappa, 0.2);
+    float sheen_convexity = 0.5 + (0.5 * _e159);
+    Color _e174 = curvature_color(sheen_convexity, metal::float4(0.4196, 0.3176, 0.2196, 1.0), metal::float4(0.2, 0.1373, 0.1098, 1.0));
+    Light _e177 = look.warm;
+    Angle _e180 = parametrization_specular(_e177, surface_1.normal, surface_1.view);
     float sheen_warp = ((2.0 * sheen_convexity) - 1.0) * 0.1;
-    float _e190 = profile_2_(_e182, sheen_warp, sheen_tone_shape);
-    Light _e193 = look.warm;
-    LitLayer _e194 = light_apply_2_(_e193, _e176, _e190);
-    metal::float4 output = metal::clamp(metal::float4(cool_side_blend.xyz + ((cool_side_blend.xyz + (_e194.tone * _e194.color.xyz)) - cool_side_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e188 = profile_2_(_e180, sheen_warp, sheen_tone_shape);
+    Light _e191 = look.warm;
+    LitLayer _e192 = light_apply_2_(_e191, _e174, _e188);
+    metal::float4 output = metal::clamp(metal::float4(cool_side_blend.xyz + (_e192.tone * _e192.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

@@ -40,9 +40,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -138,14 +135,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -228,14 +225,6 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -404,27 +393,27 @@ fn shade(surface: Surface) -> vec4f {
     let fill_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.25);
     let fill_color = curvature_color(fill_convexity, vec4f(0.1137, 0.0941, 0.1333, 1.0), vec4f(0.0392, 0.0314, 0.0549, 1.0));
     let fill_lit = light_apply(look.warm, fill_color, 1.0);
-    let fill_blend = blend_add(vec4f(0.051, 0.0431, 0.0706, 1.0), fill_lit.color, fill_lit.tone, 1.0, true);
+    let fill_blend = clamp(vec4f(vec4f(0.051, 0.0431, 0.0706, 1.0).xyz + fill_lit.tone * fill_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let cool_side_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.22);
     let warm_side_color = curvature_color(cool_side_convexity, vec4f(0.851, 0.5451, 0.3059, 1.0), vec4f(0.4784, 0.1843, 0.1333, 1.0));
     let warm_side_angle = Angle(0.5 * length(surface.normal - look.warm.direction), 0.5 * length(surface.normal + look.warm.direction));
     let warm_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.3;
     let warm_side_tone = profile(warm_side_angle, warm_side_warp, warm_side_tone_shape);
     let warm_side_lit = light_apply_2(look.warm, warm_side_color, warm_side_tone);
-    let warm_side_blend = clamp(vec4f(fill_blend.xyz + (fill_blend.xyz + warm_side_lit.tone * warm_side_lit.color.xyz - fill_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let warm_side_blend = clamp(vec4f(fill_blend.xyz + warm_side_lit.tone * warm_side_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let cool_side_color = curvature_color(cool_side_convexity, vec4f(0.3098, 0.498, 0.7216, 1.0), vec4f(0.1098, 0.1922, 0.3412, 1.0));
     let cool_side_angle = Angle(0.5 * length(surface.normal - look.cool.direction), 0.5 * length(surface.normal + look.cool.direction));
     let cool_side_warp = (2.0 * cool_side_convexity - 1.0) * 0.25;
     let cool_side_tone = profile(cool_side_angle, cool_side_warp, cool_side_tone_shape);
     let cool_side_lit = light_apply_2(look.cool, cool_side_color, cool_side_tone);
-    let cool_side_blend = clamp(vec4f(warm_side_blend.xyz + (warm_side_blend.xyz + cool_side_lit.tone * cool_side_lit.color.xyz - warm_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let cool_side_blend = clamp(vec4f(warm_side_blend.xyz + cool_side_lit.tone * cool_side_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let sheen_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.2);
     let sheen_color = curvature_color(sheen_convexity, vec4f(0.4196, 0.3176, 0.2196, 1.0), vec4f(0.2, 0.1373, 0.1098, 1.0));
     let sheen_angle = parametrization_specular(look.warm, surface.normal, surface.view);
     let sheen_warp = (2.0 * sheen_convexity - 1.0) * 0.1;
     let sheen_tone = profile_2(sheen_angle, sheen_warp, sheen_tone_shape);
     let sheen_lit = light_apply_2(look.warm, sheen_color, sheen_tone);
-    let sheen_blend = clamp(vec4f(cool_side_blend.xyz + (cool_side_blend.xyz + sheen_lit.tone * sheen_lit.color.xyz - cool_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let sheen_blend = clamp(vec4f(cool_side_blend.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = sheen_blend;
     return output;
 }

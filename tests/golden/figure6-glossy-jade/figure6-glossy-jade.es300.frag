@@ -69,9 +69,9 @@ smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_2 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = (clamped_2 - whole);
+    float clamped_1 = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -84,9 +84,9 @@ float exp2_stable_2_(float x_1) {
 }
 
 float exp2_stable_3_(float x_2) {
-    float clamped_3 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_3);
-    float f_2 = (clamped_3 - whole_2);
+    float clamped_2 = max(x_2, -126.0);
+    float whole_2 = roundEven(clamped_2);
+    float f_2 = (clamped_2 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
 }
@@ -177,17 +177,13 @@ float curvature_signed(float kappa, float slope) {
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_2, float tone_2) {
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
@@ -318,34 +314,34 @@ vec4 shade(Surface surface_1) {
     float _e45 = profile(body_angle, body_warp, body_tone_shape);
     Light _e48 = u_look.key;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 _e59 = blend_add(vec4(0.0471, 0.1647, 0.1255, 1.0), _e49.color, _e49.tone, 1.0, true);
-    float _e62 = curvature_signed(surface_1.kappa, 0.15);
-    float window_convexity = (0.5 + (0.5 * _e62));
-    vec4 _e77 = curvature_color(window_convexity, vec4(0.2941, 0.4157, 0.3451, 1.0), vec4(0.1098, 0.2275, 0.1882, 1.0));
-    Light _e80 = u_look.key;
-    Angle _e83 = parametrization_specular(_e80, surface_1.normal, surface_1.view);
+    vec4 body_blend = clamp(vec4((vec3(0.0471, 0.1647, 0.1255) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e68 = curvature_signed(surface_1.kappa, 0.15);
+    float window_convexity = (0.5 + (0.5 * _e68));
+    vec4 _e83 = curvature_color(window_convexity, vec4(0.2941, 0.4157, 0.3451, 1.0), vec4(0.1098, 0.2275, 0.1882, 1.0));
+    Light _e86 = u_look.key;
+    Angle _e89 = parametrization_specular(_e86, surface_1.normal, surface_1.view);
     float wet_sheen_warp = (((2.0 * window_convexity) - 1.0) * 0.15);
-    float _e91 = profile_2_(_e83, wet_sheen_warp, wet_sheen_tone_shape);
-    Light _e94 = u_look.key;
-    LitLayer _e95 = light_apply(_e94, _e77, _e91);
-    vec4 wet_sheen_blend = clamp(vec4((_e59.xyz + ((_e59.xyz + (_e95.tone * _e95.color.xyz)) - _e59.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e123 = curvature_color(window_convexity, vec4(0.9647, 1.0, 0.9569, 1.0), vec4(0.7216, 0.8784, 0.7843, 1.0));
+    float _e97 = profile_2_(_e89, wet_sheen_warp, wet_sheen_tone_shape);
+    Light _e100 = u_look.key;
+    LitLayer _e101 = light_apply(_e100, _e83, _e97);
+    vec4 wet_sheen_blend = clamp(vec4((body_blend.xyz + (_e101.tone * _e101.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e125 = curvature_color(window_convexity, vec4(0.9647, 1.0, 0.9569, 1.0), vec4(0.7216, 0.8784, 0.7843, 1.0));
     float window_warp = (((2.0 * window_convexity) - 1.0) * 0.05);
-    float _e131 = profile_3_(_e83, window_warp, window_tone_shape);
-    Light _e134 = u_look.key;
-    LitLayer _e135 = light_apply(_e134, _e123, _e131);
-    vec4 _e140 = blend_alpha(wet_sheen_blend, _e135.color, _e135.tone, 0.9, true);
-    float _e143 = curvature_signed(surface_1.kappa, 0.2);
-    float through_light_convexity = (0.5 + (0.5 * _e143));
-    vec4 _e158 = curvature_color(through_light_convexity, vec4(0.4784, 0.549, 0.2353, 1.0), vec4(0.2902, 0.4157, 0.1725, 1.0));
-    vec3 _e163 = u_look.back.direction;
-    vec3 _e172 = u_look.back.direction;
-    Angle through_light_angle = Angle((0.5 * length((surface_1.normal - _e163))), (0.5 * length((surface_1.normal + _e172))));
+    float _e133 = profile_3_(_e89, window_warp, window_tone_shape);
+    Light _e136 = u_look.key;
+    LitLayer _e137 = light_apply(_e136, _e125, _e133);
+    vec4 _e142 = blend_alpha(wet_sheen_blend, _e137.color, _e137.tone, 0.9, true);
+    float _e145 = curvature_signed(surface_1.kappa, 0.2);
+    float through_light_convexity = (0.5 + (0.5 * _e145));
+    vec4 _e160 = curvature_color(through_light_convexity, vec4(0.4784, 0.549, 0.2353, 1.0), vec4(0.2902, 0.4157, 0.1725, 1.0));
+    vec3 _e165 = u_look.back.direction;
+    vec3 _e174 = u_look.back.direction;
+    Angle through_light_angle = Angle((0.5 * length((surface_1.normal - _e165))), (0.5 * length((surface_1.normal + _e174))));
     float through_light_warp = (((2.0 * through_light_convexity) - 1.0) * -0.2);
-    float _e185 = profile(through_light_angle, through_light_warp, through_light_tone_shape);
-    Light _e188 = u_look.back;
-    LitLayer _e189 = light_apply(_e188, _e158, _e185);
-    vec4 output_ = clamp(vec4((_e140.xyz + ((_e140.xyz + (_e189.tone * _e189.color.xyz)) - _e140.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e187 = profile(through_light_angle, through_light_warp, through_light_tone_shape);
+    Light _e190 = u_look.back;
+    LitLayer _e191 = light_apply(_e190, _e160, _e187);
+    vec4 output_ = clamp(vec4((_e142.xyz + (_e191.tone * _e191.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -138,14 +138,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -213,14 +213,6 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -402,14 +394,14 @@ fn shade(surface: Surface) -> vec4f {
     let body_warp = (2.0 * body_convexity - 1.0) * 0.35;
     let body_tone = profile(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.key, body_color, body_tone);
-    let body_blend = blend_add(vec4f(0.0471, 0.1647, 0.1255, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    let body_blend = clamp(vec4f(vec4f(0.0471, 0.1647, 0.1255, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let window_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.15);
     let wet_sheen_color = curvature_color(window_convexity, vec4f(0.2941, 0.4157, 0.3451, 1.0), vec4f(0.1098, 0.2275, 0.1882, 1.0));
     let window_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let wet_sheen_warp = (2.0 * window_convexity - 1.0) * 0.15;
     let wet_sheen_tone = profile_2(window_angle, wet_sheen_warp, wet_sheen_tone_shape);
     let wet_sheen_lit = light_apply(look.key, wet_sheen_color, wet_sheen_tone);
-    let wet_sheen_blend = clamp(vec4f(body_blend.xyz + (body_blend.xyz + wet_sheen_lit.tone * wet_sheen_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let wet_sheen_blend = clamp(vec4f(body_blend.xyz + wet_sheen_lit.tone * wet_sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let window_color = curvature_color(window_convexity, vec4f(0.9647, 1.0, 0.9569, 1.0), vec4f(0.7216, 0.8784, 0.7843, 1.0));
     let window_warp = (2.0 * window_convexity - 1.0) * 0.05;
     let window_tone = profile_3(window_angle, window_warp, window_tone_shape);
@@ -421,7 +413,7 @@ fn shade(surface: Surface) -> vec4f {
     let through_light_warp = (2.0 * through_light_convexity - 1.0) * -0.2;
     let through_light_tone = profile(through_light_angle, through_light_warp, through_light_tone_shape);
     let through_light_lit = light_apply(look.back, through_light_color, through_light_tone);
-    let through_light_blend = clamp(vec4f(window_blend.xyz + (window_blend.xyz + through_light_lit.tone * through_light_lit.color.xyz - window_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let through_light_blend = clamp(vec4f(window_blend.xyz + through_light_lit.tone * through_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = through_light_blend;
     return output;
 }

@@ -65,9 +65,9 @@ layout(location = 1) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_2 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_2);
-    float f = (clamped_2 - whole);
+    float clamped_1 = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped_1);
+    float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
@@ -80,9 +80,9 @@ float exp2_stable_2_(float x_1) {
 }
 
 float exp2_stable_3_(float x_2) {
-    float clamped_3 = max(x_2, -126.0);
-    float whole_2 = roundEven(clamped_3);
-    float f_2 = (clamped_3 - whole_2);
+    float clamped_2 = max(x_2, -126.0);
+    float whole_2 = roundEven(clamped_2);
+    float f_2 = (clamped_2 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
 }
@@ -173,17 +173,13 @@ float curvature_signed(float kappa, float slope) {
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
+    return clamp(vec4((below.xyz + (opacity * ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
-    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone_1 * (color_1.xyz - below_1.xyz))) - below_1.xyz))), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_2, float tone_2) {
+LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light.color) * split.y), 1.0), (tone_2 * split.x));
+    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
 }
 
 Angle parametrization_specular(Light light_1, vec3 normal, vec3 view) {
@@ -341,32 +337,32 @@ vec4 shade(Surface surface_1) {
     float _e45 = profile(body_angle, body_warp, body_tone_shape);
     Light _e48 = u_look.key;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    vec4 _e59 = blend_add(vec4(0.1098, 0.0078, 0.0235, 1.0), _e49.color, _e49.tone, 1.0, true);
-    float _e62 = curvature_signed(surface_1.kappa, 0.15);
-    float window_convexity = (0.5 + (0.5 * _e62));
-    vec4 _e77 = curvature_color(window_convexity, vec4(0.3529, 0.1255, 0.1569, 1.0), vec4(0.1412, 0.0314, 0.0627, 1.0));
-    Light _e80 = u_look.key;
-    Angle _e83 = parametrization_specular(_e80, surface_1.normal, surface_1.view);
+    vec4 body_blend = clamp(vec4((vec3(0.1098, 0.0078, 0.0235) + (_e49.tone * _e49.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e68 = curvature_signed(surface_1.kappa, 0.15);
+    float window_convexity = (0.5 + (0.5 * _e68));
+    vec4 _e83 = curvature_color(window_convexity, vec4(0.3529, 0.1255, 0.1569, 1.0), vec4(0.1412, 0.0314, 0.0627, 1.0));
+    Light _e86 = u_look.key;
+    Angle _e89 = parametrization_specular(_e86, surface_1.normal, surface_1.view);
     float soft_reflection_warp = (((2.0 * window_convexity) - 1.0) * 0.15);
-    float _e91 = profile_2_(_e83, soft_reflection_warp, soft_reflection_tone_shape);
-    Light _e94 = u_look.key;
-    LitLayer _e95 = light_apply(_e94, _e77, _e91);
-    vec4 soft_reflection_blend = clamp(vec4((_e59.xyz + ((_e59.xyz + (_e95.tone * _e95.color.xyz)) - _e59.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e123 = curvature_color(window_convexity, vec4(1.0, 0.949, 0.9098, 1.0), vec4(0.7843, 0.4549, 0.4863, 1.0));
+    float _e97 = profile_2_(_e89, soft_reflection_warp, soft_reflection_tone_shape);
+    Light _e100 = u_look.key;
+    LitLayer _e101 = light_apply(_e100, _e83, _e97);
+    vec4 soft_reflection_blend = clamp(vec4((body_blend.xyz + (_e101.tone * _e101.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e125 = curvature_color(window_convexity, vec4(1.0, 0.949, 0.9098, 1.0), vec4(0.7843, 0.4549, 0.4863, 1.0));
     float window_warp = (((2.0 * window_convexity) - 1.0) * 0.06);
-    float _e131 = profile_3_(_e83, window_warp, window_tone_shape);
-    Light _e134 = u_look.key;
-    LitLayer _e135 = light_apply(_e134, _e123, _e131);
-    vec4 _e140 = blend_alpha(soft_reflection_blend, _e135.color, _e135.tone, 0.95, true);
-    vec4 _e151 = curvature_color(back_light_convexity, vec4(0.3647, 0.4706, 0.6588, 1.0), vec4(0.149, 0.2039, 0.3529, 1.0));
-    vec3 _e156 = u_look.back.direction;
-    vec3 _e165 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e156))), (0.5 * length((surface_1.normal + _e165))));
+    float _e133 = profile_3_(_e89, window_warp, window_tone_shape);
+    Light _e136 = u_look.key;
+    LitLayer _e137 = light_apply(_e136, _e125, _e133);
+    vec4 _e142 = blend_alpha(soft_reflection_blend, _e137.color, _e137.tone, 0.95, true);
+    vec4 _e153 = curvature_color(back_light_convexity, vec4(0.3647, 0.4706, 0.6588, 1.0), vec4(0.149, 0.2039, 0.3529, 1.0));
+    vec3 _e158 = u_look.back.direction;
+    vec3 _e167 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e158))), (0.5 * length((surface_1.normal + _e167))));
     float back_light_warp = (((2.0 * back_light_convexity) - 1.0) * 0.15);
-    float _e178 = profile_4_(back_light_angle, back_light_warp, back_light_tone_shape);
-    Light _e181 = u_look.back;
-    LitLayer _e182 = light_apply(_e181, _e151, _e178);
-    vec4 output_ = clamp(vec4((_e140.xyz + ((_e140.xyz + (_e182.tone * _e182.color.xyz)) - _e140.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e180 = profile_4_(back_light_angle, back_light_warp, back_light_tone_shape);
+    Light _e183 = u_look.back;
+    LitLayer _e184 = light_apply(_e183, _e153, _e180);
+    vec4 output_ = clamp(vec4((_e142.xyz + (_e184.tone * _e184.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -138,14 +138,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -213,14 +213,6 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -434,14 +426,14 @@ fn shade(surface: Surface) -> vec4f {
     let body_warp = (2.0 * back_light_convexity - 1.0) * 0.3;
     let body_tone = profile(body_angle, body_warp, body_tone_shape);
     let body_lit = light_apply(look.key, body_color, body_tone);
-    let body_blend = blend_add(vec4f(0.1098, 0.0078, 0.0235, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    let body_blend = clamp(vec4f(vec4f(0.1098, 0.0078, 0.0235, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let window_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.15);
     let soft_reflection_color = curvature_color(window_convexity, vec4f(0.3529, 0.1255, 0.1569, 1.0), vec4f(0.1412, 0.0314, 0.0627, 1.0));
     let window_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let soft_reflection_warp = (2.0 * window_convexity - 1.0) * 0.15;
     let soft_reflection_tone = profile_2(window_angle, soft_reflection_warp, soft_reflection_tone_shape);
     let soft_reflection_lit = light_apply(look.key, soft_reflection_color, soft_reflection_tone);
-    let soft_reflection_blend = clamp(vec4f(body_blend.xyz + (body_blend.xyz + soft_reflection_lit.tone * soft_reflection_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let soft_reflection_blend = clamp(vec4f(body_blend.xyz + soft_reflection_lit.tone * soft_reflection_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let window_color = curvature_color(window_convexity, vec4f(1.0, 0.949, 0.9098, 1.0), vec4f(0.7843, 0.4549, 0.4863, 1.0));
     let window_warp = (2.0 * window_convexity - 1.0) * 0.06;
     let window_tone = profile_3(window_angle, window_warp, window_tone_shape);
@@ -452,7 +444,7 @@ fn shade(surface: Surface) -> vec4f {
     let back_light_warp = (2.0 * back_light_convexity - 1.0) * 0.15;
     let back_light_tone = profile_4(back_light_angle, back_light_warp, back_light_tone_shape);
     let back_light_lit = light_apply(look.back, back_light_color, back_light_tone);
-    let back_light_blend = clamp(vec4f(window_blend.xyz + (window_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz - window_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let back_light_blend = clamp(vec4f(window_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = back_light_blend;
     return output;
 }

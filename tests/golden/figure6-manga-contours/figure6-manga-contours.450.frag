@@ -72,13 +72,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0, 0.0, 1.0));
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -114,7 +109,7 @@ Angle angle_turned(Angle u_1, vec2 t) {
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (vec4(1.0) - concave)));
+    return (concave + (convexity * (convex - concave)));
 }
 
 float curvature_signed(float kappa, float slope) {
@@ -162,7 +157,7 @@ LitLayer light_apply_3_(Light light_2, vec4 color_3, float tone_3) {
 
 Angle parametrization_screen_aligned(Light light_3, vec3 normal, mat3x3 camera_from_world) {
     vec3 n = (camera_from_world * normal);
-    vec3 _e8 = normalize_moderate_2_(n, vec3(0.0, 0.0, 1.0));
+    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
 }
 
@@ -205,17 +200,17 @@ vec4 shade(Surface surface_1) {
     vec4 _e68 = curvature_color(inked_hollows_convexity, vec4(1.0), vec4(0.1647, 0.1451, 0.1882, 1.0));
     Light _e71 = u_look.key;
     LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
-    vec4 inked_hollows_blend = clamp(vec4((_e53.xyz + ((_e53.xyz * (_e73.tone * _e73.color.xyz)) - _e53.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    Light _e93 = u_look.eye;
-    mat3x3 _e97 = u_look.camera_from_world;
-    Angle _e98 = parametrization_screen_aligned(_e93, surface_1.normal, _e97);
-    float _e101 = curvature_signed(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e101));
+    vec4 inked_hollows_blend = clamp(vec4((_e53.xyz * (_e73.tone * _e73.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    Light _e89 = u_look.eye;
+    mat3x3 _e93 = u_look.camera_from_world;
+    Angle _e94 = parametrization_screen_aligned(_e89, surface_1.normal, _e93);
+    float _e97 = curvature_signed(surface_1.kappa, 0.12);
+    float contour_convexity = (0.5 + (0.5 * _e97));
     float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.3);
-    float _e113 = profile(_e98, contour_warp, contour_tone_shape);
-    Light _e116 = u_look.eye;
-    LitLayer _e119 = light_apply_3_(_e116, vec4(1.0), _e113);
-    vec4 output_ = clamp(vec4((inked_hollows_blend.xyz + ((inked_hollows_blend.xyz * (_e119.tone * _e119.color.xyz)) - inked_hollows_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    float _e109 = profile(_e94, contour_warp, contour_tone_shape);
+    Light _e112 = u_look.eye;
+    LitLayer _e115 = light_apply_3_(_e112, vec4(1.0), _e109);
+    vec4 output_ = clamp(vec4((inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -135,15 +135,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_1, float3 otherwise_1)
+float3 normalize_seen(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : float3(0.0, 0.0, 1.0));
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -191,7 +185,7 @@ Angle angle_turned(Angle u_1, float2 t)
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * ((1.0).xxxx - concave)));
+    return (concave + (convexity * (convex - concave)));
 }
 
 float curvature_signed(float kappa, float slope)
@@ -256,7 +250,7 @@ LitLayer light_apply_3_(Light light_2, float4 color_3, float tone_3)
 Angle parametrization_screen_aligned(Light light_3, float3 normal, float3x3 camera_from_world)
 {
     float3 n = mul(normal, camera_from_world);
-    const float3 _e8 = normalize_moderate_2_(n, float3(0.0, 0.0, 1.0));
+    const float3 _e8 = normalize_moderate(n, float3(0.0, 0.0, 1.0));
     const Angle angle_2 = ConstructAngle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
     return angle_2;
 }
@@ -304,17 +298,17 @@ float4 shade(Surface surface_1)
     const float4 _e68 = curvature_color(inked_hollows_convexity, (1.0).xxxx, float4(0.1647, 0.1451, 0.1882, 1.0));
     Light _e71 = look.key;
     const LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
-    float4 inked_hollows_blend = clamp(float4((_e53.xyz + ((_e53.xyz * (_e73.tone * _e73.color.xyz)) - _e53.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e93 = look.eye;
-    float3x3 _e97 = look.camera_from_world;
-    const Angle _e98 = parametrization_screen_aligned(_e93, surface_1.normal, _e97);
-    const float _e101 = curvature_signed(surface_1.kappa, 0.12);
-    float contour_convexity = (0.5 + (0.5 * _e101));
+    float4 inked_hollows_blend = clamp(float4((_e53.xyz * (_e73.tone * _e73.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e89 = look.eye;
+    float3x3 _e93 = look.camera_from_world;
+    const Angle _e94 = parametrization_screen_aligned(_e89, surface_1.normal, _e93);
+    const float _e97 = curvature_signed(surface_1.kappa, 0.12);
+    float contour_convexity = (0.5 + (0.5 * _e97));
     float contour_warp = (((2.0 * contour_convexity) - 1.0) * 0.3);
-    const float _e113 = profile(_e98, contour_warp, contour_tone_shape);
-    Light _e116 = look.eye;
-    const LitLayer _e119 = light_apply_3_(_e116, (1.0).xxxx, _e113);
-    float4 output = clamp(float4((inked_hollows_blend.xyz + ((inked_hollows_blend.xyz * (_e119.tone * _e119.color.xyz)) - inked_hollows_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e109 = profile(_e94, contour_warp, contour_tone_shape);
+    Light _e112 = look.eye;
+    const LitLayer _e115 = light_apply_3_(_e112, (1.0).xxxx, _e109);
+    float4 output = clamp(float4((inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -101,18 +101,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -160,7 +152,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (metal::float4(1.0) - concave));
+    return concave + (convexity * (convex - concave));
 }
 
 float curvature_signed(
@@ -236,7 +228,7 @@ Angle parametrization_screen_aligned(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 n = camera_from_world * normal;
-    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e8 - light_3.own_direction), 0.5 * metal::length(_e8 + light_3.own_direction)};
 }
 
@@ -293,17 +285,17 @@ metal::float4 shade(
     Color _e68 = curvature_color(inked_hollows_convexity, metal::float4(1.0), metal::float4(0.1647, 0.1451, 0.1882, 1.0));
     Light _e71 = look.key;
     LitLayer _e73 = light_apply_2_(_e71, _e68, 1.0);
-    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e53.xyz + ((_e53.xyz * (_e73.tone * _e73.color.xyz)) - _e53.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e93 = look.eye;
-    metal::float3x3 _e97 = look.camera_from_world;
-    Angle _e98 = parametrization_screen_aligned(_e93, surface_1.normal, _e97);
-    float _e101 = curvature_signed(surface_1.kappa, 0.12);
-    float contour_convexity = 0.5 + (0.5 * _e101);
+    metal::float4 inked_hollows_blend = metal::clamp(metal::float4(_e53.xyz * (_e73.tone * _e73.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e89 = look.eye;
+    metal::float3x3 _e93 = look.camera_from_world;
+    Angle _e94 = parametrization_screen_aligned(_e89, surface_1.normal, _e93);
+    float _e97 = curvature_signed(surface_1.kappa, 0.12);
+    float contour_convexity = 0.5 + (0.5 * _e97);
     float contour_warp = ((2.0 * contour_convexity) - 1.0) * 0.3;
-    float _e113 = profile(_e98, contour_warp, contour_tone_shape);
-    Light _e116 = look.eye;
-    LitLayer _e119 = light_apply_3_(_e116, metal::float4(1.0), _e113);
-    metal::float4 output = metal::clamp(metal::float4(inked_hollows_blend.xyz + ((inked_hollows_blend.xyz * (_e119.tone * _e119.color.xyz)) - inked_hollows_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e109 = profile(_e94, contour_warp, contour_tone_shape);
+    Light _e112 = look.eye;
+    LitLayer _e115 = light_apply_3_(_e112, metal::float4(1.0), _e109);
+    metal::float4 output = metal::clamp(metal::float4(inked_hollows_blend.xyz * (_e115.tone * _e115.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

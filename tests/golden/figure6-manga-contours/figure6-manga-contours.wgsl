@@ -87,21 +87,14 @@ fn sin_cos_eighth(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0, 0.0, 1.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -153,7 +146,7 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
+    return concave + convexity * (convex - concave);
 }
 
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
@@ -229,7 +222,7 @@ struct LitLayer {
 fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
     -> Angle {
     let n = camera_from_world * normal;
-    let d = normalize_moderate_2(n, vec3f(0.0, 0.0, 1.0));
+    let d = normalize_moderate(n, vec3f(0.0, 0.0, 1.0));
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
@@ -297,13 +290,13 @@ fn shade(surface: Surface) -> vec4f {
     let inked_hollows_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.5);
     let inked_hollows_color = curvature_color(inked_hollows_convexity, vec4f(1.0), vec4f(0.1647, 0.1451, 0.1882, 1.0));
     let inked_hollows_lit = light_apply_2(look.key, inked_hollows_color, 1.0);
-    let inked_hollows_blend = clamp(vec4f(shadow_blend.xyz + (shadow_blend.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz) - shadow_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let inked_hollows_blend = clamp(vec4f(shadow_blend.xyz * (inked_hollows_lit.tone * inked_hollows_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let contour_angle = parametrization_screen_aligned(look.eye, surface.normal, look.camera_from_world);
     let contour_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.12);
     let contour_warp = (2.0 * contour_convexity - 1.0) * 0.3;
     let contour_tone = profile(contour_angle, contour_warp, contour_tone_shape);
     let contour_lit = light_apply_3(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = clamp(vec4f(inked_hollows_blend.xyz + (inked_hollows_blend.xyz * (contour_lit.tone * contour_lit.color.xyz) - inked_hollows_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let contour_blend = clamp(vec4f(inked_hollows_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let output = contour_blend;
     return output;
 }

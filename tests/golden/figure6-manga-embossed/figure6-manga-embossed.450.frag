@@ -54,17 +54,17 @@ layout(location = 0) smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
 float exp2_stable(float x) {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = roundEven(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
 float exp2_stable_2_(float x_1) {
-    float clamped_2 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
+    float clamped_1 = max(x_1, -126.0);
+    float whole_1 = roundEven(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
@@ -110,13 +110,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0, 0.0, 1.0));
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -155,10 +150,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-vec4 curvature_color_2_(float convexity_1, vec4 convex_1, vec4 concave_1) {
-    return (concave_1 + (convexity_1 * (vec4(1.0) - concave_1)));
-}
-
 float curvature_signed(float kappa, float slope) {
     float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
     float magnitude = min(abs(a_1), 50.0);
@@ -171,23 +162,19 @@ float curvature_signed(float kappa, float slope) {
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-vec4 blend_shade(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz * mix(vec3(1.0), color.xyz, tone)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
-LitLayer light_apply_2_(Light light_1, vec4 color_2, float tone_2) {
+LitLayer light_apply_2_(Light light_1, vec4 color_1, float tone_1) {
     vec2 split_1 = vec2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    return LitLayer(vec4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
+    return LitLayer(vec4(((color_1.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
 }
 
 Angle parametrization_screen_aligned(Light light_2, vec3 normal, mat3x3 camera_from_world) {
     vec3 n = (camera_from_world * normal);
-    vec3 _e8 = normalize_moderate_2_(n, vec3(0.0, 0.0, 1.0));
+    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e8 - light_2.own_direction))), (0.5 * length((_e8 + light_2.own_direction))));
 }
 
@@ -310,21 +297,21 @@ vec4 shade(Surface surface_1) {
     float _e34 = profile(_e26, light_side_warp, dark_side_tone_shape);
     Light _e37 = u_look.below;
     LitLayer _e38 = light_apply(_e37, _e18, _e34);
-    vec4 _e48 = blend_shade(vec4(0.851, 0.8314, 0.7804, 1.0), _e38.color, _e38.tone, 1.0, true);
-    vec4 _e56 = curvature_color_2_(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e59 = u_look.above;
-    mat3x3 _e63 = u_look.camera_from_world;
-    Angle _e64 = parametrization_screen_aligned(_e59, surface_1.normal, _e63);
-    float _e66 = profile_2_(_e64, light_side_warp, light_side_tone_shape);
-    Light _e69 = u_look.above;
-    LitLayer _e70 = light_apply(_e69, _e56, _e66);
-    vec4 light_side_blend = clamp(vec4((_e48.xyz + ((_e48.xyz + (_e70.tone * (_e70.color.xyz - _e48.xyz))) - _e48.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e92 = curvature_signed(surface_1.kappa, 0.4);
-    float hollows_convexity = (0.5 + (0.5 * _e92));
-    vec4 _e104 = curvature_color_2_(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e107 = u_look.above;
-    LitLayer _e109 = light_apply_2_(_e107, _e104, 1.0);
-    vec4 output_ = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e109.tone * _e109.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    vec4 dark_side_blend = clamp(vec4((vec3(0.851, 0.8314, 0.7804) * mix(vec3(1.0), _e38.color.xyz, _e38.tone)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e64 = curvature_color(light_side_convexity, vec4(1.0), vec4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e67 = u_look.above;
+    mat3x3 _e71 = u_look.camera_from_world;
+    Angle _e72 = parametrization_screen_aligned(_e67, surface_1.normal, _e71);
+    float _e74 = profile_2_(_e72, light_side_warp, light_side_tone_shape);
+    Light _e77 = u_look.above;
+    LitLayer _e78 = light_apply(_e77, _e64, _e74);
+    vec4 light_side_blend = clamp(vec4((dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e96 = curvature_signed(surface_1.kappa, 0.4);
+    float hollows_convexity = (0.5 + (0.5 * _e96));
+    vec4 _e108 = curvature_color(hollows_convexity, vec4(1.0), vec4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e111 = u_look.above;
+    LitLayer _e113 = light_apply_2_(_e111, _e108, 1.0);
+    vec4 output_ = clamp(vec4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e113.tone * _e113.color.xyz)) - light_side_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

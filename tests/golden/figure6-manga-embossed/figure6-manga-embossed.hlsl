@@ -115,18 +115,18 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x)
 {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
 float exp2_stable_2_(float x_1)
 {
-    float clamped_2 = max(x_1, -126.0);
-    float whole_1 = round(clamped_2);
-    float f_1 = (clamped_2 - whole_1);
+    float clamped_1 = max(x_1, -126.0);
+    float whole_1 = round(clamped_1);
+    float f_1 = (clamped_1 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
 }
@@ -178,15 +178,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_1, float3 otherwise_1)
+float3 normalize_seen(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : float3(0.0, 0.0, 1.0));
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -237,11 +231,6 @@ float4 curvature_color(float convexity, float4 convex, float4 concave)
     return (concave + (convexity * (convex - concave)));
 }
 
-float4 curvature_color_2_(float convexity_1, float4 convex_1, float4 concave_1)
-{
-    return (concave_1 + (convexity_1 * ((1.0).xxxx - concave_1)));
-}
-
 float curvature_signed(float kappa, float slope)
 {
     float a_1 = ((((asuint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
@@ -255,11 +244,6 @@ float curvature_signed(float kappa, float slope)
     return ((a_1 >= 0.0) ? t_2 : -(t_2));
 }
 
-float4 blend_shade(float4 below, float4 color, float tone, float opacity, bool clamped)
-{
-    return clamp(float4((below.xyz + ((below.xyz * lerp((1.0).xxx, color.xyz, tone)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -267,24 +251,24 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
-LitLayer light_apply_2_(Light light_1, float4 color_2, float tone_2)
+LitLayer light_apply_2_(Light light_1, float4 color_1, float tone_1)
 {
     float2 split_1 = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
+    const LitLayer litlayer_1 = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split_1.y), 1.0), split_1.x);
     return litlayer_1;
 }
 
 Angle parametrization_screen_aligned(Light light_2, float3 normal, float3x3 camera_from_world)
 {
     float3 n = mul(normal, camera_from_world);
-    const float3 _e8 = normalize_moderate_2_(n, float3(0.0, 0.0, 1.0));
+    const float3 _e8 = normalize_moderate(n, float3(0.0, 0.0, 1.0));
     const Angle angle_3 = ConstructAngle((0.5 * length((_e8 - light_2.own_direction))), (0.5 * length((_e8 + light_2.own_direction))));
     return angle_3;
 }
@@ -419,21 +403,21 @@ float4 shade(Surface surface_1)
     const float _e34 = profile(_e26, light_side_warp, dark_side_tone_shape);
     Light _e37 = look.below;
     const LitLayer _e38 = light_apply(_e37, _e18, _e34);
-    const float4 _e48 = blend_shade(float4(0.851, 0.8314, 0.7804, 1.0), _e38.color, _e38.tone, 1.0, true);
-    const float4 _e56 = curvature_color_2_(light_side_convexity, (1.0).xxxx, float4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e59 = look.above;
-    float3x3 _e63 = look.camera_from_world;
-    const Angle _e64 = parametrization_screen_aligned(_e59, surface_1.normal, _e63);
-    const float _e66 = profile_2_(_e64, light_side_warp, light_side_tone_shape);
-    Light _e69 = look.above;
-    const LitLayer _e70 = light_apply(_e69, _e56, _e66);
-    float4 light_side_blend = clamp(float4((_e48.xyz + ((_e48.xyz + (_e70.tone * (_e70.color.xyz - _e48.xyz))) - _e48.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e92 = curvature_signed(surface_1.kappa, 0.4);
-    float hollows_convexity = (0.5 + (0.5 * _e92));
-    const float4 _e104 = curvature_color_2_(hollows_convexity, (1.0).xxxx, float4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e107 = look.above;
-    const LitLayer _e109 = light_apply_2_(_e107, _e104, 1.0);
-    float4 output = clamp(float4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e109.tone * _e109.color.xyz)) - light_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 dark_side_blend = clamp(float4((float3(0.851, 0.8314, 0.7804) * lerp((1.0).xxx, _e38.color.xyz, _e38.tone)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e64 = curvature_color(light_side_convexity, (1.0).xxxx, float4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e67 = look.above;
+    float3x3 _e71 = look.camera_from_world;
+    const Angle _e72 = parametrization_screen_aligned(_e67, surface_1.normal, _e71);
+    const float _e74 = profile_2_(_e72, light_side_warp, light_side_tone_shape);
+    Light _e77 = look.above;
+    const LitLayer _e78 = light_apply(_e77, _e64, _e74);
+    float4 light_side_blend = clamp(float4((dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e96 = curvature_signed(surface_1.kappa, 0.4);
+    float hollows_convexity = (0.5 + (0.5 * _e96));
+    const float4 _e108 = curvature_color(hollows_convexity, (1.0).xxxx, float4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e111 = look.above;
+    const LitLayer _e113 = light_apply_2_(_e111, _e108, 1.0);
+    float4 output = clamp(float4((light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e113.tone * _e113.color.xyz)) - light_side_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -38,7 +38,6 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -78,9 +77,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -88,9 +87,9 @@ float exp2_stable(
 float exp2_stable_2_(
     float x_1
 ) {
-    float clamped_2 = metal::max(x_1, -126.0);
-    float whole_1 = metal::rint(clamped_2);
-    float f_1 = clamped_2 - whole_1;
+    float clamped_1 = metal::max(x_1, -126.0);
+    float whole_1 = metal::rint(clamped_1);
+    float f_1 = clamped_1 - whole_1;
     float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
     return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
@@ -149,18 +148,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -211,14 +202,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-Color curvature_color_2_(
-    float convexity_1,
-    Color convex_1,
-    Color concave_1
-) {
-    return concave_1 + (convexity_1 * (metal::float4(1.0) - concave_1));
-}
-
 float curvature_signed(
     float kappa,
     float slope
@@ -234,32 +217,22 @@ float curvature_signed(
     return (a_1 >= 0.0) ? t_2 : -(t_2);
 }
 
-Composite blend_shade(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz * metal::mix(metal::float3(1.0), color.xyz, tone)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 LitLayer light_apply_2_(
     Light light_1,
-    Color color_2,
-    float tone_2
+    Color color_1,
+    float tone_1
 ) {
     metal::float2 split_1 = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
+    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split_1.y, 1.0), split_1.x};
 }
 
 Angle parametrization_screen_aligned(
@@ -268,7 +241,7 @@ Angle parametrization_screen_aligned(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 n = camera_from_world * normal;
-    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e8 - light_2.own_direction), 0.5 * metal::length(_e8 + light_2.own_direction)};
 }
 
@@ -422,21 +395,21 @@ metal::float4 shade(
     float _e34 = profile(_e26, light_side_warp, dark_side_tone_shape);
     Light _e37 = look.below;
     LitLayer _e38 = light_apply(_e37, _e18, _e34);
-    Composite _e48 = blend_shade(metal::float4(0.851, 0.8314, 0.7804, 1.0), _e38.color, _e38.tone, 1.0, true);
-    Color _e56 = curvature_color_2_(light_side_convexity, metal::float4(1.0), metal::float4(0.9529, 0.9176, 0.8471, 1.0));
-    Light _e59 = look.above;
-    metal::float3x3 _e63 = look.camera_from_world;
-    Angle _e64 = parametrization_screen_aligned(_e59, surface_1.normal, _e63);
-    float _e66 = profile_2_(_e64, light_side_warp, light_side_tone_shape);
-    Light _e69 = look.above;
-    LitLayer _e70 = light_apply(_e69, _e56, _e66);
-    metal::float4 light_side_blend = metal::clamp(metal::float4(_e48.xyz + ((_e48.xyz + (_e70.tone * (_e70.color.xyz - _e48.xyz))) - _e48.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e92 = curvature_signed(surface_1.kappa, 0.4);
-    float hollows_convexity = 0.5 + (0.5 * _e92);
-    Color _e104 = curvature_color_2_(hollows_convexity, metal::float4(1.0), metal::float4(0.4667, 0.4392, 0.5412, 1.0));
-    Light _e107 = look.above;
-    LitLayer _e109 = light_apply_2_(_e107, _e104, 1.0);
-    metal::float4 output = metal::clamp(metal::float4(light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e109.tone * _e109.color.xyz)) - light_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 dark_side_blend = metal::clamp(metal::float4(metal::float3(0.851, 0.8314, 0.7804) * metal::mix(metal::float3(1.0), _e38.color.xyz, _e38.tone), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e64 = curvature_color(light_side_convexity, metal::float4(1.0), metal::float4(0.9529, 0.9176, 0.8471, 1.0));
+    Light _e67 = look.above;
+    metal::float3x3 _e71 = look.camera_from_world;
+    Angle _e72 = parametrization_screen_aligned(_e67, surface_1.normal, _e71);
+    float _e74 = profile_2_(_e72, light_side_warp, light_side_tone_shape);
+    Light _e77 = look.above;
+    LitLayer _e78 = light_apply(_e77, _e64, _e74);
+    metal::float4 light_side_blend = metal::clamp(metal::float4(dark_side_blend.xyz + (_e78.tone * (_e78.color.xyz - dark_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e96 = curvature_signed(surface_1.kappa, 0.4);
+    float hollows_convexity = 0.5 + (0.5 * _e96);
+    Color _e108 = curvature_color(hollows_convexity, metal::float4(1.0), metal::float4(0.4667, 0.4392, 0.5412, 1.0));
+    Light _e111 = look.above;
+    LitLayer _e113 = light_apply_2_(_e111, _e108, 1.0);
+    metal::float4 output = metal::clamp(metal::float4(light_side_blend.xyz + (0.8 * ((light_side_blend.xyz * (_e113.tone * _e113.color.xyz)) - light_side_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

@@ -40,9 +40,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -138,21 +135,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0, 0.0, 1.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -207,13 +197,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// Convex/concave color
-///
-/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
-fn curvature_color_2(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
-}
-
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
@@ -227,12 +210,6 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-fn blend_shade(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
-    -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz * mix(vec3f(1.0), color.xyz, tone) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -263,7 +240,7 @@ struct LitLayer {
 fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
     -> Angle {
     let n = camera_from_world * normal;
-    let d = normalize_moderate_2(n, vec3f(0.0, 0.0, 1.0));
+    let d = normalize_moderate(n, vec3f(0.0, 0.0, 1.0));
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
@@ -409,14 +386,14 @@ fn shade(surface: Surface) -> vec4f {
     let light_side_warp = (2.0 * light_side_convexity - 1.0) * 0.35;
     let dark_side_tone = profile(dark_side_angle, light_side_warp, dark_side_tone_shape);
     let dark_side_lit = light_apply(look.below, dark_side_color, dark_side_tone);
-    let dark_side_blend = blend_shade(vec4f(0.851, 0.8314, 0.7804, 1.0), dark_side_lit.color, dark_side_lit.tone, 1.0, true);
-    let light_side_color = curvature_color_2(light_side_convexity, vec4f(1.0), vec4f(0.9529, 0.9176, 0.8471, 1.0));
+    let dark_side_blend = clamp(vec4f(vec4f(0.851, 0.8314, 0.7804, 1.0).xyz * mix(vec3f(1.0), dark_side_lit.color.xyz, dark_side_lit.tone), 1.0), vec4f(0.0), vec4f(1.0));
+    let light_side_color = curvature_color(light_side_convexity, vec4f(1.0), vec4f(0.9529, 0.9176, 0.8471, 1.0));
     let light_side_angle = parametrization_screen_aligned(look.above, surface.normal, look.camera_from_world);
     let light_side_tone = profile_2(light_side_angle, light_side_warp, light_side_tone_shape);
     let light_side_lit = light_apply(look.above, light_side_color, light_side_tone);
-    let light_side_blend = clamp(vec4f(dark_side_blend.xyz + (dark_side_blend.xyz + light_side_lit.tone * (light_side_lit.color.xyz - dark_side_blend.xyz) - dark_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let light_side_blend = clamp(vec4f(dark_side_blend.xyz + light_side_lit.tone * (light_side_lit.color.xyz - dark_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let hollows_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.4);
-    let hollows_color = curvature_color_2(hollows_convexity, vec4f(1.0), vec4f(0.4667, 0.4392, 0.5412, 1.0));
+    let hollows_color = curvature_color(hollows_convexity, vec4f(1.0), vec4f(0.4667, 0.4392, 0.5412, 1.0));
     let hollows_lit = light_apply_2(look.above, hollows_color, 1.0);
     let hollows_blend = clamp(vec4f(light_side_blend.xyz + 0.8 * (light_side_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz) - light_side_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let output = hollows_blend;

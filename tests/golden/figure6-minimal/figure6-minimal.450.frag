@@ -232,7 +232,7 @@ vec4 shade(Surface surface_1) {
     float _e21 = profile(_e6, white_specular_warp, white_specular_tone_shape);
     Light _e24 = u_look.key;
     LitLayer _e27 = light_apply(_e24, vec4(1.0), _e21);
-    vec4 output_ = clamp(vec4((vec3(0.0) + ((vec3(0.0) + (_e27.tone * (_e27.color.xyz - vec3(0.0)))) - vec3(0.0))), 1.0), vec4(0.0), vec4(1.0));
+    vec4 output_ = clamp(vec4((vec3(0.0) + (_e27.tone * (_e27.color.xyz - vec3(0.0)))), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

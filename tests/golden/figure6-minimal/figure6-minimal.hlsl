@@ -323,7 +323,7 @@ float4 shade(Surface surface_1)
     const float _e21 = profile(_e6, white_specular_warp, white_specular_tone_shape);
     Light _e24 = look.key;
     const LitLayer _e27 = light_apply(_e24, (1.0).xxxx, _e21);
-    float4 output = clamp(float4(((0.0).xxx + (((0.0).xxx + (_e27.tone * (_e27.color.xyz - (0.0).xxx))) - (0.0).xxx)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 output = clamp(float4(((0.0).xxx + (_e27.tone * (_e27.color.xyz - (0.0).xxx))), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -298,7 +298,7 @@ metal::float4 shade(
     float _e21 = profile(_e6, white_specular_warp, white_specular_tone_shape);
     Light _e24 = look.key;
     LitLayer _e27 = light_apply(_e24, metal::float4(1.0), _e21);
-    metal::float4 output = metal::clamp(metal::float4(metal::float3(0.0) + ((metal::float3(0.0) + (_e27.tone * (_e27.color.xyz - metal::float3(0.0)))) - metal::float3(0.0)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 output = metal::clamp(metal::float4(metal::float3(0.0) + (_e27.tone * (_e27.color.xyz - metal::float3(0.0))), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

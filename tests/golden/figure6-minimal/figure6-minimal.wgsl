@@ -124,14 +124,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -300,7 +300,7 @@ fn shade(surface: Surface) -> vec4f {
     let white_specular_warp = (2.0 * white_specular_convexity - 1.0) * 0.7;
     let white_specular_tone = profile(white_specular_angle, white_specular_warp, white_specular_tone_shape);
     let white_specular_lit = light_apply(look.key, vec4f(1.0), white_specular_tone);
-    let white_specular_blend = clamp(vec4f(0.0 + (0.0 + white_specular_lit.tone * (white_specular_lit.color.xyz - 0.0) - 0.0), 1.0), vec4f(0.0), vec4f(1.0));
+    let white_specular_blend = clamp(vec4f(0.0 + white_specular_lit.tone * (white_specular_lit.color.xyz - 0.0), 1.0), vec4f(0.0), vec4f(1.0));
     let output = white_specular_blend;
     return output;
 }

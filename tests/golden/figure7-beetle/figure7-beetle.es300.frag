@@ -173,10 +173,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-vec4 curvature_color_2_(float convexity_1, vec4 convex_1, vec4 concave_1) {
-    return (concave_1 + (convexity_1 * (vec4(1.0) - concave_1)));
-}
-
 float curvature_signed(float kappa, float slope) {
     float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
     float magnitude = min(abs(a_1), 50.0);
@@ -193,13 +189,13 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     if ((opacity <= 0.0)) {
         return below;
     }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), 1.0);
+    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
     return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
 vec4 blend_add(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
-    vec4 _e12 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), 1.0, color.w, true);
-    return _e12;
+    vec4 _e11 = blend_finish(below_1, (below_1.xyz + (tone * color.xyz)), 1.0, color.w, clamped_1);
+    return _e11;
 }
 
 vec2 light_split(float intensity) {
@@ -410,37 +406,37 @@ vec4 shade(Surface surface_1) {
     float _e87 = profile_2_(_e79, gold_warp, violet_tone_shape);
     Light _e90 = u_look.side;
     LitLayer _e91 = light_apply_2_(_e90, _e73, _e87);
-    vec4 violet_blend = clamp(vec4((_e62.xyz + ((_e62.xyz + (_e91.tone * _e91.color.xyz)) - _e62.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e111 = u_look.gold_color_convex;
-    vec4 _e117 = curvature_color(glint_convexity, _e111, vec4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e120 = u_look.key;
-    Angle _e123 = parametrization_specular(_e120, surface_1.normal, surface_1.view);
-    float _e125 = profile_3_(_e123, gold_warp, gold_tone_shape);
-    Light _e128 = u_look.key;
-    LitLayer _e129 = light_apply(_e128, _e117, _e125);
-    vec4 _e140 = blend_finish(violet_blend, (violet_blend.xyz + (_e129.tone * _e129.color.xyz)), 1.0, _e129.color.w, true);
-    vec4 _e143 = u_look.green_sheen_color_convex;
-    vec4 _e149 = curvature_color(glint_convexity, _e143, vec4(0.1647, 0.5412, 0.3529, 1.0));
+    vec4 violet_blend = clamp(vec4((_e62.xyz + (_e91.tone * _e91.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e107 = u_look.gold_color_convex;
+    vec4 _e113 = curvature_color(glint_convexity, _e107, vec4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e116 = u_look.key;
+    Angle _e119 = parametrization_specular(_e116, surface_1.normal, surface_1.view);
+    float _e121 = profile_3_(_e119, gold_warp, gold_tone_shape);
+    Light _e124 = u_look.key;
+    LitLayer _e125 = light_apply(_e124, _e113, _e121);
+    vec4 _e136 = blend_finish(violet_blend, (violet_blend.xyz + (_e125.tone * _e125.color.xyz)), 1.0, _e125.color.w, true);
+    vec4 _e139 = u_look.green_sheen_color_convex;
+    vec4 _e145 = curvature_color(glint_convexity, _e139, vec4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = (((2.0 * glint_convexity) - 1.0) * 0.1);
-    float _e157 = profile_3_(_e123, green_sheen_warp, green_sheen_tone_shape);
-    Light _e160 = u_look.key;
-    LitLayer _e161 = light_apply(_e160, _e149, _e157);
-    vec4 _e172 = blend_finish(_e140, (_e140.xyz + (_e161.tone * _e161.color.xyz)), 1.0, _e161.color.w, true);
-    vec4 _e180 = curvature_color_2_(glint_convexity, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
+    float _e153 = profile_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
+    Light _e156 = u_look.key;
+    LitLayer _e157 = light_apply(_e156, _e145, _e153);
+    vec4 _e168 = blend_finish(_e136, (_e136.xyz + (_e157.tone * _e157.color.xyz)), 1.0, _e157.color.w, true);
+    vec4 _e176 = curvature_color(glint_convexity, vec4(1.0), vec4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = (((2.0 * glint_convexity) - 1.0) * 0.05);
-    float _e188 = profile_3_(_e123, glint_warp, glint_tone_shape);
-    Light _e191 = u_look.key;
-    LitLayer _e192 = light_apply_2_(_e191, _e180, _e188);
-    vec4 glint_blend = clamp(vec4((_e172.xyz + ((_e172.xyz + (_e192.tone * (_e192.color.xyz - _e172.xyz))) - _e172.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    float _e214 = curvature_signed(surface_1.kappa, 0.3);
-    float hollows_convexity = (0.5 + (0.5 * _e214));
-    vec4 _e221 = u_look.hollows_color_concave;
-    vec4 _e224 = u_look.hollows_color_concave;
-    vec4 hollows_color = (_e221 + (hollows_convexity * (vec4(1.0) - _e224)));
-    Light _e232 = u_look.key;
-    LitLayer _e234 = light_apply_3_(_e232, hollows_color, 1.0);
-    vec4 _e245 = blend_finish(glint_blend, (glint_blend.xyz * (_e234.tone * _e234.color.xyz)), 1.0, _e234.color.w, true);
-    return _e245;
+    float _e184 = profile_3_(_e119, glint_warp, glint_tone_shape);
+    Light _e187 = u_look.key;
+    LitLayer _e188 = light_apply_2_(_e187, _e176, _e184);
+    vec4 glint_blend = clamp(vec4((_e168.xyz + (_e188.tone * (_e188.color.xyz - _e168.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e206 = curvature_signed(surface_1.kappa, 0.3);
+    float hollows_convexity = (0.5 + (0.5 * _e206));
+    vec4 _e213 = u_look.hollows_color_concave;
+    vec4 _e218 = u_look.hollows_color_concave;
+    vec4 hollows_color = (_e213 + (hollows_convexity * (vec4(1.0) - _e218)));
+    Light _e224 = u_look.key;
+    LitLayer _e226 = light_apply_3_(_e224, hollows_color, 1.0);
+    vec4 _e237 = blend_finish(glint_blend, (glint_blend.xyz * (_e226.tone * _e226.color.xyz)), 1.0, _e226.color.w, true);
+    return _e237;
 }
 
 void main() {

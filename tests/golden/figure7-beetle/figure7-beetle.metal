@@ -214,14 +214,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-Color curvature_color_2_(
-    float convexity_1,
-    Color convex_1,
-    Color concave_1
-) {
-    return concave_1 + (convexity_1 * (metal::float4(1.0) - concave_1));
-}
-
 float curvature_signed(
     float kappa,
     float slope
@@ -247,7 +239,7 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), 1.0);
+    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
@@ -258,8 +250,8 @@ Composite blend_add(
     float opacity_1,
     bool clamped_1
 ) {
-    Composite _e12 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), 1.0, color.w, true);
-    return _e12;
+    Composite _e11 = blend_finish(below_1, below_1.xyz + (tone * color.xyz), 1.0, color.w, clamped_1);
+    return _e11;
 }
 
 metal::float2 light_split(
@@ -533,37 +525,37 @@ metal::float4 shade(
     float _e87 = profile_2_(_e79, gold_warp, violet_tone_shape);
     Light _e90 = look.side;
     LitLayer _e91 = light_apply_2_(_e90, _e73, _e87);
-    metal::float4 violet_blend = metal::clamp(metal::float4(_e62.xyz + ((_e62.xyz + (_e91.tone * _e91.color.xyz)) - _e62.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float4 _e111 = look.gold_color_convex;
-    Color _e117 = curvature_color(glint_convexity, _e111, metal::float4(0.2902, 0.3529, 0.0627, 1.0));
-    Light _e120 = look.key;
-    Angle _e123 = parametrization_specular(_e120, surface_1.normal, surface_1.view);
-    float _e125 = profile_3_(_e123, gold_warp, gold_tone_shape);
-    Light _e128 = look.key;
-    LitLayer _e129 = light_apply(_e128, _e117, _e125);
-    Composite _e140 = blend_finish(violet_blend, violet_blend.xyz + (_e129.tone * _e129.color.xyz), 1.0, _e129.color.w, true);
-    metal::float4 _e143 = look.green_sheen_color_convex;
-    Color _e149 = curvature_color(glint_convexity, _e143, metal::float4(0.1647, 0.5412, 0.3529, 1.0));
+    metal::float4 violet_blend = metal::clamp(metal::float4(_e62.xyz + (_e91.tone * _e91.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 _e107 = look.gold_color_convex;
+    Color _e113 = curvature_color(glint_convexity, _e107, metal::float4(0.2902, 0.3529, 0.0627, 1.0));
+    Light _e116 = look.key;
+    Angle _e119 = parametrization_specular(_e116, surface_1.normal, surface_1.view);
+    float _e121 = profile_3_(_e119, gold_warp, gold_tone_shape);
+    Light _e124 = look.key;
+    LitLayer _e125 = light_apply(_e124, _e113, _e121);
+    Composite _e136 = blend_finish(violet_blend, violet_blend.xyz + (_e125.tone * _e125.color.xyz), 1.0, _e125.color.w, true);
+    metal::float4 _e139 = look.green_sheen_color_convex;
+    Color _e145 = curvature_color(glint_convexity, _e139, metal::float4(0.1647, 0.5412, 0.3529, 1.0));
     float green_sheen_warp = ((2.0 * glint_convexity) - 1.0) * 0.1;
-    float _e157 = profile_3_(_e123, green_sheen_warp, green_sheen_tone_shape);
-    Light _e160 = look.key;
-    LitLayer _e161 = light_apply(_e160, _e149, _e157);
-    Composite _e172 = blend_finish(_e140, _e140.xyz + (_e161.tone * _e161.color.xyz), 1.0, _e161.color.w, true);
-    Color _e180 = curvature_color_2_(glint_convexity, metal::float4(1.0), metal::float4(0.8471, 1.0, 0.8784, 1.0));
+    float _e153 = profile_3_(_e119, green_sheen_warp, green_sheen_tone_shape);
+    Light _e156 = look.key;
+    LitLayer _e157 = light_apply(_e156, _e145, _e153);
+    Composite _e168 = blend_finish(_e136, _e136.xyz + (_e157.tone * _e157.color.xyz), 1.0, _e157.color.w, true);
+    Color _e176 = curvature_color(glint_convexity, metal::float4(1.0), metal::float4(0.8471, 1.0, 0.8784, 1.0));
     float glint_warp = ((2.0 * glint_convexity) - 1.0) * 0.05;
-    float _e188 = profile_3_(_e123, glint_warp, glint_tone_shape);
-    Light _e191 = look.key;
-    LitLayer _e192 = light_apply_2_(_e191, _e180, _e188);
-    metal::float4 glint_blend = metal::clamp(metal::float4(_e172.xyz + ((_e172.xyz + (_e192.tone * (_e192.color.xyz - _e172.xyz))) - _e172.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e214 = curvature_signed(surface_1.kappa, 0.3);
-    float hollows_convexity = 0.5 + (0.5 * _e214);
-    metal::float4 _e221 = look.hollows_color_concave;
-    metal::float4 _e224 = look.hollows_color_concave;
-    metal::float4 hollows_color = _e221 + (hollows_convexity * (metal::float4(1.0) - _e224));
-    Light _e232 = look.key;
-    LitLayer _e234 = light_apply_3_(_e232, hollows_color, 1.0);
-    Composite _e245 = blend_finish(glint_blend, glint_blend.xyz * (_e234.tone * _e234.color.xyz), 1.0, _e234.color.w, true);
-    return _e245;
+    float _e184 = profile_3_(_e119, glint_warp, glint_tone_shape);
+    Light _e187 = look.key;
+    LitLayer _e188 = light_apply_2_(_e187, _e176, _e184);
+    metal::float4 glint_blend = metal::clamp(metal::float4(_e168.xyz + (_e188.tone * (_e188.color.xyz - _e168.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e206 = curvature_signed(surface_1.kappa, 0.3);
+    float hollows_convexity = 0.5 + (0.5 * _e206);
+    metal::float4 _e213 = look.hollows_color_concave;
+    metal::float4 _e218 = look.hollows_color_concave;
+    metal::float4 hollows_color = _e213 + (hollows_convexity * (metal::float4(1.0) - _e218));
+    Light _e224 = look.key;
+    LitLayer _e226 = light_apply_3_(_e224, hollows_color, 1.0);
+    Composite _e237 = blend_finish(glint_blend, glint_blend.xyz * (_e226.tone * _e226.color.xyz), 1.0, _e226.color.w, true);
+    return _e237;
 }
 
 struct vs_mainInput {

@@ -144,14 +144,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -206,13 +206,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// Convex/concave color
-///
-/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
-fn curvature_color_2(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
-}
-
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
@@ -235,7 +228,7 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
     if opacity <= 0.0 {
         return below;
     }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), 1.0);
+    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), alpha);
     return clamp(mixed, vec4f(0.0), vec4f(1.0));
 }
 
@@ -243,7 +236,7 @@ fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clam
 ///
 /// Lays a color, where the tone is, over what is below: one step of a layered look.
 fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return blend_finish(below, below.xyz + tone * color.xyz, 1.0, color.w, true);
+    return blend_finish(below, below.xyz + tone * color.xyz, 1.0, color.w, clamped);
 }
 
 /// A light's intensity as two factors: x dims the layer (at most 1), y brightens the color (at
@@ -499,7 +492,7 @@ fn shade(surface: Surface) -> vec4f {
     let gold_warp = (2.0 * glint_convexity - 1.0) * 0.15;
     let violet_tone = profile_2(violet_angle, gold_warp, violet_tone_shape);
     let violet_lit = light_apply_2(look.side, violet_color, violet_tone);
-    let violet_blend = clamp(vec4f(wing_case_blend.xyz + (wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz - wing_case_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let violet_blend = clamp(vec4f(wing_case_blend.xyz + violet_lit.tone * violet_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let gold_color = curvature_color(glint_convexity, look.gold_color_convex, vec4f(0.2902, 0.3529, 0.0627, 1.0));
     let glint_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let gold_tone = profile_3(glint_angle, gold_warp, gold_tone_shape);
@@ -510,13 +503,13 @@ fn shade(surface: Surface) -> vec4f {
     let green_sheen_tone = profile_3(glint_angle, green_sheen_warp, green_sheen_tone_shape);
     let green_sheen_lit = light_apply(look.key, green_sheen_color, green_sheen_tone);
     let green_sheen_blend = blend_finish(gold_blend, gold_blend.xyz + green_sheen_lit.tone * green_sheen_lit.color.xyz, 1.0, green_sheen_lit.color.w, true);
-    let glint_color = curvature_color_2(glint_convexity, vec4f(1.0), vec4f(0.8471, 1.0, 0.8784, 1.0));
+    let glint_color = curvature_color(glint_convexity, vec4f(1.0), vec4f(0.8471, 1.0, 0.8784, 1.0));
     let glint_warp = (2.0 * glint_convexity - 1.0) * 0.05;
     let glint_tone = profile_3(glint_angle, glint_warp, glint_tone_shape);
     let glint_lit = light_apply_2(look.key, glint_color, glint_tone);
-    let glint_blend = clamp(vec4f(green_sheen_blend.xyz + (green_sheen_blend.xyz + glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz) - green_sheen_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let glint_blend = clamp(vec4f(green_sheen_blend.xyz + glint_lit.tone * (glint_lit.color.xyz - green_sheen_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let hollows_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.3);
-    let hollows_color = look.hollows_color_concave + hollows_convexity * (1.0 - look.hollows_color_concave);
+    let hollows_color = look.hollows_color_concave + hollows_convexity * (vec4f(1.0) - look.hollows_color_concave);
     let hollows_lit = light_apply_3(look.key, hollows_color, 1.0);
     let hollows_blend = blend_finish(glint_blend, glint_blend.xyz * (hollows_lit.tone * hollows_lit.color.xyz), 1.0, hollows_lit.color.w, true);
     let output = hollows_blend;

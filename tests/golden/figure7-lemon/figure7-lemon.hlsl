@@ -278,6 +278,14 @@ float bounded(float x_8)
     return ((magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
+float eased(float x_9, float low, float high)
+{
+    const float _e3 = bounded(x_9);
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
 float length_of(float3 v_3)
 {
     float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
@@ -292,7 +300,8 @@ float footprint_of_vec3_(float3 v_4)
 {
     float3 dx_1 = ddx(v_4);
     float3 dy_1 = ddy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
@@ -309,8 +318,8 @@ float curvature_signed(float kappa, float slope)
         return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     const float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_4 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_4 : -(t_4));
+    float t_5 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_1 >= 0.0) ? t_5 : -(t_5));
 }
 
 float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
@@ -322,9 +331,9 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
         return normal;
     }
     float3 s_4 = (along_x.xyz / (largest_3).xxx);
-    float3 t_5 = (along_y.xyz / (largest_3).xxx);
+    float3 t_6 = (along_y.xyz / (largest_3).xxx);
     float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_5, normal);
+    float3 right = cross(t_6, normal);
     float3 up = cross(normal, s_4);
     float area = dot(s_4, right);
     if ((abs(area) < 1e-6)) {
@@ -352,7 +361,7 @@ float3 bump_map(float height, float scale, float3 normal_1, float3 position)
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 float4 blend_alpha_2_(float4 below_1, float4 color_1, float tone_1, float opacity_1, bool clamped_1)
@@ -665,7 +674,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_3 * _e21)));
+        const float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -693,10 +703,10 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
 
 float noise_perlin(float3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4)
 {
-    float3 p_2 = (position_1 * 14.0);
-    const float _e11 = footprint_of_vec3_(p_2);
-    const float _e12 = fractal_noise(NOISE_PERLIN, p_2, int(2), 0.5, int(0), _e11);
-    return _e12;
+    float3 p_2 = (position_1 * scale_1);
+    const float _e7 = footprint_of_vec3_(p_2);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)

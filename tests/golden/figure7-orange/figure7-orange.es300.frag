@@ -200,6 +200,13 @@ float bounded(float x_8) {
     return ((magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
+float eased(float x_9, float low, float high) {
+    float _e3 = bounded(x_9);
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
 float length_of(vec3 v_3) {
     float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
     if ((largest_2 < SMALLEST_NORMAL)) {
@@ -212,7 +219,8 @@ float length_of(vec3 v_3) {
 float footprint_of_vec3_(vec3 v_4) {
     vec3 dx_1 = dFdx(v_4);
     vec3 dy_1 = dFdy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
@@ -227,8 +235,8 @@ float curvature_signed(float kappa, float slope) {
         return (a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254)))))));
     }
     float _e32 = exp2_stable((-2.88539 * magnitude_1));
-    float t_4 = ((1.0 - _e32) / (1.0 + _e32));
-    return ((a_1 >= 0.0) ? t_4 : -(t_4));
+    float t_5 = ((1.0 - _e32) / (1.0 + _e32));
+    return ((a_1 >= 0.0) ? t_5 : -(t_5));
 }
 
 vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
@@ -239,9 +247,9 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
         return normal;
     }
     vec3 s_4 = (along_x.xyz / vec3(largest_3));
-    vec3 t_5 = (along_y.xyz / vec3(largest_3));
+    vec3 t_6 = (along_y.xyz / vec3(largest_3));
     vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_5, normal);
+    vec3 right = cross(t_6, normal);
     vec3 up = cross(normal, s_4);
     float area = dot(s_4, right);
     if ((abs(area) < 1e-6)) {
@@ -267,7 +275,7 @@ vec3 bump_map(float height, float scale, vec3 normal_1, vec3 position) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
@@ -529,7 +537,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_3 * _e21)));
+        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -556,10 +565,10 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
 }
 
 float noise_perlin(vec3 position_1, float scale_1, int octaves_1, float roughness_1, int seed_4) {
-    vec3 p_2 = (position_1 * 14.0);
-    float _e11 = footprint_of_vec3_(p_2);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e11);
-    return _e12;
+    vec3 p_2 = (position_1 * scale_1);
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {

@@ -246,6 +246,17 @@ float bounded(
     return (magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
+float eased(
+    float x_9,
+    float low,
+    float high
+) {
+    float _e3 = bounded(x_9);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
+    float t_4 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_4 * t_4) * (3.0 - (2.0 * t_4));
+}
+
 float length_of(
     metal::float3 v_3
 ) {
@@ -262,7 +273,8 @@ float footprint_of_vec3_(
 ) {
     metal::float3 dx_1 = metal::dfdx(v_4);
     metal::float3 dy_1 = metal::dfdy(v_4);
-    return metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1)));
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
+    return _e7;
 }
 
 Color curvature_color(
@@ -284,8 +296,8 @@ float curvature_signed(
         return a_1 * (1.0 - (a2_ * (0.33333334 - (a2_ * (0.13333334 - (a2_ * 0.053968254))))));
     }
     float _e32 = exp2_stable(-2.88539 * magnitude_1);
-    float t_4 = (1.0 - _e32) / (1.0 + _e32);
-    return (a_1 >= 0.0) ? t_4 : -(t_4);
+    float t_5 = (1.0 - _e32) / (1.0 + _e32);
+    return (a_1 >= 0.0) ? t_5 : -(t_5);
 }
 
 metal::float3 bumped_normal(
@@ -300,9 +312,9 @@ metal::float3 bumped_normal(
         return normal;
     }
     metal::float3 s_4 = along_x.xyz / metal::float3(largest_3);
-    metal::float3 t_5 = along_y.xyz / metal::float3(largest_3);
+    metal::float3 t_6 = along_y.xyz / metal::float3(largest_3);
     metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 right = metal::cross(t_5, normal);
+    metal::float3 right = metal::cross(t_6, normal);
     metal::float3 up = metal::cross(normal, s_4);
     float area = metal::dot(s_4, right);
     if (metal::abs(area) < 0.000001) {
@@ -339,7 +351,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_alpha_2_(
@@ -699,7 +711,8 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * _e21);
+        float _e25 = eased(w_3 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
@@ -732,10 +745,10 @@ float noise_perlin(
     float roughness_1,
     int seed_4
 ) {
-    metal::float3 p_2 = position_1 * 14.0;
-    float _e11 = footprint_of_vec3_(p_2);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e11);
-    return _e12;
+    metal::float3 p_2 = position_1 * scale_1;
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 metal::float4 shade(

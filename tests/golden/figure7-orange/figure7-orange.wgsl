@@ -163,14 +163,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -237,6 +237,13 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 /// The length of v, also where its square would over- or underflow.
 fn length_of(v: vec3f) -> f32 {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -251,7 +258,7 @@ fn length_of(v: vec3f) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
 /// Convex/concave color
@@ -313,8 +320,7 @@ fn bump_map(height: f32, scale: f32, normal: vec3f, position: vec3f) -> vec3f {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -590,7 +596,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         if !(i < 2i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -609,8 +615,8 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = position * 14.0;
-    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 const flesh_tone_shape = ProfileShape(0.99875027, 0.04997917, 1.1220733, 1.2466265, 0.1, 1.2259196, 0.51338285, 0u);

@@ -127,13 +127,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0, 0.0, 1.0));
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -193,7 +188,7 @@ float curvature_signed(float kappa, float slope) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 vec4 blend_alpha_2_(vec4 below_1, vec4 color_1, float tone_1, float opacity_1, bool clamped_1) {
@@ -222,7 +217,7 @@ Angle parametrization_specular(Light light_2, vec3 normal, vec3 view) {
 
 Angle parametrization_screen_aligned(Light light_3, vec3 normal_1, mat3x3 camera_from_world) {
     vec3 n = (camera_from_world * normal_1);
-    vec3 _e8 = normalize_moderate_2_(n, vec3(0.0, 0.0, 1.0));
+    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
 }
 

@@ -140,21 +140,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0, 0.0, 1.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -235,8 +228,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 fn blend_alpha_2(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
@@ -285,7 +277,7 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
 fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
     -> Angle {
     let n = camera_from_world * normal;
-    let d = normalize_moderate_2(n, vec3f(0.0, 0.0, 1.0));
+    let d = normalize_moderate(n, vec3f(0.0, 0.0, 1.0));
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 

@@ -77,36 +77,45 @@ smooth in vec3 v_position;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+bool is_finite(float x) {
+    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+}
+
+float finite_or(float x_1, float otherwise) {
+    bool _e2 = is_finite(x_1);
+    return (_e2 ? x_1 : otherwise);
+}
+
 vec4 finite_vec4_(vec4 v) {
     uvec4 exponent_3 = uvec4(2139095040u);
     return mix(vec4(0.0), v, notEqual((floatBitsToUint(v) & exponent_3), exponent_3));
 }
 
-float exp2_stable(float x) {
-    float clamped_4 = clamp(x, -126.0, 127.99999);
-    float whole = roundEven(clamped_4);
-    float f = (clamped_4 - whole);
+float exp2_stable(float x_2) {
+    float clamped_3 = clamp(x_2, -126.0, 127.99999);
+    float whole = roundEven(clamped_3);
+    float f = (clamped_3 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-float exp2_stable_2_(float x_1) {
-    float clamped_5 = max(x_1, -126.0);
-    float whole_1 = roundEven(clamped_5);
-    float f_1 = (clamped_5 - whole_1);
+float exp2_stable_2_(float x_3) {
+    float clamped_4 = max(x_3, -126.0);
+    float whole_1 = roundEven(clamped_4);
+    float f_1 = (clamped_4 - whole_1);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float exp2_stable_3_(float x_2) {
-    float whole_2 = roundEven(x_2);
-    float f_2 = (x_2 - whole_2);
+float exp2_stable_3_(float x_4) {
+    float whole_2 = roundEven(x_4);
+    float f_2 = (x_4 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * uintBitsToFloat((uint((int(whole_2) + 126)) << 23u)));
 }
 
-float log2_stable(float x_3) {
-    uint bits = floatBitsToUint(x_3);
+float log2_stable(float x_5) {
+    uint bits = floatBitsToUint(x_5);
     int exponent_4 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_4) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -120,8 +129,8 @@ float log1p_negative_small(float y) {
     return ((-2.0 * z_1) * (1.0 + (z2_1 * (0.33333334 + (z2_1 * (0.2 + (z2_1 * (0.14285715 + (z2_1 * 0.11111111)))))))));
 }
 
-vec2 sin_cos_quarter(float x_4) {
-    float h = (0.5 * x_4);
+vec2 sin_cos_quarter(float x_6) {
+    float h = (0.5 * x_6);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -129,23 +138,23 @@ vec2 sin_cos_quarter(float x_4) {
     return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-vec2 sin_cos_eighth(float x_5) {
-    float y_2 = (x_5 * x_5);
-    float s_1 = (x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
+vec2 sin_cos_eighth(float x_7) {
+    float y_2 = (x_7 * x_7);
+    float s_1 = (x_7 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 2.7557319e-6)))))))));
     float c_1 = (1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-2.4801588e-5 + (y_2 * 2.755732e-7))))))))));
     return vec2(s_1, c_1);
 }
 
-vec2 sin_cos_tiny(float x_6) {
-    float y_3 = (x_6 * x_6);
-    float s_2 = (x_6 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
+vec2 sin_cos_tiny(float x_8) {
+    float y_3 = (x_8 * x_8);
+    float s_2 = (x_8 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334)))));
     float c_2 = (1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889))))));
     return vec2(s_2, c_2);
 }
 
-vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     float square = dot(v_1, v_1);
-    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
+    return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise_1);
 }
 
 vec3 normalize_seen(vec3 v_2) {
@@ -153,9 +162,9 @@ vec3 normalize_seen(vec3 v_2) {
     return _e5;
 }
 
-float atan2_positive(float y_1, float x_7) {
-    float small = min(y_1, x_7);
-    float large = max(y_1, x_7);
+float atan2_positive(float y_1, float x_9) {
+    float small = min(y_1, x_9);
+    float large = max(y_1, x_9);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -165,7 +174,7 @@ float atan2_positive(float y_1, float x_7) {
     float r2_ = (r * r);
     float series = (r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_1 > x_7) ? (HALF_PI - a) : a);
+    return ((y_1 > x_9) ? (HALF_PI - a) : a);
 }
 
 float angle_footprint(Angle u) {
@@ -173,7 +182,8 @@ float angle_footprint(Angle u) {
     vec2 dx = dFdx(half_);
     vec2 dy = dFdy(half_);
     float w_3 = (2.0 * sqrt((dot(dx, dx) + dot(dy, dy))));
-    return min((((floatBitsToUint(w_3) & 2139095040u) != 2139095040u) ? w_3 : 0.5), 0.5);
+    float _e13 = finite_or(w_3, 0.5);
+    return min(_e13, 0.5);
 }
 
 float angle_footprint_2_(Angle u_1) {
@@ -196,10 +206,6 @@ vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
     return (concave + (convexity * (convex - concave)));
 }
 
-vec4 curvature_color_2_(float convexity_1, vec4 convex_1, vec4 concave_1) {
-    return (concave_1 + (convexity_1 * (vec4(1.0) - concave_1)));
-}
-
 float curvature_signed(float kappa, float slope) {
     float a_1 = ((((floatBitsToUint(kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(kappa, -10000.0, 10000.0)) * slope);
     float magnitude = min(abs(a_1), 50.0);
@@ -216,25 +222,17 @@ vec4 blend_finish(vec4 below, vec3 blended, float alpha, float opacity, bool cla
     if ((opacity <= 0.0)) {
         return below;
     }
-    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), 1.0);
+    vec4 mixed = vec4((below.xyz + (opacity * (blended - below.xyz))), alpha);
     return clamp(mixed, vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_finish_2_(vec4 below_1, vec3 blended_1, float alpha_1, float opacity_1, bool clamped_1) {
-    if ((opacity_1 <= 0.0)) {
-        return below_1;
-    }
-    vec4 mixed_1 = vec4((below_1.xyz + (opacity_1 * (blended_1 - below_1.xyz))), alpha_1);
-    return clamp(mixed_1, vec4(0.0), vec4(1.0));
+vec4 blend_alpha(vec4 below_1, vec4 color, float tone, float opacity_1, bool clamped_1) {
+    float alpha_1 = (below_1.w + ((tone * opacity_1) * (1.0 - below_1.w)));
+    return clamp(vec4((below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz))), alpha_1), vec4(0.0), vec4(1.0));
 }
 
-vec4 blend_alpha(vec4 below_2, vec4 color, float tone, float opacity_2, bool clamped_2) {
-    float alpha_2 = (below_2.w + ((tone * opacity_2) * (1.0 - below_2.w)));
-    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz + (tone * (color.xyz - below_2.xyz))) - below_2.xyz))), alpha_2), vec4(0.0), vec4(1.0));
-}
-
-vec4 blend_shade(vec4 below_3, vec4 color_1, float tone_1, float opacity_3, bool clamped_3) {
-    return clamp(vec4((below_3.xyz + (opacity_3 * ((below_3.xyz * mix(vec3(1.0), color_1.xyz, tone_1)) - below_3.xyz))), 1.0), vec4(0.0), vec4(1.0));
+vec4 blend_shade(vec4 below_2, vec4 color_1, float tone_1, float opacity_2, bool clamped_2) {
+    return clamp(vec4((below_2.xyz + (opacity_2 * ((below_2.xyz * mix(vec3(1.0), color_1.xyz, tone_1)) - below_2.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 LitLayer light_apply(Light light, vec4 color_2, float tone_2) {
@@ -444,10 +442,10 @@ vec4 shade(Surface surface_1) {
     LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
     float _e157 = u_look.light_blend_opacity;
     float _e165 = u_look.light_blend_opacity;
-    vec4 _e167 = blend_finish_2_(_e96, (_e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz))), (1.0 + ((_e145.tone * _e157) * 0.0)), _e165, true);
+    vec4 _e167 = blend_finish(_e96, (_e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz))), (1.0 + ((_e145.tone * _e157) * 0.0)), _e165, true);
     float _e170 = curvature_signed(surface_1.kappa, 0.3);
     float white_chalk_convexity = (0.5 + (0.5 * _e170));
-    vec4 _e182 = curvature_color_2_(white_chalk_convexity, vec4(1.0), vec4(1.0, 0.9412, 0.8627, 1.0));
+    vec4 _e182 = curvature_color(white_chalk_convexity, vec4(1.0), vec4(1.0, 0.9412, 0.8627, 1.0));
     Light _e185 = u_look.key;
     Angle _e188 = parametrization_specular(_e185, surface_1.normal, surface_1.view);
     float white_chalk_warp = (((2.0 * white_chalk_convexity) - 1.0) * 0.3);
@@ -466,7 +464,7 @@ vec4 shade(Surface surface_1) {
     Light _e253 = u_look.back;
     LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
     float _e266 = u_look.reddish_rim_blend_opacity;
-    vec4 _e268 = blend_finish_2_(_e205, (_e205.xyz * mix(vec3(1.0), _e254.color.xyz, _e254.tone)), _e205.w, _e266, true);
+    vec4 _e268 = blend_finish(_e205, (_e205.xyz * mix(vec3(1.0), _e254.color.xyz, _e254.tone)), _e205.w, _e266, true);
     vec4 _e279 = finite_vec4_(((_e268.w <= 0.0) ? _e268 : vec4((_e268.xyz / vec3(_e268.w)), _e268.w)));
     return _e279;
 }

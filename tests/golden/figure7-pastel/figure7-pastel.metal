@@ -86,6 +86,20 @@ constant uint PROFILE_AMBIENT = 2u;
 constant ProfileShape white_chalk_tone_shape = ProfileShape {0.99875027, 0.04997917, 3.1317647, 2.7420828, 0.1, 0.3043368, 0.13399889, 0u};
 constant ProfileShape reddish_rim_tone_shape = ProfileShape {0.9887711, 0.14943813, 2.5679324, 1.9696738, 0.3, 0.42241916, 0.17683415, 0u};
 
+bool is_finite(
+    float x
+) {
+    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
+}
+
+float finite_or(
+    float x_1,
+    float otherwise
+) {
+    bool _e2 = is_finite(x_1);
+    return _e2 ? x_1 : otherwise;
+}
+
 metal::float4 finite_vec4_(
     metal::float4 v
 ) {
@@ -98,38 +112,38 @@ int naga_f2i32(float value) {
 }
 
 float exp2_stable(
-    float x
+    float x_2
 ) {
-    float clamped_4 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_4);
-    float f = clamped_4 - whole;
+    float clamped_3 = metal::clamp(x_2, -126.0, 127.99999);
+    float whole = metal::rint(clamped_3);
+    float f = clamped_3 - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
 float exp2_stable_2_(
-    float x_1
+    float x_3
 ) {
-    float clamped_5 = metal::max(x_1, -126.0);
-    float whole_1 = metal::rint(clamped_5);
-    float f_1 = clamped_5 - whole_1;
+    float clamped_4 = metal::max(x_3, -126.0);
+    float whole_1 = metal::rint(clamped_4);
+    float f_1 = clamped_4 - whole_1;
     float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
     return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
 float exp2_stable_3_(
-    float x_2
+    float x_4
 ) {
-    float whole_2 = metal::rint(x_2);
-    float f_2 = x_2 - whole_2;
+    float whole_2 = metal::rint(x_4);
+    float f_2 = x_4 - whole_2;
     float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
     return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
 
 float log2_stable(
-    float x_3
+    float x_5
 ) {
-    uint bits = as_type<uint>(x_3);
+    uint bits = as_type<uint>(x_5);
     int exponent_4 = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent_4) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -146,9 +160,9 @@ float log1p_negative_small(
 }
 
 metal::float2 sin_cos_quarter(
-    float x_4
+    float x_6
 ) {
-    float h = 0.5 * x_4;
+    float h = 0.5 * x_6;
     float h2_ = h * h;
     float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
@@ -157,29 +171,29 @@ metal::float2 sin_cos_quarter(
 }
 
 metal::float2 sin_cos_eighth(
-    float x_5
+    float x_7
 ) {
-    float y_2 = x_5 * x_5;
-    float s_1 = x_5 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
+    float y_2 = x_7 * x_7;
+    float s_1 = x_7 * (1.0 + (y_2 * (-0.16666667 + (y_2 * (0.008333334 + (y_2 * (-0.0001984127 + (y_2 * 0.0000027557319))))))));
     float c_1 = 1.0 - (y_2 * (0.5 + (y_2 * (-0.041666668 + (y_2 * (0.0013888889 + (y_2 * (-0.000024801588 + (y_2 * 0.0000002755732)))))))));
     return metal::float2(s_1, c_1);
 }
 
 metal::float2 sin_cos_tiny(
-    float x_6
+    float x_8
 ) {
-    float y_3 = x_6 * x_6;
-    float s_2 = x_6 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
+    float y_3 = x_8 * x_8;
+    float s_2 = x_8 * (1.0 + (y_3 * (-0.16666667 + (y_3 * 0.008333334))));
     float c_2 = 1.0 - (y_3 * (0.5 + (y_3 * (-0.041666668 + (y_3 * 0.0013888889)))));
     return metal::float2(s_2, c_2);
 }
 
 metal::float3 normalize_moderate(
     metal::float3 v_1,
-    metal::float3 otherwise
+    metal::float3 otherwise_1
 ) {
     float square = metal::dot(v_1, v_1);
-    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
+    return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
 metal::float3 normalize_seen(
@@ -191,10 +205,10 @@ metal::float3 normalize_seen(
 
 float atan2_positive(
     float y_1,
-    float x_7
+    float x_9
 ) {
-    float small = metal::min(y_1, x_7);
-    float large = metal::max(y_1, x_7);
+    float small = metal::min(y_1, x_9);
+    float large = metal::max(y_1, x_9);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -204,7 +218,7 @@ float atan2_positive(
     float r2_ = r * r;
     float series = r * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a = is_wide ? (series + 0.7853982) : series;
-    return (y_1 > x_7) ? (HALF_PI - a) : a;
+    return (y_1 > x_9) ? (HALF_PI - a) : a;
 }
 
 float angle_footprint(
@@ -214,7 +228,8 @@ float angle_footprint(
     metal::float2 dx = metal::dfdx(half_);
     metal::float2 dy = metal::dfdy(half_);
     float w_3 = 2.0 * metal::sqrt(metal::dot(dx, dx) + metal::dot(dy, dy));
-    return metal::min(((as_type<uint>(w_3) & 2139095040u) != 2139095040u) ? w_3 : 0.5, 0.5);
+    float _e13 = finite_or(w_3, 0.5);
+    return metal::min(_e13, 0.5);
 }
 
 float angle_footprint_2_(
@@ -246,14 +261,6 @@ Color curvature_color(
     return concave + (convexity * (convex - concave));
 }
 
-Color curvature_color_2_(
-    float convexity_1,
-    Color convex_1,
-    Color concave_1
-) {
-    return concave_1 + (convexity_1 * (metal::float4(1.0) - concave_1));
-}
-
 float curvature_signed(
     float kappa,
     float slope
@@ -279,43 +286,29 @@ Composite blend_finish(
     if (opacity <= 0.0) {
         return below;
     }
-    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), 1.0);
+    metal::float4 mixed = metal::float4(below.xyz + (opacity * (blended - below.xyz)), alpha);
     return metal::clamp(mixed, metal::float4(0.0), metal::float4(1.0));
 }
 
-Composite blend_finish_2_(
+Composite blend_alpha(
     Composite below_1,
-    metal::float3 blended_1,
-    float alpha_1,
+    Color color,
+    float tone,
     float opacity_1,
     bool clamped_1
 ) {
-    if (opacity_1 <= 0.0) {
-        return below_1;
-    }
-    metal::float4 mixed_1 = metal::float4(below_1.xyz + (opacity_1 * (blended_1 - below_1.xyz)), alpha_1);
-    return metal::clamp(mixed_1, metal::float4(0.0), metal::float4(1.0));
-}
-
-Composite blend_alpha(
-    Composite below_2,
-    Color color,
-    float tone,
-    float opacity_2,
-    bool clamped_2
-) {
-    float alpha_2 = below_2.w + ((tone * opacity_2) * (1.0 - below_2.w));
-    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz + (tone * (color.xyz - below_2.xyz))) - below_2.xyz)), alpha_2), metal::float4(0.0), metal::float4(1.0));
+    float alpha_1 = below_1.w + ((tone * opacity_1) * (1.0 - below_1.w));
+    return metal::clamp(metal::float4(below_1.xyz + (opacity_1 * ((below_1.xyz + (tone * (color.xyz - below_1.xyz))) - below_1.xyz)), alpha_1), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_shade(
-    Composite below_3,
+    Composite below_2,
     Color color_1,
     float tone_1,
-    float opacity_3,
-    bool clamped_3
+    float opacity_2,
+    bool clamped_2
 ) {
-    return metal::clamp(metal::float4(below_3.xyz + (opacity_3 * ((below_3.xyz * metal::mix(metal::float3(1.0), color_1.xyz, tone_1)) - below_3.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below_2.xyz + (opacity_2 * ((below_2.xyz * metal::mix(metal::float3(1.0), color_1.xyz, tone_1)) - below_2.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
@@ -582,10 +575,10 @@ metal::float4 shade(
     LitLayer _e145 = light_apply_2_(_e144, _e107, _e141);
     float _e157 = look.light_blend_opacity;
     float _e165 = look.light_blend_opacity;
-    Composite _e167 = blend_finish_2_(_e96, _e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz)), 1.0 + ((_e145.tone * _e157) * 0.0), _e165, true);
+    Composite _e167 = blend_finish(_e96, _e96.xyz + (_e145.tone * (_e145.color.xyz - _e96.xyz)), 1.0 + ((_e145.tone * _e157) * 0.0), _e165, true);
     float _e170 = curvature_signed(surface_1.kappa, 0.3);
     float white_chalk_convexity = 0.5 + (0.5 * _e170);
-    Color _e182 = curvature_color_2_(white_chalk_convexity, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
+    Color _e182 = curvature_color(white_chalk_convexity, metal::float4(1.0), metal::float4(1.0, 0.9412, 0.8627, 1.0));
     Light _e185 = look.key;
     Angle _e188 = parametrization_specular(_e185, surface_1.normal, surface_1.view);
     float white_chalk_warp = ((2.0 * white_chalk_convexity) - 1.0) * 0.3;
@@ -604,7 +597,7 @@ metal::float4 shade(
     Light _e253 = look.back;
     LitLayer _e254 = light_apply_2_(_e253, _e223, _e250);
     float _e266 = look.reddish_rim_blend_opacity;
-    Composite _e268 = blend_finish_2_(_e205, _e205.xyz * metal::mix(metal::float3(1.0), _e254.color.xyz, _e254.tone), _e205.w, _e266, true);
+    Composite _e268 = blend_finish(_e205, _e205.xyz * metal::mix(metal::float3(1.0), _e254.color.xyz, _e254.tone), _e205.w, _e266, true);
     metal::float4 _e279 = finite_vec4_((_e268.w <= 0.0) ? _e268 : metal::float4(_e268.xyz / metal::float3(_e268.w), _e268.w));
     return _e279;
 }

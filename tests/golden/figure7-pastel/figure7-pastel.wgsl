@@ -75,6 +75,17 @@ struct Light {
 const PI: f32 = 3.14159265358979323846;
 const HALF_PI: f32 = 1.57079632679489661923;
 const LOG2_E: f32 = 1.44269504088896340736;
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
+/// x, or `otherwise` where x is NaN or infinite.
+fn finite_or(x: f32, otherwise: f32) -> f32 {
+    return select(otherwise, x, is_finite(x));
+}
+
 /// v with 0 for each component that is NaN or infinite.
 fn finite_vec4(v: vec4f) -> vec4f {
     let exponent = vec4u(0x7f800000u);
@@ -171,14 +182,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -212,7 +223,8 @@ fn angle_footprint(u: Angle) -> f32 {
     let dx = dpdx(half);
     let dy = dpdy(half);
     let w = 2.0 * sqrt(dot(dx, dx) + dot(dy, dy));
-    return min(select(0.5, w, (bitcast<u32>(w) & 0x7f800000u) != 0x7f800000u), 0.5);
+    // An infinite or NaN derivative at a silhouette gives the widest footprint.
+    return min(finite_or(w, 0.5), 0.5);
 }
 
 /// Change of u over one pixel, in radians: |grad u|, at most 0.5. With half-angles the gradient
@@ -243,13 +255,6 @@ fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
     return concave + convexity * (convex - concave);
 }
 
-/// Convex/concave color
-///
-/// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
-fn curvature_color_2(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
-}
-
 /// 2 lambda - 1 = tanh(kappa slope), in [-1, 1].
 fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let a = select(clamp(kappa, -10000.0, 1e4), 0.0, (bitcast<u32>(kappa) & 0x7fffffffu)
@@ -268,17 +273,6 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
 /// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
 /// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
 fn blend_finish(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool)
-    -> Composite {
-    if opacity <= 0.0 {
-        return below;
-    }
-    let mixed = vec4f(below.xyz + opacity * (blended - below.xyz), 1.0);
-    return clamp(mixed, vec4f(0.0), vec4f(1.0));
-}
-
-/// Mix from `below` to `blended` by `opacity`, with `alpha` as its alpha; clamped to [0, 1] if
-/// `clamped`. At opacity 0 the result is exactly `below`, whatever that is.
-fn blend_finish_2(below: Composite, blended: vec3f, alpha: f32, opacity: f32, clamped: bool)
     -> Composite {
     if opacity <= 0.0 {
         return below;
@@ -539,9 +533,9 @@ fn shade(surface: Surface) -> vec4f {
     let light_warp = (2.0 * light_convexity - 1.0) * clamp(look.light_warp_amount, -3.141592653589793, 3.14159265358979324);
     let light_tone = profile(light_angle, light_warp, look.light_tone_shape);
     let light_lit = light_apply_2(look.key, light_color, light_tone);
-    let light_blend = blend_finish_2(shade_blend, shade_blend.xyz + light_lit.tone * (light_lit.color.xyz - shade_blend.xyz), 1.0 + light_lit.tone * look.light_blend_opacity * 0.0, look.light_blend_opacity, true);
+    let light_blend = blend_finish(shade_blend, shade_blend.xyz + light_lit.tone * (light_lit.color.xyz - shade_blend.xyz), 1.0 + light_lit.tone * look.light_blend_opacity * 0.0, look.light_blend_opacity, true);
     let white_chalk_convexity = 0.5 + 0.5 * curvature_signed(surface.kappa, 0.3);
-    let white_chalk_color = curvature_color_2(white_chalk_convexity, vec4f(1.0), vec4f(1.0, 0.9412, 0.8627, 1.0));
+    let white_chalk_color = curvature_color(white_chalk_convexity, vec4f(1.0), vec4f(1.0, 0.9412, 0.8627, 1.0));
     let white_chalk_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let white_chalk_warp = (2.0 * white_chalk_convexity - 1.0) * 0.3;
     let white_chalk_tone = profile_2(white_chalk_angle, white_chalk_warp, white_chalk_tone_shape);
@@ -553,7 +547,7 @@ fn shade(surface: Surface) -> vec4f {
     let reddish_rim_warp = (2.0 * reddish_rim_convexity - 1.0) * 0.1;
     let reddish_rim_tone = profile_3(reddish_rim_angle, reddish_rim_warp, reddish_rim_tone_shape);
     let reddish_rim_lit = light_apply_2(look.back, reddish_rim_color, reddish_rim_tone);
-    let reddish_rim_blend = blend_finish_2(white_chalk_blend, white_chalk_blend.xyz * mix(vec3f(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), white_chalk_blend.w, look.reddish_rim_blend_opacity, true);
+    let reddish_rim_blend = blend_finish(white_chalk_blend, white_chalk_blend.xyz * mix(vec3f(1.0), reddish_rim_lit.color.xyz, reddish_rim_lit.tone), white_chalk_blend.w, look.reddish_rim_blend_opacity, true);
     let output = finite_vec4(select(vec4f(reddish_rim_blend.xyz / reddish_rim_blend.w, reddish_rim_blend.w), reddish_rim_blend, reddish_rim_blend.w <= 0.0));
     return output;
 }

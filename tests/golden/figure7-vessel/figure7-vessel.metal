@@ -154,18 +154,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -249,7 +241,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 Composite blend_alpha_2_(
@@ -306,7 +298,7 @@ Angle parametrization_screen_aligned(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 n = camera_from_world * normal_1;
-    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e8 - light_3.own_direction), 0.5 * metal::length(_e8 + light_3.own_direction)};
 }
 

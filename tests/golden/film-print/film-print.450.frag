@@ -435,16 +435,16 @@ vec4 shade(Surface surface_1) {
     float _e50 = profile_2_(_e47, 0.0, sheen_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.3725, 0.3451, 0.298, 1.0), _e50);
-    vec4 sheen_blend = clamp(vec4((_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e81 = u_look.back.direction;
-    vec3 _e90 = u_look.back.direction;
-    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
-    float _e98 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
-    Light _e101 = u_look.back;
-    LitLayer _e107 = light_apply(_e101, vec4(0.498, 0.5255, 0.549, 1.0), _e98);
-    vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + ((sheen_blend.xyz + (_e107.tone * _e107.color.xyz)) - sheen_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec4 _e129 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
-    return _e129;
+    vec4 sheen_blend = clamp(vec4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec3 _e77 = u_look.back.direction;
+    vec3 _e86 = u_look.back.direction;
+    Angle back_light_angle = Angle((0.5 * length((surface_1.normal - _e77))), (0.5 * length((surface_1.normal + _e86))));
+    float _e94 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
+    Light _e97 = u_look.back;
+    LitLayer _e103 = light_apply(_e97, vec4(0.498, 0.5255, 0.549, 1.0), _e94);
+    vec4 back_light_blend = clamp(vec4((sheen_blend.xyz + (_e103.tone * _e103.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 _e121 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
+    return _e121;
 }
 
 void main() {

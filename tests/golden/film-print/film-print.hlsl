@@ -570,16 +570,16 @@ float4 shade(Surface surface_1)
     const float _e50 = profile_2_(_e47, 0.0, sheen_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.3725, 0.3451, 0.298, 1.0), _e50);
-    float4 sheen_blend = clamp(float4((_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e81 = look.back.direction;
-    float3 _e90 = look.back.direction;
-    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e81))), (0.5 * length((surface_1.normal + _e90))));
-    const float _e98 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
-    Light _e101 = look.back;
-    const LitLayer _e107 = light_apply(_e101, float4(0.498, 0.5255, 0.549, 1.0), _e98);
-    float4 back_light_blend = clamp(float4((sheen_blend.xyz + ((sheen_blend.xyz + (_e107.tone * _e107.color.xyz)) - sheen_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e129 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
-    return _e129;
+    float4 sheen_blend = clamp(float4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 _e77 = look.back.direction;
+    float3 _e86 = look.back.direction;
+    Angle back_light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e77))), (0.5 * length((surface_1.normal + _e86))));
+    const float _e94 = profile_3_(back_light_angle, 0.0, back_light_tone_shape);
+    Light _e97 = look.back;
+    const LitLayer _e103 = light_apply(_e97, float4(0.498, 0.5255, 0.549, 1.0), _e94);
+    float4 back_light_blend = clamp(float4((sheen_blend.xyz + (_e103.tone * _e103.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e121 = color_curves(back_light_blend, film_print, film_print_2_, film_print_3_, film_print_4_);
+    return _e121;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

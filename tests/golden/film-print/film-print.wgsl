@@ -126,14 +126,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -495,11 +495,11 @@ fn shade(surface: Surface) -> vec4f {
     let sheen_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let sheen_tone = profile_2(sheen_angle, 0.0, sheen_tone_shape);
     let sheen_lit = light_apply(look.key, vec4f(0.3725, 0.3451, 0.298, 1.0), sheen_tone);
-    let sheen_blend = clamp(vec4f(body.xyz + (body.xyz + sheen_lit.tone * sheen_lit.color.xyz - body.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let sheen_blend = clamp(vec4f(body.xyz + sheen_lit.tone * sheen_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let back_light_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
     let back_light_tone = profile_3(back_light_angle, 0.0, back_light_tone_shape);
     let back_light_lit = light_apply(look.back, vec4f(0.498, 0.5255, 0.549, 1.0), back_light_tone);
-    let back_light_blend = clamp(vec4f(sheen_blend.xyz + (sheen_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz - sheen_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let back_light_blend = clamp(vec4f(sheen_blend.xyz + back_light_lit.tone * back_light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let film_print_5 = color_curves(back_light_blend, film_print, film_print_2, film_print_3, film_print_4);
     let output = film_print_5;
     return output;

@@ -124,13 +124,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise) {
     return ((square > 1e-30) ? (v_1 * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_1) {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_3) {
-    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -158,12 +153,12 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_1 = floatBitsToUint(v_4);
+vec3 bounded_vec3_(vec3 v_3) {
+    uvec3 bits_1 = floatBitsToUint(v_3);
     uvec3 magnitude = (bits_1 & uvec3(2147483647u));
     vec3 largest = uintBitsToFloat(((bits_1 & uvec3(2147483648u)) | uvec3(2139095039u)));
     vec3 numbers = mix(vec3(0.0), largest, equal(magnitude, uvec3(2139095040u)));
-    return mix(numbers, v_4, lessThan(magnitude, uvec3(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude, uvec3(2139095040u)));
 }
 
 vec3 mixed_vec3_(vec3 a, vec3 b, float t_2) {
@@ -244,7 +239,7 @@ float curvature_signed(float kappa, float slope) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
@@ -363,7 +358,7 @@ float rim(Light light_2, vec3 normal_1, vec3 view_1, float width, float softness
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate_2_(across, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across, vec3(0.0));
     float side = dot((normal_1 - (dot(normal_1, view_1) * view_1)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -381,27 +376,27 @@ vec4 shade(Surface surface_1) {
     float _e50 = profile_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.2902, 0.2902, 0.2902, 1.0), _e50);
-    vec4 gray_lights_blend = clamp(vec4((_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 gray_lights_blend = clamp(vec4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec4 grisaille = vec4(gray_lights_blend.xyz, 1.0);
-    vec3 _e86 = lit_as(vec3(0.4275, 0.5412, 0.4471), grisaille.xyz);
-    vec4 glaze_of_green_earth = vec4(mix(grisaille.xyz, _e86, 0.75), 1.0);
-    vec3 _e97 = lit_as(vec3(0.7098, 0.4667, 0.3098), grisaille.xyz);
-    vec4 glaze_of_sienna = vec4(mix(grisaille.xyz, _e97, 0.7), 1.0);
+    vec3 _e82 = lit_as(vec3(0.4275, 0.5412, 0.4471), grisaille.xyz);
+    vec4 glaze_of_green_earth = vec4(mix(grisaille.xyz, _e82, 0.75), 1.0);
+    vec3 _e93 = lit_as(vec3(0.7098, 0.4667, 0.3098), grisaille.xyz);
+    vec4 glaze_of_sienna = vec4(mix(grisaille.xyz, _e93, 0.7), 1.0);
     vec3 place = surface_1.position_object;
     VectorParts height = VectorParts(place.x, place.y, place.z);
     float toward_the_head = smoothstep(-0.5, 0.5, height.y);
     vec4 from_green_to_sienna = mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
-    vec4 _e118 = mix_colors_soft_light(from_green_to_sienna, vec4(0.9098, 0.702, 0.4157, 1.0), 0.6);
+    vec4 _e114 = mix_colors_soft_light(from_green_to_sienna, vec4(0.9098, 0.702, 0.4157, 1.0), 0.6);
     float curvature = (((floatBitsToUint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    float _e132 = curvature_signed(curvature, 0.06);
-    float bulge = (0.5 + (0.5 * _e132));
+    float _e128 = curvature_signed(curvature, 0.06);
+    float bulge = (0.5 + (0.5 * _e128));
     float hollows = mix(0.6, 0.0, min(((bulge - 0.0) / 0.55), 1.0));
-    vec4 _e151 = mix_colors_hue(_e118, vec4(0.4902, 0.2471, 0.3608, 1.0), hollows);
-    Light _e154 = u_look.back;
-    float _e160 = rim(_e154, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
-    vec4 _e166 = mix_colors_screen(_e151, vec4(0.4353, 0.5294, 0.6588, 1.0), _e160);
-    vec4 _e167 = finite_vec4_(_e166);
-    return _e167;
+    vec4 _e147 = mix_colors_hue(_e114, vec4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    Light _e150 = u_look.back;
+    float _e156 = rim(_e150, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
+    vec4 _e162 = mix_colors_screen(_e147, vec4(0.4353, 0.5294, 0.6588, 1.0), _e156);
+    vec4 _e163 = finite_vec4_(_e162);
+    return _e163;
 }
 
 void main() {

@@ -189,15 +189,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise)
     return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_1)
+float3 normalize_seen(float3 v_2)
 {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_3)
-{
-    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -237,13 +231,13 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_3;
 }
 
-float3 bounded_vec3_(float3 v_4)
+float3 bounded_vec3_(float3 v_3)
 {
-    uint3 bits_1 = asuint(v_4);
+    uint3 bits_1 = asuint(v_3);
     uint3 magnitude = (bits_1 & (2147483647u).xxx);
     float3 largest = asfloat(((bits_1 & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers = ((magnitude == (2139095040u).xxx) ? largest : (0.0).xxx);
-    return ((magnitude < (2139095040u).xxx) ? v_4 : numbers);
+    return ((magnitude < (2139095040u).xxx) ? v_3 : numbers);
 }
 
 float3 mixed_vec3_(float3 a, float3 b, float t_2)
@@ -335,7 +329,7 @@ float curvature_signed(float kappa, float slope)
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -476,7 +470,7 @@ float rim(Light light_2, float3 normal_1, float3 view_1, float width, float soft
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view_1) * view_1));
-    const float3 _e42 = normalize_moderate_2_(across, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
     float side = dot((normal_1 - (dot(normal_1, view_1) * view_1)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -503,27 +497,27 @@ float4 shade(Surface surface_1)
     const float _e50 = profile_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.2902, 0.2902, 0.2902, 1.0), _e50);
-    float4 gray_lights_blend = clamp(float4((_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 gray_lights_blend = clamp(float4((_e41.xyz + (_e59.tone * _e59.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     float4 grisaille = float4(gray_lights_blend.xyz, 1.0);
-    const float3 _e86 = lit_as(float3(0.4275, 0.5412, 0.4471), grisaille.xyz);
-    float4 glaze_of_green_earth = float4(lerp(grisaille.xyz, _e86, 0.75), 1.0);
-    const float3 _e97 = lit_as(float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
-    float4 glaze_of_sienna = float4(lerp(grisaille.xyz, _e97, 0.7), 1.0);
+    const float3 _e82 = lit_as(float3(0.4275, 0.5412, 0.4471), grisaille.xyz);
+    float4 glaze_of_green_earth = float4(lerp(grisaille.xyz, _e82, 0.75), 1.0);
+    const float3 _e93 = lit_as(float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
+    float4 glaze_of_sienna = float4(lerp(grisaille.xyz, _e93, 0.7), 1.0);
     float3 place = surface_1.position_object;
     VectorParts height = ConstructVectorParts(place.x, place.y, place.z);
     float toward_the_head = smoothstep(-0.5, 0.5, height.y);
     float4 from_green_to_sienna = lerp(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
-    const float4 _e118 = mix_colors_soft_light(from_green_to_sienna, float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
+    const float4 _e114 = mix_colors_soft_light(from_green_to_sienna, float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
     float curvature = (((asuint(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : clamp(surface_1.kappa, -10000.0, 10000.0));
-    const float _e132 = curvature_signed(curvature, 0.06);
-    float bulge = (0.5 + (0.5 * _e132));
+    const float _e128 = curvature_signed(curvature, 0.06);
+    float bulge = (0.5 + (0.5 * _e128));
     float hollows = lerp(0.6, 0.0, min(((bulge - 0.0) / 0.55), 1.0));
-    const float4 _e151 = mix_colors_hue(_e118, float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
-    Light _e154 = look.back;
-    const float _e160 = rim(_e154, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
-    const float4 _e166 = mix_colors_screen(_e151, float4(0.4353, 0.5294, 0.6588, 1.0), _e160);
-    const float4 _e167 = finite_vec4_(_e166);
-    return _e167;
+    const float4 _e147 = mix_colors_hue(_e114, float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    Light _e150 = look.back;
+    const float _e156 = rim(_e150, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
+    const float4 _e162 = mix_colors_screen(_e147, float4(0.4353, 0.5294, 0.6588, 1.0), _e156);
+    const float4 _e163 = finite_vec4_(_e162);
+    return _e163;
 }
 
 VertexOutput_vs_main vs_main(Vertex vertex)

@@ -154,18 +154,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_2, v_2);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_3
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -202,13 +194,13 @@ Angle angle_turned_2_(
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
-    metal::uint3 bits_1 = as_type<metal::uint3>(v_4);
+    metal::uint3 bits_1 = as_type<metal::uint3>(v_3);
     metal::uint3 magnitude = bits_1 & metal::uint3(2147483647u);
     metal::float3 largest = as_type<metal::float3>((bits_1 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers = metal::select(metal::float3(0.0), largest, magnitude == metal::uint3(2139095040u));
-    return metal::select(numbers, v_4, magnitude < metal::uint3(2139095040u));
+    return metal::select(numbers, v_3, magnitude < metal::uint3(2139095040u));
 }
 
 metal::float3 mixed_vec3_(
@@ -328,7 +320,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
@@ -490,7 +482,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate_2_(across, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
     float side = metal::dot(normal_1 - (metal::dot(normal_1, view_1) * view_1), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
@@ -511,27 +503,27 @@ metal::float4 shade(
     float _e50 = profile_2_(_e47, 0.0, gray_lights_tone_shape);
     Light _e53 = look.key;
     LitLayer _e59 = light_apply(_e53, metal::float4(0.2902, 0.2902, 0.2902, 1.0), _e50);
-    metal::float4 gray_lights_blend = metal::clamp(metal::float4(_e41.xyz + ((_e41.xyz + (_e59.tone * _e59.color.xyz)) - _e41.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 gray_lights_blend = metal::clamp(metal::float4(_e41.xyz + (_e59.tone * _e59.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float4 grisaille = metal::float4(gray_lights_blend.xyz, 1.0);
-    metal::float3 _e86 = lit_as(metal::float3(0.4275, 0.5412, 0.4471), grisaille.xyz);
-    metal::float4 glaze_of_green_earth = metal::float4(metal::mix(grisaille.xyz, _e86, 0.75), 1.0);
-    metal::float3 _e97 = lit_as(metal::float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
-    metal::float4 glaze_of_sienna = metal::float4(metal::mix(grisaille.xyz, _e97, 0.7), 1.0);
+    metal::float3 _e82 = lit_as(metal::float3(0.4275, 0.5412, 0.4471), grisaille.xyz);
+    metal::float4 glaze_of_green_earth = metal::float4(metal::mix(grisaille.xyz, _e82, 0.75), 1.0);
+    metal::float3 _e93 = lit_as(metal::float3(0.7098, 0.4667, 0.3098), grisaille.xyz);
+    metal::float4 glaze_of_sienna = metal::float4(metal::mix(grisaille.xyz, _e93, 0.7), 1.0);
     metal::float3 place = surface_1.position_object;
     VectorParts height = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
     float toward_the_head = metal::smoothstep(-0.5, 0.5, height.y);
     metal::float4 from_green_to_sienna = metal::mix(glaze_of_green_earth, glaze_of_sienna, toward_the_head);
-    Color _e118 = mix_colors_soft_light(from_green_to_sienna, metal::float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
+    Color _e114 = mix_colors_soft_light(from_green_to_sienna, metal::float4(0.9098, 0.702, 0.4157, 1.0), 0.6);
     float curvature = ((as_type<uint>(surface_1.kappa) & 2147483647u) > 2139095040u) ? 0.0 : metal::clamp(surface_1.kappa, -10000.0, 10000.0);
-    float _e132 = curvature_signed(curvature, 0.06);
-    float bulge = 0.5 + (0.5 * _e132);
+    float _e128 = curvature_signed(curvature, 0.06);
+    float bulge = 0.5 + (0.5 * _e128);
     float hollows = metal::mix(0.6, 0.0, metal::min((bulge - 0.0) / 0.55, 1.0));
-    Color _e151 = mix_colors_hue(_e118, metal::float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
-    Light _e154 = look.back;
-    float _e160 = rim(_e154, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
-    Color _e166 = mix_colors_screen(_e151, metal::float4(0.4353, 0.5294, 0.6588, 1.0), _e160);
-    metal::float4 _e167 = finite_vec4_(_e166);
-    return _e167;
+    Color _e147 = mix_colors_hue(_e114, metal::float4(0.4902, 0.2471, 0.3608, 1.0), hollows);
+    Light _e150 = look.back;
+    float _e156 = rim(_e150, surface_1.normal, surface_1.view, 0.3, 0.6, 1.0);
+    Color _e162 = mix_colors_screen(_e147, metal::float4(0.4353, 0.5294, 0.6588, 1.0), _e156);
+    metal::float4 _e163 = finite_vec4_(_e162);
+    return _e163;
 }
 
 struct vs_mainInput {

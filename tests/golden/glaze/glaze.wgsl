@@ -134,21 +134,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -272,8 +265,7 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -431,7 +423,7 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate_2(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -456,7 +448,7 @@ fn shade(surface: Surface) -> vec4f {
     let gray_lights_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let gray_lights_tone = profile_2(gray_lights_angle, 0.0, gray_lights_tone_shape);
     let gray_lights_lit = light_apply(look.key, vec4f(0.2902, 0.2902, 0.2902, 1.0), gray_lights_tone);
-    let gray_lights_blend = clamp(vec4f(gray_modeling_blend.xyz + (gray_modeling_blend.xyz + gray_lights_lit.tone * gray_lights_lit.color.xyz - gray_modeling_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let gray_lights_blend = clamp(vec4f(gray_modeling_blend.xyz + gray_lights_lit.tone * gray_lights_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let grisaille = vec4f(gray_lights_blend.xyz, 1.0);
     let glaze_of_green_earth = vec4f(mix(grisaille.xyz, lit_as(vec4f(0.4275, 0.5412, 0.4471, 1.0).xyz, grisaille.xyz), 0.75), 1.0);
     let glaze_of_sienna = vec4f(mix(grisaille.xyz, lit_as(vec4f(0.7098, 0.4667, 0.3098, 1.0).xyz, grisaille.xyz), 0.7), 1.0);

@@ -281,17 +281,17 @@ float ink_of_dots_2_(vec2 cell_1, float share_2, float w_4) {
 }
 
 float halftone_dots(float value, vec2 place_2, float lines_2, float angle_5, vec2 viewport_2) {
-    vec2 _e6 = screen_cells(place_2, viewport_2, 78.0, angle_5);
-    vec2 _e7 = footprint_of_vec2_(_e6);
-    float _e15 = ink_of_dots(_e6, (1.0 - min(value, 1.0)), max(_e7.x, _e7.y));
-    return (1.0 - _e15);
+    vec2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_5);
+    vec2 _e6 = footprint_of_vec2_(_e5);
+    float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
+    return (1.0 - _e14);
 }
 
 float halftone_dots_2_(float value_1, vec2 place_3, float lines_3, float angle_6, vec2 viewport_3) {
-    vec2 _e6 = screen_cells_2_(place_3, viewport_3, 78.0, angle_6);
-    vec2 _e7 = footprint_of_vec2_(_e6);
-    float _e13 = ink_of_dots_2_(_e6, (1.0 - value_1), max(_e7.x, _e7.y));
-    return (1.0 - _e13);
+    vec2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_6);
+    vec2 _e6 = footprint_of_vec2_(_e5);
+    float _e12 = ink_of_dots_2_(_e5, (1.0 - value_1), max(_e6.x, _e6.y));
+    return (1.0 - _e12);
 }
 
 vec4 shade(Surface surface_1) {

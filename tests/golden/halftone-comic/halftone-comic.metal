@@ -372,10 +372,10 @@ float halftone_dots(
     float angle_5,
     metal::float2 viewport_2
 ) {
-    metal::float2 _e6 = screen_cells(place_2, viewport_2, 78.0, angle_5);
-    metal::float2 _e7 = footprint_of_vec2_(_e6);
-    float _e15 = ink_of_dots(_e6, 1.0 - metal::min(value, 1.0), metal::max(_e7.x, _e7.y));
-    return 1.0 - _e15;
+    metal::float2 _e5 = screen_cells(place_2, viewport_2, lines_2, angle_5);
+    metal::float2 _e6 = footprint_of_vec2_(_e5);
+    float _e14 = ink_of_dots(_e5, 1.0 - metal::min(value, 1.0), metal::max(_e6.x, _e6.y));
+    return 1.0 - _e14;
 }
 
 float halftone_dots_2_(
@@ -385,10 +385,10 @@ float halftone_dots_2_(
     float angle_6,
     metal::float2 viewport_3
 ) {
-    metal::float2 _e6 = screen_cells_2_(place_3, viewport_3, 78.0, angle_6);
-    metal::float2 _e7 = footprint_of_vec2_(_e6);
-    float _e13 = ink_of_dots_2_(_e6, 1.0 - value_1, metal::max(_e7.x, _e7.y));
-    return 1.0 - _e13;
+    metal::float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_6);
+    metal::float2 _e6 = footprint_of_vec2_(_e5);
+    float _e12 = ink_of_dots_2_(_e5, 1.0 - value_1, metal::max(_e6.x, _e6.y));
+    return 1.0 - _e12;
 }
 
 metal::float4 shade(

@@ -88,14 +88,14 @@ fn sin_cos_eighth(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -341,7 +341,7 @@ fn ink_of_dots_2(cell: vec2f, share: f32, w: f32) -> f32 {
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells(place, viewport, 78.0, angle);
+    let cell = screen_cells(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
@@ -353,7 +353,7 @@ fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots_2(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells_2(place, viewport, 78.0, angle);
+    let cell = screen_cells_2(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots_2(cell, 1.0 - value, max(w.x, w.y));
 }

@@ -80,25 +80,33 @@ smooth in vec3 v_position_object;
 smooth in vec3 v_normal;
 layout(location = 0) out vec4 out_color;
 
+bool is_finite(float x) {
+    return ((floatBitsToUint(x) & 2139095040u) != 2139095040u);
+}
+
 vec3 normalize_or(vec3 v, vec3 otherwise) {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) && (largest < 1e30)))) {
-        return vec3(0.0, 0.0, 1.0);
+        return otherwise;
     }
     vec3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    return (((floatBitsToUint(square) & 2139095040u) == 2139095040u) ? vec3(0.0, 0.0, 1.0) : (scaled * (1.0 / sqrt(square))));
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
+    }
+    return (scaled * (1.0 / sqrt(square)));
 }
 
-float exp2_stable(float x) {
-    float whole_1 = roundEven(x);
-    float f = (x - whole_1);
+float exp2_stable(float x_1) {
+    float whole_1 = roundEven(x_1);
+    float f = (x_1 - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * uintBitsToFloat((uint((int(whole_1) + 126)) << 23u)));
 }
 
-float log2_stable(float x_1) {
-    uint bits = floatBitsToUint(x_1);
+float log2_stable(float x_2) {
+    uint bits = floatBitsToUint(x_2);
     int exponent_2 = (int((bits - 1060439283u)) >> 23u);
     float mantissa = uintBitsToFloat((bits - (uint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -106,8 +114,8 @@ float log2_stable(float x_1) {
     return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-vec2 sin_cos_quarter(float x_2) {
-    float h = (0.5 * x_2);
+vec2 sin_cos_quarter(float x_3) {
+    float h = (0.5 * x_3);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -115,9 +123,9 @@ vec2 sin_cos_quarter(float x_2) {
     return vec2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-vec2 sin_cos(float x_3) {
-    float turns = roundEven((x_3 * 0.31830987));
-    float r = (((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+vec2 sin_cos(float x_4) {
+    float turns = roundEven((x_4 * 0.31830987));
+    float r = (((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
     vec2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
     return (sign_ * _e27);
@@ -128,29 +136,24 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_seen(vec3 v_3) {
-    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(float x_4) {
-    uint bits_1 = floatBitsToUint(x_4);
+float bounded(float x_5) {
+    uint bits_1 = floatBitsToUint(x_5);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_4) {
-    uvec3 bits_2 = floatBitsToUint(v_4);
+vec3 bounded_vec3_(vec3 v_3) {
+    uvec3 bits_2 = floatBitsToUint(v_3);
     uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
     vec3 largest_2 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
     vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_4, lessThan(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_3, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
 float divided(float a, float b) {
@@ -175,14 +178,14 @@ float powered_2_(float base_1, float exponent_1) {
     return ((magnitude_3 < SMALLEST_NORMAL) ? 0.0 : _e8);
 }
 
-float eased(float x_5, float low, float high) {
-    float t_1 = clamp(((x_5 - low) / (high - low)), 0.0, 1.0);
+float eased(float x_6, float low, float high) {
+    float t_1 = clamp(((x_6 - low) / (high - low)), 0.0, 1.0);
     return ((t_1 * t_1) * (3.0 - (2.0 * t_1)));
 }
 
-float footprint_of(float x_6) {
-    float _e1 = dFdx(x_6);
-    float _e2 = dFdy(x_6);
+float footprint_of(float x_7) {
+    float _e1 = dFdx(x_7);
+    float _e2 = dFdy(x_7);
     vec2 d = vec2(_e1, _e2);
     float _e6 = bounded(sqrt(dot(d, d)));
     return _e6;
@@ -210,46 +213,45 @@ vec2 principal_curvatures(vec3 tensor_1) {
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 _e6 = normalize_or(toward, vec3(0.0, 0.0, 1.0));
-    vec3 y = vec3(0.0, 1.0, 0.0);
-    vec3 leaning = cross(y, _e6);
-    float square_3 = dot(leaning, leaning);
+    vec3 leaning = cross(up, _e6);
+    float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(_e6.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_2 = ((square_3 > 1e-8) ? leaning : cross(aside, _e6));
-    vec3 _e37 = normalize_moderate_2_((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e37, cross(_e6, _e37), _e6);
+    vec3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    vec3 _e33 = normalize_moderate((across_2 - (dot(across_2, _e6) * _e6)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e33, cross(_e6, _e33), _e6);
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_5 = uvec3(0u);
-    v_5 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_5;
-    uvec3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_5;
+    uvec3 v_4 = uvec3(0u);
+    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_4;
+    uvec3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_4;
     return _e61;
 }
 
@@ -311,8 +313,8 @@ StretchedPlace place_on_surface(vec2 place_1, vec3 along_1, vec3 across_1, vec3 
     vec3 _e15 = bounded_vec3_((_e13 * height));
     vec3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
     vec3 _e18 = bounded_vec3_((_e16 * height));
-    StretchedPlace _e20 = mark_place_of(place_1, _e15, _e18, 0.0);
-    return _e20;
+    StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
+    return _e19;
 }
 
 StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_2) {
@@ -320,8 +322,8 @@ StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, 
     vec2 place_5 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
     vec3 _e19 = bounded_vec3_((world_from_normal * _e11[0]));
     vec3 _e22 = bounded_vec3_((world_from_normal * _e11[2]));
-    StretchedPlace _e24 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    return _e24;
+    StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
+    return _e23;
 }
 
 SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
@@ -333,10 +335,10 @@ SpacedPlace spaced(vec2 place_2, vec3 stretch, vec2 viewport, float count) {
     return SpacedPlace(p_1, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
 }
 
-Stroke stroke_at(ivec2 line, float x_7, int zoom, Strokes style) {
+Stroke stroke_at(ivec2 line, float x_8, int zoom, Strokes style) {
     uvec3 _e14 = hash_pcg3d((uvec3(ivec3(line, 1048576)) + (style.seed * uvec3(2654435769u, 2246822507u, 3266489909u))));
     vec3 own_1 = (vec3((_e14 >> uvec3(8u))) * 5.9604645e-8);
-    float along_2 = (clamp(((x_7 * uintBitsToFloat((uint((zoom + 127)) << 23u))) / 24.0), -1000000.0, 1000000.0) + own_1.x);
+    float along_2 = (clamp(((x_8 * uintBitsToFloat((uint((zoom + 127)) << 23u))) / 24.0), -1000000.0, 1000000.0) + own_1.x);
     float index = floor(along_2);
     uvec3 _e48 = hash_pcg3d((uvec3(ivec3(line, int(index))) + ((style.seed + uint(zoom)) * uvec3(2654435769u, 2246822507u, 3266489909u))));
     vec3 chance = (vec3((_e48 >> uvec3(8u))) * 5.9604645e-8);
@@ -345,10 +347,10 @@ Stroke stroke_at(ivec2 line, float x_7, int zoom, Strokes style) {
     return Stroke(chance.x, (slope * (2.0 - slope)));
 }
 
-Stroke stroke_between(ivec2 line_1, float x_8, float level, Strokes style_1) {
+Stroke stroke_between(ivec2 line_1, float x_9, float level, Strokes style_1) {
     float zoom_2 = floor(level);
-    Stroke _e6 = stroke_at(line_1, x_8, int(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_8, (int(zoom_2) + 1), style_1);
+    Stroke _e6 = stroke_at(line_1, x_9, int(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_9, (int(zoom_2) + 1), style_1);
     float f_2 = (level - zoom_2);
     return Stroke(mix(_e6.turn, _e10.turn, f_2), mix(_e6.profile, _e10.profile, f_2));
 }
@@ -410,8 +412,8 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     Strokes own = Strokes(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0u);
     int i_1 = 0;
     float free = 1.0;
-    vec2 x_10 = dFdx(at.place);
-    vec2 y_1 = dFdy(at.place);
+    vec2 x_11 = dFdx(at.place);
+    vec2 y = dFdy(at.place);
     float amount = (ink_1 * 3.0);
     bool loop_init_1 = true;
     while(true) {
@@ -431,9 +433,9 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
             vec2 turn_1 = clamp(_e26, vec2(-1.0), vec2(1.0));
             vec2 along_3 = vec2(turn_1.y, turn_1.x);
             vec2 across_4 = vec2(-(turn_1.x), turn_1.y);
-            float w_2 = length(vec2(dot(across_4, x_10), dot(across_4, y_1)));
-            float square_4 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
-            float _e67 = log2_stable(max(max(square_4, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
+            float w_2 = length(vec2(dot(across_4, x_11), dot(across_4, y)));
+            float square_3 = dot(vec3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
+            float _e67 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e67), -16.0, 16.0);
             vec2 place_6 = vec2(dot(along_3, at.place), dot(across_4, at.place));
             own = style_3;
@@ -452,14 +454,14 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
 
 MarkPlace mark_place_light(Light light, vec3 normal_3, float angle_3, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
     vec3 toward_1 = (light.direction * world_from_normal_1);
-    StretchedPlace _e10 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    return MarkPlace(_e10.place, _e10.stretch);
+    StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    return MarkPlace(_e9.place, _e9.stretch);
 }
 
-float faded_in(float x_9, float limit, float softness) {
-    float _e3 = footprint_of(x_9);
+float faded_in(float x_10, float limit, float softness) {
+    float _e3 = footprint_of(x_10);
     float width_1 = length(vec2(min(_e3, 1000000000000000.0), (75.0 * softness)));
-    float _e10 = bounded(x_9);
+    float _e10 = bounded(x_10);
     float _e13 = bounded((_e10 - 75.0));
     return clamp((0.5 + (_e13 / width_1)), 0.0, 1.0);
 }

@@ -82,17 +82,27 @@ struct Varyings {
 constant float HALF_PI = 1.5707964;
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
+bool is_finite(
+    float x
+) {
+    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
+}
+
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
     if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
-        return metal::float3(0.0, 0.0, 1.0);
+        return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? metal::float3(0.0, 0.0, 1.0) : (scaled * (1.0 / metal::sqrt(square)));
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
+    }
+    return scaled * (1.0 / metal::sqrt(square));
 }
 
 int naga_f2i32(float value) {
@@ -100,18 +110,18 @@ int naga_f2i32(float value) {
 }
 
 float exp2_stable(
-    float x
+    float x_1
 ) {
-    float whole_1 = metal::rint(x);
-    float f = x - whole_1;
+    float whole_1 = metal::rint(x_1);
+    float f = x_1 - whole_1;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
 }
 
 float log2_stable(
-    float x_1
+    float x_2
 ) {
-    uint bits = as_type<uint>(x_1);
+    uint bits = as_type<uint>(x_2);
     int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -120,9 +130,9 @@ float log2_stable(
 }
 
 metal::float2 sin_cos_quarter(
-    float x_2
+    float x_3
 ) {
-    float h = 0.5 * x_2;
+    float h = 0.5 * x_3;
     float h2_ = h * h;
     float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
@@ -131,10 +141,10 @@ metal::float2 sin_cos_quarter(
 }
 
 metal::float2 sin_cos(
-    float x_3
+    float x_4
 ) {
-    float turns = metal::rint(x_3 * 0.31830987);
-    float r = ((x_3 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
+    float turns = metal::rint(x_4 * 0.31830987);
+    float r = ((x_4 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
     float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
     metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
     return sign * _e27;
@@ -148,38 +158,30 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_3
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
 float bounded(
-    float x_4
+    float x_5
 ) {
-    uint bits_1 = as_type<uint>(x_4);
+    uint bits_1 = as_type<uint>(x_5);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_5 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
-    metal::uint3 bits_2 = as_type<metal::uint3>(v_4);
+    metal::uint3 bits_2 = as_type<metal::uint3>(v_3);
     metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
     metal::float3 largest_2 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_4, magnitude_1 < metal::uint3(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
 }
 
 float divided(
@@ -214,19 +216,19 @@ float powered_2_(
 }
 
 float eased(
-    float x_5,
+    float x_6,
     float low,
     float high
 ) {
-    float t_1 = metal::clamp((x_5 - low) / (high - low), 0.0, 1.0);
+    float t_1 = metal::clamp((x_6 - low) / (high - low), 0.0, 1.0);
     return (t_1 * t_1) * (3.0 - (2.0 * t_1));
 }
 
 float footprint_of(
-    float x_6
+    float x_7
 ) {
-    float _e1 = metal::dfdx(x_6);
-    float _e2 = metal::dfdy(x_6);
+    float _e1 = metal::dfdx(x_7);
+    float _e2 = metal::dfdy(x_7);
     metal::float2 d = metal::float2(_e1, _e2);
     float _e6 = bounded(metal::sqrt(metal::dot(d, d)));
     return _e6;
@@ -263,48 +265,47 @@ metal::float3x3 axes_around(
     metal::float3 up
 ) {
     metal::float3 _e6 = normalize_or(toward, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 y = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y, _e6);
-    float square_3 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, _e6);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across_2 = (square_3 > 0.00000001) ? leaning : metal::cross(aside, _e6);
-    metal::float3 _e37 = normalize_moderate_2_(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e37, metal::cross(_e6, _e37), _e6);
+    metal::float3 across_2 = (square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e33 = normalize_moderate(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e33, metal::cross(_e6, _e33), _e6);
 }
 
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_5 = {};
-    v_5 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_5;
-    metal::uint3 _e32 = v_5;
-    v_5 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_5;
+    metal::uint3 v_4 = {};
+    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_4;
+    metal::uint3 _e32 = v_4;
+    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -397,8 +398,8 @@ StretchedPlace place_on_surface(
     metal::float3 _e15 = bounded_vec3_(_e13 * height);
     metal::float3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
     metal::float3 _e18 = bounded_vec3_(_e16 * height);
-    StretchedPlace _e20 = mark_place_of(place_1, _e15, _e18, 0.0);
-    return _e20;
+    StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
+    return _e19;
 }
 
 StretchedPlace place_across(
@@ -414,8 +415,8 @@ StretchedPlace place_across(
     metal::float2 place_5 = metal::float2(metal::dot(position, _e11[0]), metal::dot(position, _e11[2]));
     metal::float3 _e19 = bounded_vec3_(world_from_normal * _e11[0]);
     metal::float3 _e22 = bounded_vec3_(world_from_normal * _e11[2]);
-    StretchedPlace _e24 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    return _e24;
+    StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
+    return _e23;
 }
 
 SpacedPlace spaced(
@@ -434,13 +435,13 @@ SpacedPlace spaced(
 
 Stroke stroke_at(
     metal::int2 line,
-    float x_7,
+    float x_8,
     int zoom,
     Strokes style
 ) {
     metal::uint3 _e14 = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, 1048576)) + (style.seed * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
     metal::float3 own_1 = static_cast<metal::float3>(_e14 >> metal::uint3(8u)) * 0.000000059604645;
-    float along_2 = metal::clamp((x_7 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u)) / 24.0, -1000000.0, 1000000.0) + own_1.x;
+    float along_2 = metal::clamp((x_8 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u)) / 24.0, -1000000.0, 1000000.0) + own_1.x;
     float index = metal::floor(along_2);
     metal::uint3 _e48 = hash_pcg3d(as_type<metal::uint3>(metal::int3(line, naga_f2i32(index))) + ((style.seed + as_type<uint>(zoom)) * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
     metal::float3 chance = static_cast<metal::float3>(_e48 >> metal::uint3(8u)) * 0.000000059604645;
@@ -451,13 +452,13 @@ Stroke stroke_at(
 
 Stroke stroke_between(
     metal::int2 line_1,
-    float x_8,
+    float x_9,
     float level,
     Strokes style_1
 ) {
     float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_8, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_8, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
+    Stroke _e6 = stroke_at(line_1, x_9, naga_f2i32(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_9, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
     float f_2 = level - zoom_2;
     return Stroke {metal::mix(_e6.turn, _e10.turn, f_2), metal::mix(_e6.profile, _e10.profile, f_2)};
 }
@@ -550,8 +551,8 @@ float cross_hatched(
     Strokes own = {};
     int i_1 = 0;
     float free = 1.0;
-    metal::float2 x_10 = metal::dfdx(at.place);
-    metal::float2 y_1 = metal::dfdy(at.place);
+    metal::float2 x_11 = metal::dfdx(at.place);
+    metal::float2 y = metal::dfdy(at.place);
     float amount = ink_1 * 3.0;
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
@@ -574,9 +575,9 @@ float cross_hatched(
             metal::float2 turn_1 = metal::clamp(_e26, metal::float2(-1.0), metal::float2(1.0));
             metal::float2 along_3 = metal::float2(turn_1.y, turn_1.x);
             metal::float2 across_4 = metal::float2(-(turn_1.x), turn_1.y);
-            float w_2 = metal::length(metal::float2(metal::dot(across_4, x_10), metal::dot(across_4, y_1)));
-            float square_4 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
-            float _e67 = log2_stable(metal::max(metal::max(square_4, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
+            float w_2 = metal::length(metal::float2(metal::dot(across_4, x_11), metal::dot(across_4, y)));
+            float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
+            float _e67 = log2_stable(metal::max(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
             float level_2 = metal::clamp(-0.5 * _e67, -16.0, 16.0);
             metal::float2 place_6 = metal::float2(metal::dot(along_3, at.place), metal::dot(across_4, at.place));
             own = style_3;
@@ -603,18 +604,18 @@ MarkPlace mark_place_light(
     float magnification_2
 ) {
     metal::float3 toward_1 = light.direction * world_from_normal_1;
-    StretchedPlace _e10 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    return MarkPlace {_e10.place, {}, _e10.stretch};
+    StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    return MarkPlace {_e9.place, {}, _e9.stretch};
 }
 
 float faded_in(
-    float x_9,
+    float x_10,
     float limit,
     float softness
 ) {
-    float _e3 = footprint_of(x_9);
+    float _e3 = footprint_of(x_10);
     float width_1 = metal::length(metal::float2(metal::min(_e3, 1000000000000000.0), 75.0 * softness));
-    float _e10 = bounded(x_9);
+    float _e10 = bounded(x_10);
     float _e13 = bounded(_e10 - 75.0);
     return metal::clamp(0.5 + (_e13 / width_1), 0.0, 1.0);
 }

@@ -53,18 +53,27 @@ struct Light {
 }
 
 const HALF_PI: f32 = 1.57079632679489661923;
+/// True if x is neither NaN nor infinite, told by its exponent bits: a compiler may assume that NaN
+/// never happens.
+fn is_finite(x: f32) -> bool {
+    return (bitcast<u32>(x) & 0x7f800000u) != 0x7f800000u;
+}
+
 /// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
 /// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
 /// overflow.
 fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if !((largest > 1e-30) & (largest < 1e30)) {
-        return vec3f(0.0, 0.0, 1.0);
+        return otherwise;
     }
     let scaled = v * (1.0 / largest);
     let square = dot(scaled, scaled);
-    return select(scaled * (1.0 / sqrt(square)), vec3f(0.0, 0.0, 1.0), (bitcast<u32>(square)
-        & 0x7f800000u) == 0x7f800000u);
+    // max() passes over a NaN.
+    if !is_finite(square) {
+        return otherwise;
+    }
+    return scaled * (1.0 / sqrt(square));
 }
 
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
@@ -119,21 +128,14 @@ fn sin_cos(x: f32) -> vec2f {
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -224,12 +226,11 @@ fn principal_curvatures(tensor: vec3f) -> vec2f {
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = normalize_or(toward, vec3f(0.0, 0.0, 1.0));
-    let y = vec3f(0.0, 1.0, 0.0);
-    let leaning = cross(y, z);
+    let leaning = cross(up, z);
     let square = dot(leaning, leaning);
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    let x = normalize_moderate_2(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
+    let x = normalize_moderate(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -316,7 +317,7 @@ fn place_across(axis: vec3f, position: vec3f, world_from_normal: mat3x3f, normal
     let place = vec2f(dot(position, axes[0]), dot(position, axes[2]));
     let along = bounded_vec3(world_from_normal * axes[0]);
     let across = bounded_vec3(world_from_normal * axes[2]);
-    return place_on_surface(place, along, across, normal, view, magnification, 0.0);
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
@@ -325,7 +326,7 @@ fn place_on_surface(place: vec2f, along: vec3f, across: vec3f, normal: vec3f, vi
     let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
     let x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
     let y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
-    return mark_place_of(place, x, y, 0.0);
+    return mark_place_of(place, x, y, angle);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -494,7 +495,7 @@ fn mark_place_light(light: Light, normal: vec3f, angle: f32, view: vec3f, positi
     world_from_normal: mat3x3f, magnification: f32) -> MarkPlace {
     let toward = light.direction * world_from_normal;
     let m = place_across(toward, position_object, world_from_normal, normal, view, magnification,
-        0.0);
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 

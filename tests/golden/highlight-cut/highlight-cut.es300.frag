@@ -123,18 +123,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -191,7 +181,7 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate_3_(y_axis, vec3(0.0));
+    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
     return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
@@ -202,18 +192,17 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 y_3 = vec3(0.0, 1.0, 0.0);
-    vec3 leaning = cross(y_3, toward);
-    float square_4 = dot(leaning, leaning);
+    vec3 leaning = cross(up, toward);
+    float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e32, cross(toward, _e32), toward);
+    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e28, cross(toward, _e28), toward);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e6 = axes_around(direction_1, vec3(0.0, 1.0, 0.0));
-    return AxesAround(_e6[0], _e6[1]);
+    mat3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround(_e2[0], _e2[1]);
 }
 
 vec3 half_vector(Light light, vec3 view) {
@@ -311,7 +300,7 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate_3_(across_1, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across_1, vec3(0.0));
     float side = dot((normal - (dot(normal, view_1) * view_1)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }

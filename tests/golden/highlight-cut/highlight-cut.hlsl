@@ -188,21 +188,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_2)
+float3 normalize_seen(float3 v_2)
 {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_moderate_3_(float3 v_3, float3 otherwise_3)
-{
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_4)
-{
-    const float3 _e5 = normalize_moderate(v_4, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -284,7 +272,7 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate_3_(y_axis, (0.0).xxx);
+    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
     const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
     return directionparts;
 }
@@ -298,13 +286,12 @@ float3 direction_moved(DirectionParts parts, float2 by)
 
 float3x3 axes_around(float3 toward, float3 up)
 {
-    float3 y_3 = float3(0.0, 1.0, 0.0);
-    float3 leaning = cross(y_3, toward);
-    float square_4 = dot(leaning, leaning);
+    float3 leaning = cross(up, toward);
+    float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e32, cross(toward, _e32), toward);
+    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e28, cross(toward, _e28), toward);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -316,8 +303,8 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 
 AxesAround axes(float3 direction_1, float3 up_1)
 {
-    const float3x3 _e6 = axes_around(direction_1, float3(0.0, 1.0, 0.0));
-    const AxesAround axesaround = ConstructAxesAround(_e6[0], _e6[1]);
+    const float3x3 _e2 = axes_around(direction_1, up_1);
+    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
 
@@ -427,7 +414,7 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    const float3 _e42 = normalize_moderate_3_(across_1, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across_1, (0.0).xxx);
     float side = dot((normal - (dot(normal, view_1) * view_1)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }

@@ -152,26 +152,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_3,
-    metal::float3 otherwise_3
-) {
-    float square_3 = metal::dot(v_3, v_3);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -247,7 +231,7 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate_3_(y_axis, metal::float3(0.0));
+    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
     return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
 }
 
@@ -264,21 +248,20 @@ metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 y_3 = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y_3, toward);
-    float square_4 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, toward);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_4 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e32 = normalize_moderate_2_(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e32, metal::cross(toward, _e32), toward);
+    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
 }
 
 AxesAround axes(
     metal::float3 direction_1,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e6 = axes_around(direction_1, metal::float3(0.0, 1.0, 0.0));
-    return AxesAround {_e6[0], _e6[1]};
+    metal::float3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround {_e2[0], _e2[1]};
 }
 
 metal::float3 half_vector(
@@ -417,7 +400,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate_3_(across_1, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across_1, metal::float3(0.0));
     float side = metal::dot(normal - (metal::dot(normal, view_1) * view_1), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }

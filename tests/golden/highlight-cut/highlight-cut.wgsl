@@ -127,28 +127,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_3(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -231,7 +217,7 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
-    let y = normalize_moderate_3(y_axis, vec3f(0.0));
+    let y = normalize_moderate(y_axis, vec3f(0.0));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
@@ -245,12 +231,11 @@ fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
 /// Unit axes as columns: to the right and upright, both at right angles to `toward`, and `toward`
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
-    let y = vec3f(0.0, 1.0, 0.0);
-    let leaning = cross(y, toward);
+    let leaning = cross(up, toward);
     let square = dot(leaning, leaning);
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(toward.x) > 0.7);
     let across = select(cross(aside, toward), leaning, square > 1e-8);
-    let x = normalize_moderate_2(across - dot(across, toward) * toward, vec3f(1.0, 0.0, 0.0));
+    let x = normalize_moderate(across - dot(across, toward) * toward, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(toward, x), toward);
 }
 
@@ -260,7 +245,7 @@ fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
 /// moved, stretched or split so that it keeps its shape on every object, whatever its texture
 /// coordinates.
 fn axes(direction: vec3f, up: vec3f) -> AxesAround {
-    let axes_2 = axes_around(direction, vec3f(0.0, 1.0, 0.0));
+    let axes_2 = axes_around(direction, up);
     return AxesAround(axes_2[0], axes_2[1]);
 }
 
@@ -405,7 +390,7 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate_3(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 

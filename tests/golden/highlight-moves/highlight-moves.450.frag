@@ -163,23 +163,8 @@ vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_3, vec3 otherwise_2) {
-    float square_2 = dot(v_3, v_3);
-    return ((square_2 > 1e-30) ? (v_3 * inversesqrt(max(square_2, 1e-30))) : vec3(0.0, 1.0, 0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_4, vec3 otherwise_3) {
-    float square_3 = dot(v_4, v_4);
-    return ((square_3 > 1e-30) ? (v_4 * inversesqrt(max(square_3, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_moderate_4_(vec3 v_5, vec3 otherwise_4) {
-    float square_4 = dot(v_5, v_5);
-    return ((square_4 > 1e-30) ? (v_5 * inversesqrt(max(square_4, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_6) {
-    vec3 _e5 = normalize_moderate(v_6, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_3) {
+    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -229,12 +214,12 @@ float bounded(float x_8) {
     return ((magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-vec3 bounded_vec3_(vec3 v_7) {
-    uvec3 bits_2 = floatBitsToUint(v_7);
+vec3 bounded_vec3_(vec3 v_4) {
+    uvec3 bits_2 = floatBitsToUint(v_4);
     uvec3 magnitude_1 = (bits_2 & uvec3(2147483647u));
     vec3 largest_2 = uintBitsToFloat(((bits_2 & uvec3(2147483648u)) | uvec3(2139095039u)));
     vec3 numbers = mix(vec3(0.0), largest_2, equal(magnitude_1, uvec3(2139095040u)));
-    return mix(numbers, v_7, lessThan(magnitude_1, uvec3(2139095040u)));
+    return mix(numbers, v_4, lessThan(magnitude_1, uvec3(2139095040u)));
 }
 
 float footprint_of(float x_9) {
@@ -251,7 +236,7 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate_4_(y_axis, vec3(0.0));
+    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
     return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
@@ -263,12 +248,12 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 _e6 = normalize_moderate_2_(up, vec3(0.0, 1.0, 0.0));
+    vec3 _e6 = normalize_moderate(up, vec3(0.0, 1.0, 0.0));
     vec3 leaning = cross(_e6, toward);
-    float square_5 = dot(leaning, leaning);
+    float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_5 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e33 = normalize_moderate_3_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e33 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
     return mat3x3(_e33, cross(toward, _e33), toward);
 }
 
@@ -293,12 +278,12 @@ vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_10,
 
 vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
     DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_6 = dot(_e5.place, _e5.place);
+    float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_6, 1e-20)), 1.0);
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
     float _e23 = log1p_negative(aside_1);
     float _e25 = exp2_stable((5.77078 * _e23));
-    float corner = (((square_6 > 1e-20) && (aside_1 < 1.0)) ? _e25 : 0.0);
+    float corner = (((square_3 > 1e-20) && (aside_1 < 1.0)) ? _e25 : 0.0);
     vec3 _e40 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
     return _e40;
 }
@@ -398,18 +383,18 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate_4_(across_1, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across_1, vec3(0.0));
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }
 
 vec3 rotate_vector(vec3 vector, vec3 axis, float angle_2) {
-    vec3 v_8 = vec3(0.0, 1.0, 0.0);
+    vec3 v_5 = vec3(0.0, 1.0, 0.0);
     float _e7 = bounded(angle_2);
     vec2 _e10 = sin_cos((0.5 * _e7));
     vec2 half_2 = clamp(_e10, vec2(-1.0), vec2(1.0));
-    vec3 aside_3 = cross(axis, v_8);
-    vec3 _e28 = bounded_vec3_((v_8 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
+    vec3 aside_3 = cross(axis, v_5);
+    vec3 _e28 = bounded_vec3_((v_5 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
     return _e28;
 }
 

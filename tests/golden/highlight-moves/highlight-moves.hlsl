@@ -237,27 +237,9 @@ float3 normalize_moderate(float3 v_2, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_3, float3 otherwise_2)
+float3 normalize_seen(float3 v_3)
 {
-    float square_2 = dot(v_3, v_3);
-    return ((square_2 > 1e-30) ? (v_3 * rsqrt(max(square_2, 1e-30))) : float3(0.0, 1.0, 0.0));
-}
-
-float3 normalize_moderate_3_(float3 v_4, float3 otherwise_3)
-{
-    float square_3 = dot(v_4, v_4);
-    return ((square_3 > 1e-30) ? (v_4 * rsqrt(max(square_3, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_moderate_4_(float3 v_5, float3 otherwise_4)
-{
-    float square_4 = dot(v_5, v_5);
-    return ((square_4 > 1e-30) ? (v_5 * rsqrt(max(square_4, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_6)
-{
-    const float3 _e5 = normalize_moderate(v_6, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -321,13 +303,13 @@ float bounded(float x_8)
     return ((magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float3 bounded_vec3_(float3 v_7)
+float3 bounded_vec3_(float3 v_4)
 {
-    uint3 bits_2 = asuint(v_7);
+    uint3 bits_2 = asuint(v_4);
     uint3 magnitude_1 = (bits_2 & (2147483647u).xxx);
     float3 largest_2 = asfloat(((bits_2 & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_1 < (2139095040u).xxx) ? v_7 : numbers);
+    return ((magnitude_1 < (2139095040u).xxx) ? v_4 : numbers);
 }
 
 float footprint_of(float x_9)
@@ -356,7 +338,7 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate_4_(y_axis, (0.0).xxx);
+    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
     const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
     return directionparts;
 }
@@ -371,12 +353,12 @@ float3 direction_moved(DirectionParts parts, float2 by)
 
 float3x3 axes_around(float3 toward, float3 up)
 {
-    const float3 _e6 = normalize_moderate_2_(up, float3(0.0, 1.0, 0.0));
+    const float3 _e6 = normalize_moderate(up, float3(0.0, 1.0, 0.0));
     float3 leaning = cross(_e6, toward);
-    float square_5 = dot(leaning, leaning);
+    float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_5 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e33 = normalize_moderate_3_((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    const float3 _e33 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
     return float3x3(_e33, cross(toward, _e33), toward);
 }
 
@@ -413,12 +395,12 @@ float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, flo
 float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
 {
     const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_6 = dot(_e5.place, _e5.place);
+    float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_6, 1e-20)), 1.0);
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
     const float _e23 = log1p_negative(aside_1);
     const float _e25 = exp2_stable((5.77078 * _e23));
-    float corner = (((square_6 > 1e-20) & (aside_1 < 1.0)) ? _e25 : 0.0);
+    float corner = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e25 : 0.0);
     const float3 _e40 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
     return _e40;
 }
@@ -529,19 +511,19 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    const float3 _e42 = normalize_moderate_4_(across_1, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across_1, (0.0).xxx);
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }
 
 float3 rotate_vector(float3 vector_, float3 axis, float angle_2)
 {
-    float3 v_8 = float3(0.0, 1.0, 0.0);
+    float3 v_5 = float3(0.0, 1.0, 0.0);
     const float _e7 = bounded(angle_2);
     const float2 _e10 = sin_cos((0.5 * _e7));
     float2 half_2 = clamp(_e10, (-1.0).xx, (1.0).xx);
-    float3 aside_3 = cross(axis, v_8);
-    const float3 _e28 = bounded_vec3_((v_8 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
+    float3 aside_3 = cross(axis, v_5);
+    const float3 _e28 = bounded_vec3_((v_5 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * cross(axis, aside_3))))));
     return _e28;
 }
 

@@ -206,34 +206,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_3,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_3, v_3);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(0.0, 1.0, 0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_4,
-    metal::float3 otherwise_3
-) {
-    float square_3 = metal::dot(v_4, v_4);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_4 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
-metal::float3 normalize_moderate_4_(
-    metal::float3 v_5,
-    metal::float3 otherwise_4
-) {
-    float square_4 = metal::dot(v_5, v_5);
-    return (square_4 > 0.000000000000000000000000000001) ? (v_5 * metal::rsqrt(metal::max(square_4, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_6
+    metal::float3 v_3
 ) {
-    metal::float3 _e5 = normalize_moderate(v_6, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -297,13 +273,13 @@ float bounded(
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_7
+    metal::float3 v_4
 ) {
-    metal::uint3 bits_2 = as_type<metal::uint3>(v_7);
+    metal::uint3 bits_2 = as_type<metal::uint3>(v_4);
     metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
     metal::float3 largest_2 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_7, magnitude_1 < metal::uint3(2139095040u));
+    return metal::select(numbers, v_4, magnitude_1 < metal::uint3(2139095040u));
 }
 
 float footprint_of(
@@ -328,7 +304,7 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate_4_(y_axis, metal::float3(0.0));
+    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
     return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
 }
 
@@ -346,12 +322,12 @@ metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 _e6 = normalize_moderate_2_(up, metal::float3(0.0, 1.0, 0.0));
+    metal::float3 _e6 = normalize_moderate(up, metal::float3(0.0, 1.0, 0.0));
     metal::float3 leaning = metal::cross(_e6, toward);
-    float square_5 = metal::dot(leaning, leaning);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_5 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e33 = normalize_moderate_3_(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 _e33 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
     return metal::float3x3(_e33, metal::cross(toward, _e33), toward);
 }
 
@@ -394,12 +370,12 @@ metal::float3 square_direction(
     float sharpness
 ) {
     DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_6 = metal::dot(_e5.place, _e5.place);
+    float square_3 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::min((apart * apart) / metal::max(square_6, 0.00000000000000000001), 1.0);
+    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
     float _e23 = log1p_negative(aside_1);
     float _e25 = exp2_stable(5.77078 * _e23);
-    float corner = ((square_6 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e25 : 0.0;
+    float corner = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e25 : 0.0;
     metal::float3 _e40 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner) * _e5.place);
     return _e40;
 }
@@ -543,7 +519,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate_4_(across_1, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across_1, metal::float3(0.0));
     float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), 1.0);
 }
@@ -553,12 +529,12 @@ metal::float3 rotate_vector(
     metal::float3 axis,
     float angle_2
 ) {
-    metal::float3 v_8 = metal::float3(0.0, 1.0, 0.0);
+    metal::float3 v_5 = metal::float3(0.0, 1.0, 0.0);
     float _e7 = bounded(angle_2);
     metal::float2 _e10 = sin_cos(0.5 * _e7);
     metal::float2 half_2 = metal::clamp(_e10, metal::float2(-1.0), metal::float2(1.0));
-    metal::float3 aside_3 = metal::cross(axis, v_8);
-    metal::float3 _e28 = bounded_vec3_(v_8 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * metal::cross(axis, aside_3)))));
+    metal::float3 aside_3 = metal::cross(axis, v_5);
+    metal::float3 _e28 = bounded_vec3_(v_5 + ((2.0 * half_2.x) * ((half_2.y * aside_3) + (half_2.x * metal::cross(axis, aside_3)))));
     return _e28;
 }
 

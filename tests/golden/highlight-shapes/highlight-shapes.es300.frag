@@ -141,18 +141,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -215,7 +205,7 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate_3_(y_axis, vec3(0.0));
+    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
     return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
@@ -226,28 +216,28 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 y_5 = vec3(0.0, 1.0, 0.0);
-    vec3 leaning = cross(y_5, toward);
-    float square_4 = dot(leaning, leaning);
+    vec3 leaning = cross(up, toward);
+    float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e32, cross(toward, _e32), toward);
+    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e28, cross(toward, _e28), toward);
 }
 
 float star_reach(float turn, float rays, float inner, float round_) {
-    float sector = abs(((turn * 4.0) - floor(((turn * 4.0) + 0.5))));
-    vec2 _e19 = sin_cos_quarter(min(((2.0 * sector) * 0.7853982), HALF_PI));
-    vec2 _e27 = sin_cos_quarter(max(((1.0 - (2.0 * sector)) * 0.7853982), 0.0));
-    vec2 _e28 = sin_cos_quarter(0.7853982);
-    float corner = _e28.x;
-    float straight = ((inner * corner) / max(((inner * _e27.x) + _e19.x), 1e-6));
-    return mix(straight, 1.0, 0.0);
+    float half_sector = (PI / rays);
+    float sector = abs(((turn * rays) - floor(((turn * rays) + 0.5))));
+    vec2 _e18 = sin_cos_quarter(min(((2.0 * sector) * half_sector), HALF_PI));
+    vec2 _e26 = sin_cos_quarter(max(((1.0 - (2.0 * sector)) * half_sector), 0.0));
+    vec2 _e27 = sin_cos_quarter(half_sector);
+    float corner = _e27.x;
+    float straight = ((inner * corner) / max(((inner * _e26.x) + _e18.x), 1e-6));
+    return mix(straight, 1.0, round_);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e6 = axes_around(direction_1, vec3(0.0, 1.0, 0.0));
-    return AxesAround(_e6[0], _e6[1]);
+    mat3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround(_e2[0], _e2[1]);
 }
 
 vec3 half_vector(Light light, vec3 view) {
@@ -266,12 +256,12 @@ vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_8, 
 
 vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
     DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_5 = dot(_e5.place, _e5.place);
+    float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_5, 1e-20)), 1.0);
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
     float _e23 = log1p_negative(aside_1);
     float _e25 = exp2_stable((5.77078 * _e23));
-    float corner_1 = (((square_5 > 1e-20) && (aside_1 < 1.0)) ? _e25 : 0.0);
+    float corner_1 = (((square_3 > 1e-20) && (aside_1 < 1.0)) ? _e25 : 0.0);
     vec3 _e37 = direction_moved(_e5, ((-(amount) * corner_1) * _e5.place));
     return _e37;
 }
@@ -339,7 +329,7 @@ float rim(Light light_1, vec3 normal, vec3 view_1, float width, float softness, 
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    vec3 _e42 = normalize_moderate_3_(across_1, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across_1, vec3(0.0));
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }

@@ -208,21 +208,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_2)
+float3 normalize_seen(float3 v_2)
 {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_moderate_3_(float3 v_3, float3 otherwise_3)
-{
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_4)
-{
-    const float3 _e5 = normalize_moderate(v_4, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -311,7 +299,7 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate_3_(y_axis, (0.0).xxx);
+    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
     const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
     return directionparts;
 }
@@ -325,24 +313,24 @@ float3 direction_moved(DirectionParts parts, float2 by)
 
 float3x3 axes_around(float3 toward, float3 up)
 {
-    float3 y_5 = float3(0.0, 1.0, 0.0);
-    float3 leaning = cross(y_5, toward);
-    float square_4 = dot(leaning, leaning);
+    float3 leaning = cross(up, toward);
+    float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e32, cross(toward, _e32), toward);
+    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e28, cross(toward, _e28), toward);
 }
 
 float star_reach(float turn, float rays, float inner, float round_)
 {
-    float sector = abs(((turn * 4.0) - floor(((turn * 4.0) + 0.5))));
-    const float2 _e19 = sin_cos_quarter(min(((2.0 * sector) * 0.7853982), HALF_PI));
-    const float2 _e27 = sin_cos_quarter(max(((1.0 - (2.0 * sector)) * 0.7853982), 0.0));
-    const float2 _e28 = sin_cos_quarter(0.7853982);
-    float corner = _e28.x;
-    float straight = ((inner * corner) / max(((inner * _e27.x) + _e19.x), 1e-6));
-    return lerp(straight, 1.0, 0.0);
+    float half_sector = (PI / rays);
+    float sector = abs(((turn * rays) - floor(((turn * rays) + 0.5))));
+    const float2 _e18 = sin_cos_quarter(min(((2.0 * sector) * half_sector), HALF_PI));
+    const float2 _e26 = sin_cos_quarter(max(((1.0 - (2.0 * sector)) * half_sector), 0.0));
+    const float2 _e27 = sin_cos_quarter(half_sector);
+    float corner = _e27.x;
+    float straight = ((inner * corner) / max(((inner * _e26.x) + _e18.x), 1e-6));
+    return lerp(straight, 1.0, round_);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -354,8 +342,8 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 
 AxesAround axes(float3 direction_1, float3 up_1)
 {
-    const float3x3 _e6 = axes_around(direction_1, float3(0.0, 1.0, 0.0));
-    const AxesAround axesaround = ConstructAxesAround(_e6[0], _e6[1]);
+    const float3x3 _e2 = axes_around(direction_1, up_1);
+    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
 
@@ -378,12 +366,12 @@ float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, flo
 float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
 {
     const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_5 = dot(_e5.place, _e5.place);
+    float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_5, 1e-20)), 1.0);
+    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
     const float _e23 = log1p_negative(aside_1);
     const float _e25 = exp2_stable((5.77078 * _e23));
-    float corner_1 = (((square_5 > 1e-20) & (aside_1 < 1.0)) ? _e25 : 0.0);
+    float corner_1 = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e25 : 0.0);
     const float3 _e37 = direction_moved(_e5, ((-(amount) * corner_1) * _e5.place));
     return _e37;
 }
@@ -460,7 +448,7 @@ float rim(Light light_1, float3 normal, float3 view_1, float width, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_1.direction - (dot(light_1.direction, view_1) * view_1));
-    const float3 _e42 = normalize_moderate_3_(across_1, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across_1, (0.0).xxx);
     float side_1 = dot((normal - (dot(normal, view_1) * view_1)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side_1), 1.0));
 }

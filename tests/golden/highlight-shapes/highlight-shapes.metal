@@ -174,26 +174,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_3,
-    metal::float3 otherwise_3
-) {
-    float square_3 = metal::dot(v_3, v_3);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -277,7 +261,7 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate_3_(y_axis, metal::float3(0.0));
+    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
     return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
 }
 
@@ -294,13 +278,12 @@ metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 y_5 = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y_5, toward);
-    float square_4 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, toward);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_4 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e32 = normalize_moderate_2_(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e32, metal::cross(toward, _e32), toward);
+    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
 }
 
 float star_reach(
@@ -309,21 +292,22 @@ float star_reach(
     float inner,
     float round
 ) {
-    float sector = metal::abs((turn * 4.0) - metal::floor((turn * 4.0) + 0.5));
-    metal::float2 _e19 = sin_cos_quarter(metal::min((2.0 * sector) * 0.7853982, HALF_PI));
-    metal::float2 _e27 = sin_cos_quarter(metal::max((1.0 - (2.0 * sector)) * 0.7853982, 0.0));
-    metal::float2 _e28 = sin_cos_quarter(0.7853982);
-    float corner = _e28.x;
-    float straight = (inner * corner) / metal::max((inner * _e27.x) + _e19.x, 0.000001);
-    return metal::mix(straight, 1.0, 0.0);
+    float half_sector = PI / rays;
+    float sector = metal::abs((turn * rays) - metal::floor((turn * rays) + 0.5));
+    metal::float2 _e18 = sin_cos_quarter(metal::min((2.0 * sector) * half_sector, HALF_PI));
+    metal::float2 _e26 = sin_cos_quarter(metal::max((1.0 - (2.0 * sector)) * half_sector, 0.0));
+    metal::float2 _e27 = sin_cos_quarter(half_sector);
+    float corner = _e27.x;
+    float straight = (inner * corner) / metal::max((inner * _e26.x) + _e18.x, 0.000001);
+    return metal::mix(straight, 1.0, round);
 }
 
 AxesAround axes(
     metal::float3 direction_1,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e6 = axes_around(direction_1, metal::float3(0.0, 1.0, 0.0));
-    return AxesAround {_e6[0], _e6[1]};
+    metal::float3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround {_e2[0], _e2[1]};
 }
 
 metal::float3 half_vector(
@@ -357,12 +341,12 @@ metal::float3 square_direction(
     float sharpness
 ) {
     DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_5 = metal::dot(_e5.place, _e5.place);
+    float square_3 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::min((apart * apart) / metal::max(square_5, 0.00000000000000000001), 1.0);
+    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
     float _e23 = log1p_negative(aside_1);
     float _e25 = exp2_stable(5.77078 * _e23);
-    float corner_1 = ((square_5 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e25 : 0.0;
+    float corner_1 = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e25 : 0.0;
     metal::float3 _e37 = direction_moved(_e5, (-(amount) * corner_1) * _e5.place);
     return _e37;
 }
@@ -471,7 +455,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_1.direction - (metal::dot(light_1.direction, view_1) * view_1);
-    metal::float3 _e42 = normalize_moderate_3_(across_1, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across_1, metal::float3(0.0));
     float side_1 = metal::dot(normal - (metal::dot(normal, view_1) * view_1), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side_1), 1.0);
 }

@@ -97,13 +97,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -152,12 +147,12 @@ float eased_2_(float x_5, float low_1, float high_1) {
     return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
-float length_of(vec3 v_3) {
-    float largest_1 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
+float length_of(vec3 v_2) {
+    float largest_1 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
     if ((largest_1 < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    float _e16 = bounded((largest_1 * length((v_3 / vec3(largest_1)))));
+    float _e16 = bounded((largest_1 * length((v_2 / vec3(largest_1)))));
     return _e16;
 }
 
@@ -278,7 +273,7 @@ float rim(Light light_2, vec3 normal, vec3 view, float width, float softness, fl
     float within = ((further / edge_1) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    vec3 _e42 = normalize_moderate_2_(across, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across, vec3(0.0));
     float side = dot((normal - (dot(normal, view) * view)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -293,20 +288,20 @@ float faded_in(float x_9, float limit, float softness_1) {
 float inner_contour_suggestive(float width_1, float limit_1, float softness_2, vec3 tensor_1, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place, vec2 viewport) {
     vec3 n = (camera_from_world * normal_1);
     vec3 _e10 = tensor_safe(tensor_1);
-    float square_2 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_2, 1e-6));
+    float square_1 = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
     float _e36 = dFdx(radial);
     float _e37 = dFdy(radial);
     vec2 change = vec2(_e36, _e37);
-    vec3 v_4 = (camera_from_world * view_1);
+    vec3 v_3 = (camera_from_world * view_1);
     vec3 row = dFdy(place);
-    float up = (((row - (dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_2, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_1, 1e-6)));
     float pixels = (height / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float _e78 = faded_in(((toward_eye * height) * 0.05), 20.0, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e78) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    float _e77 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e77) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
 float outer_contour(float width_2, vec3 normal_2, vec3 view_2, vec2 viewport_1) {

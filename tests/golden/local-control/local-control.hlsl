@@ -160,15 +160,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_1, float3 otherwise_1)
+float3 normalize_seen(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -232,13 +226,13 @@ float eased_2_(float x_5, float low_1, float high_1)
     return ((t_3 * t_3) * (3.0 - (2.0 * t_3)));
 }
 
-float length_of(float3 v_3)
+float length_of(float3 v_2)
 {
-    float largest_1 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
+    float largest_1 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
     if ((largest_1 < SMALLEST_NORMAL)) {
         return 0.0;
     }
-    const float _e16 = bounded((largest_1 * length((v_3 / (largest_1).xxx))));
+    const float _e16 = bounded((largest_1 * length((v_2 / (largest_1).xxx))));
     return _e16;
 }
 
@@ -385,7 +379,7 @@ float rim(Light light_2, float3 normal, float3 view, float width, float softness
     float within = ((further / edge_1) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light_2.direction - (dot(light_2.direction, view) * view));
-    const float3 _e42 = normalize_moderate_2_(across, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
     float side = dot((normal - (dot(normal, view) * view)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -402,20 +396,20 @@ float inner_contour_suggestive(float width_1, float limit_1, float softness_2, f
 {
     float3 n = mul(normal_1, camera_from_world);
     const float3 _e10 = tensor_safe(tensor_1);
-    float square_2 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_2, 1e-6));
+    float square_1 = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
     float _e36 = ddx(radial);
     float _e37 = ddy(radial);
     float2 change = float2(_e36, _e37);
-    float3 v_4 = mul(view_1, camera_from_world);
+    float3 v_3 = mul(view_1, camera_from_world);
     float3 row = ddy(place);
-    float up = (((row - (dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_2, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
     float pixels = (height / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    const float _e78 = faded_in(((toward_eye * height) * 0.05), 20.0, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e78) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    const float _e77 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e77) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
 float outer_contour(float width_2, float3 normal_2, float3 view_2, float2 viewport_1)

@@ -121,18 +121,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -200,13 +192,13 @@ float eased_2_(
 }
 
 float length_of(
-    metal::float3 v_3
+    metal::float3 v_2
 ) {
-    float largest_1 = metal::max(metal::max(metal::abs(v_3.x), metal::abs(v_3.y)), metal::abs(v_3.z));
+    float largest_1 = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
     if (largest_1 < SMALLEST_NORMAL) {
         return 0.0;
     }
-    float _e16 = bounded(largest_1 * metal::length(v_3 / metal::float3(largest_1)));
+    float _e16 = bounded(largest_1 * metal::length(v_2 / metal::float3(largest_1)));
     return _e16;
 }
 
@@ -388,7 +380,7 @@ float rim(
     float within = (further / edge_1) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light_2.direction - (metal::dot(light_2.direction, view) * view);
-    metal::float3 _e42 = normalize_moderate_2_(across, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
     float side = metal::dot(normal - (metal::dot(normal, view) * view), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
@@ -417,20 +409,20 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal_1;
     metal::float3 _e10 = tensor_safe(tensor_1);
-    float square_2 = metal::dot(n.xy, n.xy);
-    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_2, 0.000001);
+    float square_1 = metal::dot(n.xy, n.xy);
+    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
     float _e36 = metal::dfdx(radial);
     float _e37 = metal::dfdy(radial);
     metal::float2 change = metal::float2(_e36, _e37);
-    metal::float3 v_4 = camera_from_world * view_1;
+    metal::float3 v_3 = camera_from_world * view_1;
     metal::float3 row = metal::dfdy(place);
-    float up = ((row - (metal::dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0;
+    float up = ((row - (metal::dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_2, 0.000001));
+    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
     float pixels = height / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float _e78 = faded_in((toward_eye * height) * 0.05, 20.0, softness_2);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * _e78) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
+    float _e77 = faded_in((toward_eye * height) * 0.05, limit_1, softness_2);
+    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * _e77) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
 }
 
 float outer_contour(

@@ -108,21 +108,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -340,7 +333,7 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate_2(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -362,7 +355,7 @@ fn inner_contour_suggestive(width: f32, limit: f32, softness: f32, tensor: vec3f
     let toward_eye = -(change.x * n.x + up * change.y * n.y) * inverseSqrt(max(square, 1e-6));
     let pixels = height / 1000.0;
     let distance = abs(radial) / max(length(change), 1e-6);
-    let strength = faded_in(toward_eye * height * 0.05, 20.0, softness);
+    let strength = faded_in(toward_eye * height * 0.05, limit, softness);
     return clamp(pixels + 0.5 - distance, 0.0, min(pixels, 1.0)) * strength * smoothstep(0.05, 0.3,
         dot(normal, view));
 }

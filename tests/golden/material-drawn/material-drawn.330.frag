@@ -146,7 +146,7 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    return clamp(vec4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), vec4(0.0), vec4(1.0));
 }
 
 LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
@@ -305,14 +305,14 @@ vec4 shade(Surface surface_1) {
     float _e50 = profile_2_(_e47, 0.0, window_tone_shape);
     Light _e53 = u_look.key;
     LitLayer _e59 = light_apply(_e53, vec4(0.9686, 0.9843, 1.0, 1.0), _e50);
-    vec4 window_blend = clamp(vec4((_e41.xyz + ((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))) - _e41.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e83 = u_look.back.direction;
-    vec3 _e92 = u_look.back.direction;
-    Angle rim_angle = Angle((0.5 * length((surface_1.normal - _e83))), (0.5 * length((surface_1.normal + _e92))));
-    float _e100 = profile_3_(rim_angle, 0.0, rim_tone_shape);
-    Light _e103 = u_look.back;
-    LitLayer _e109 = light_apply(_e103, vec4(0.2314, 0.3725, 0.5255, 1.0), _e100);
-    vec4 output_ = clamp(vec4((window_blend.xyz + ((window_blend.xyz + (_e109.tone * _e109.color.xyz)) - window_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 window_blend = clamp(vec4((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    vec3 _e79 = u_look.back.direction;
+    vec3 _e88 = u_look.back.direction;
+    Angle rim_angle = Angle((0.5 * length((surface_1.normal - _e79))), (0.5 * length((surface_1.normal + _e88))));
+    float _e96 = profile_3_(rim_angle, 0.0, rim_tone_shape);
+    Light _e99 = u_look.back;
+    LitLayer _e105 = light_apply(_e99, vec4(0.2314, 0.3725, 0.5255, 1.0), _e96);
+    vec4 output_ = clamp(vec4((window_blend.xyz + (_e105.tone * _e105.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -224,7 +224,7 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
 {
-    return clamp(float4((below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    return clamp(float4((below.xyz + (tone * (color.xyz - below.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
 }
 
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
@@ -407,14 +407,14 @@ float4 shade(Surface surface_1)
     const float _e50 = profile_2_(_e47, 0.0, window_tone_shape);
     Light _e53 = look.key;
     const LitLayer _e59 = light_apply(_e53, float4(0.9686, 0.9843, 1.0, 1.0), _e50);
-    float4 window_blend = clamp(float4((_e41.xyz + ((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))) - _e41.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e83 = look.back.direction;
-    float3 _e92 = look.back.direction;
-    Angle rim_angle = ConstructAngle((0.5 * length((surface_1.normal - _e83))), (0.5 * length((surface_1.normal + _e92))));
-    const float _e100 = profile_3_(rim_angle, 0.0, rim_tone_shape);
-    Light _e103 = look.back;
-    const LitLayer _e109 = light_apply(_e103, float4(0.2314, 0.3725, 0.5255, 1.0), _e100);
-    float4 output = clamp(float4((window_blend.xyz + ((window_blend.xyz + (_e109.tone * _e109.color.xyz)) - window_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 window_blend = clamp(float4((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 _e79 = look.back.direction;
+    float3 _e88 = look.back.direction;
+    Angle rim_angle = ConstructAngle((0.5 * length((surface_1.normal - _e79))), (0.5 * length((surface_1.normal + _e88))));
+    const float _e96 = profile_3_(rim_angle, 0.0, rim_tone_shape);
+    Light _e99 = look.back;
+    const LitLayer _e105 = light_apply(_e99, float4(0.2314, 0.3725, 0.5255, 1.0), _e96);
+    float4 output = clamp(float4((window_blend.xyz + (_e105.tone * _e105.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

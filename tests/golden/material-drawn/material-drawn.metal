@@ -195,7 +195,7 @@ Composite blend_alpha(
     float opacity,
     bool clamped
 ) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * (color.xyz - below.xyz))) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    return metal::clamp(metal::float4(below.xyz + (tone * (color.xyz - below.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
 }
 
 LitLayer light_apply(
@@ -401,14 +401,14 @@ metal::float4 shade(
     float _e50 = profile_2_(_e47, 0.0, window_tone_shape);
     Light _e53 = look.key;
     LitLayer _e59 = light_apply(_e53, metal::float4(0.9686, 0.9843, 1.0, 1.0), _e50);
-    metal::float4 window_blend = metal::clamp(metal::float4(_e41.xyz + ((_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz))) - _e41.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 _e83 = look.back.direction;
-    metal::float3 _e92 = look.back.direction;
-    Angle rim_angle = Angle {0.5 * metal::length(surface_1.normal - _e83), 0.5 * metal::length(surface_1.normal + _e92)};
-    float _e100 = profile_3_(rim_angle, 0.0, rim_tone_shape);
-    Light _e103 = look.back;
-    LitLayer _e109 = light_apply(_e103, metal::float4(0.2314, 0.3725, 0.5255, 1.0), _e100);
-    metal::float4 output = metal::clamp(metal::float4(window_blend.xyz + ((window_blend.xyz + (_e109.tone * _e109.color.xyz)) - window_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 window_blend = metal::clamp(metal::float4(_e41.xyz + (_e59.tone * (_e59.color.xyz - _e41.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e79 = look.back.direction;
+    metal::float3 _e88 = look.back.direction;
+    Angle rim_angle = Angle {0.5 * metal::length(surface_1.normal - _e79), 0.5 * metal::length(surface_1.normal + _e88)};
+    float _e96 = profile_3_(rim_angle, 0.0, rim_tone_shape);
+    Light _e99 = look.back;
+    LitLayer _e105 = light_apply(_e99, metal::float4(0.2314, 0.3725, 0.5255, 1.0), _e96);
+    metal::float4 output = metal::clamp(metal::float4(window_blend.xyz + (_e105.tone * _e105.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

@@ -114,14 +114,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -180,8 +180,7 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
 
 fn blend_alpha(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool)
     -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * (color.xyz - below.xyz) - below.xyz), 1.0),
-        vec4f(0.0), vec4f(1.0));
+    return clamp(vec4f(below.xyz + tone * (color.xyz - below.xyz), 1.0), vec4f(0.0), vec4f(1.0));
 }
 
 /// Light on a layer
@@ -382,11 +381,11 @@ fn shade(surface: Surface) -> vec4f {
     let window_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let window_tone = profile_2(window_angle, 0.0, window_tone_shape);
     let window_lit = light_apply(look.key, vec4f(0.9686, 0.9843, 1.0, 1.0), window_tone);
-    let window_blend = clamp(vec4f(body_blend.xyz + (body_blend.xyz + window_lit.tone * (window_lit.color.xyz - body_blend.xyz) - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let window_blend = clamp(vec4f(body_blend.xyz + window_lit.tone * (window_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let rim_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
     let rim_tone = profile_3(rim_angle, 0.0, rim_tone_shape);
     let rim_lit = light_apply(look.back, vec4f(0.2314, 0.3725, 0.5255, 1.0), rim_tone);
-    let rim_blend = clamp(vec4f(window_blend.xyz + (window_blend.xyz + rim_lit.tone * rim_lit.color.xyz - window_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let rim_blend = clamp(vec4f(window_blend.xyz + rim_lit.tone * rim_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = rim_blend;
     return output;
 }

@@ -154,21 +154,9 @@ float schlick(float at_normal, float cosine_1) {
 }
 
 float interference(float path, float wavelength) {
-    vec2 _e6 = sin_cos(((PI * path) / 650.0));
-    vec2 half_1 = clamp(_e6, vec2(-1.0), vec2(1.0));
+    vec2 _e5 = sin_cos(((PI * path) / wavelength));
+    vec2 half_1 = clamp(_e5, vec2(-1.0), vec2(1.0));
     return (half_1.x * half_1.x);
-}
-
-float interference_2_(float path_1, float wavelength_1) {
-    vec2 _e6 = sin_cos(((PI * path_1) / 532.0));
-    vec2 half_2 = clamp(_e6, vec2(-1.0), vec2(1.0));
-    return (half_2.x * half_2.x);
-}
-
-float interference_3_(float path_2, float wavelength_2) {
-    vec2 _e6 = sin_cos(((PI * path_2) / 450.0));
-    vec2 half_3 = clamp(_e6, vec2(-1.0), vec2(1.0));
-    return (half_3.x * half_3.x);
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
@@ -312,18 +300,18 @@ float reflectance_blinn_phong(Light light_2, vec3 normal_2, vec3 view_2, float r
 vec4 thin_film(float thickness, float index, vec3 normal_3, vec3 view_3) {
     float cosine_2 = clamp(dot(normal_3, view_3), 0.0, 1.0);
     float inside = sqrt((((index - 1.0) * (index + 1.0)) + (cosine_2 * cosine_2)));
-    float path_3 = ((2.0 * thickness) * inside);
-    float _e20 = interference(path_3, 650.0);
-    float _e22 = interference_2_(path_3, 532.0);
-    float _e24 = interference_3_(path_3, 450.0);
+    float path_1 = ((2.0 * thickness) * inside);
+    float _e20 = interference(path_1, 650.0);
+    float _e22 = interference(path_1, 532.0);
+    float _e24 = interference(path_1, 450.0);
     return vec4(_e20, _e22, _e24, 1.0);
 }
 
 float noise_perlin(vec3 position, float scale, int octaves_1, float roughness_2, int seed_4) {
     vec3 p_2 = (position * scale);
-    float _e10 = footprint_of_vec3_(p_2);
-    float _e11 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e10);
-    return _e11;
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_2, seed_4, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {

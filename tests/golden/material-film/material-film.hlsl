@@ -222,23 +222,9 @@ float schlick(float at_normal, float cosine_1)
 
 float interference(float path, float wavelength)
 {
-    const float2 _e6 = sin_cos(((PI * path) / 650.0));
-    float2 half_1 = clamp(_e6, (-1.0).xx, (1.0).xx);
+    const float2 _e5 = sin_cos(((PI * path) / wavelength));
+    float2 half_1 = clamp(_e5, (-1.0).xx, (1.0).xx);
     return (half_1.x * half_1.x);
-}
-
-float interference_2_(float path_1, float wavelength_1)
-{
-    const float2 _e6 = sin_cos(((PI * path_1) / 532.0));
-    float2 half_2 = clamp(_e6, (-1.0).xx, (1.0).xx);
-    return (half_2.x * half_2.x);
-}
-
-float interference_3_(float path_2, float wavelength_2)
-{
-    const float2 _e6 = sin_cos(((PI * path_2) / 450.0));
-    float2 half_3 = clamp(_e6, (-1.0).xx, (1.0).xx);
-    return (half_3.x * half_3.x);
 }
 
 uint3 hash_pcg3d(uint3 seed)
@@ -407,19 +393,19 @@ float4 thin_film(float thickness, float index, float3 normal_3, float3 view_3)
 {
     float cosine_2 = clamp(dot(normal_3, view_3), 0.0, 1.0);
     float inside = sqrt((((index - 1.0) * (index + 1.0)) + (cosine_2 * cosine_2)));
-    float path_3 = ((2.0 * thickness) * inside);
-    const float _e20 = interference(path_3, 650.0);
-    const float _e22 = interference_2_(path_3, 532.0);
-    const float _e24 = interference_3_(path_3, 450.0);
+    float path_1 = ((2.0 * thickness) * inside);
+    const float _e20 = interference(path_1, 650.0);
+    const float _e22 = interference(path_1, 532.0);
+    const float _e24 = interference(path_1, 450.0);
     return float4(_e20, _e22, _e24, 1.0);
 }
 
 float noise_perlin(float3 position, float scale, int octaves_1, float roughness_2, int seed_4)
 {
     float3 p_2 = (position * scale);
-    const float _e10 = footprint_of_vec3_(p_2);
-    const float _e11 = fractal_noise(NOISE_PERLIN, p_2, int(2), 0.5, int(0), _e10);
-    return _e11;
+    const float _e7 = footprint_of_vec3_(p_2);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_2, seed_4, _e7);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)

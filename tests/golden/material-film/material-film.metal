@@ -215,27 +215,9 @@ float interference(
     float path,
     float wavelength
 ) {
-    metal::float2 _e6 = sin_cos((PI * path) / 650.0);
-    metal::float2 half_1 = metal::clamp(_e6, metal::float2(-1.0), metal::float2(1.0));
+    metal::float2 _e5 = sin_cos((PI * path) / wavelength);
+    metal::float2 half_1 = metal::clamp(_e5, metal::float2(-1.0), metal::float2(1.0));
     return half_1.x * half_1.x;
-}
-
-float interference_2_(
-    float path_1,
-    float wavelength_1
-) {
-    metal::float2 _e6 = sin_cos((PI * path_1) / 532.0);
-    metal::float2 half_2 = metal::clamp(_e6, metal::float2(-1.0), metal::float2(1.0));
-    return half_2.x * half_2.x;
-}
-
-float interference_3_(
-    float path_2,
-    float wavelength_2
-) {
-    metal::float2 _e6 = sin_cos((PI * path_2) / 450.0);
-    metal::float2 half_3 = metal::clamp(_e6, metal::float2(-1.0), metal::float2(1.0));
-    return half_3.x * half_3.x;
 }
 
 metal::uint3 hash_pcg3d(
@@ -423,10 +405,10 @@ Color thin_film(
 ) {
     float cosine_2 = metal::clamp(metal::dot(normal_3, view_3), 0.0, 1.0);
     float inside = metal::sqrt(((index - 1.0) * (index + 1.0)) + (cosine_2 * cosine_2));
-    float path_3 = (2.0 * thickness) * inside;
-    float _e20 = interference(path_3, 650.0);
-    float _e22 = interference_2_(path_3, 532.0);
-    float _e24 = interference_3_(path_3, 450.0);
+    float path_1 = (2.0 * thickness) * inside;
+    float _e20 = interference(path_1, 650.0);
+    float _e22 = interference(path_1, 532.0);
+    float _e24 = interference(path_1, 450.0);
     return metal::float4(_e20, _e22, _e24, 1.0);
 }
 
@@ -438,9 +420,9 @@ float noise_perlin(
     int seed_4
 ) {
     metal::float3 p_2 = position * scale;
-    float _e10 = footprint_of_vec3_(p_2);
-    float _e11 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e10);
-    return _e11;
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_2, seed_4, _e7);
+    return _e8;
 }
 
 metal::float4 shade(

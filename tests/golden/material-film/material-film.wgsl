@@ -126,14 +126,14 @@ fn sin_cos(x: f32) -> vec2f {
     return sign * sin_cos_quarter(clamp(r, -HALF_PI, HALF_PI));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -206,21 +206,7 @@ fn schlick(at_normal: f32, cosine: f32) -> f32 {
 /// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
 /// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
 fn interference(path: f32, wavelength: f32) -> f32 {
-    let half = clamp(sin_cos(PI * path / 650.0), vec2f(-1.0), vec2f(1.0));
-    return half.x * half.x;
-}
-
-/// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
-/// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
-fn interference_2(path: f32, wavelength: f32) -> f32 {
-    let half = clamp(sin_cos(PI * path / 532.0), vec2f(-1.0), vec2f(1.0));
-    return half.x * half.x;
-}
-
-/// Share of one wavelength that a thin film reflects: 0 where the waves from both its faces cancel,
-/// 1 where they add up. `path` is the difference of both ways, in the wavelength's unit.
-fn interference_3(path: f32, wavelength: f32) -> f32 {
-    let half = clamp(sin_cos(PI * path / 450.0), vec2f(-1.0), vec2f(1.0));
+    let half = clamp(sin_cos(PI * path / wavelength), vec2f(-1.0), vec2f(1.0));
     return half.x * half.x;
 }
 
@@ -323,13 +309,13 @@ fn thin_film(thickness: f32, index: f32, normal: vec3f, view: vec3f) -> Color {
     let cosine = clamp(dot(normal, view), 0.0, 1.0);
     let inside = sqrt((index - 1.0) * (index + 1.0) + cosine * cosine);
     let path = 2.0 * thickness * inside;
-    return vec4f(interference(path, 650.0), interference_2(path, 532.0), interference_3(path,
-        450.0), 1.0);
+    return vec4f(interference(path, 650.0), interference(path, 532.0), interference(path, 450.0),
+        1.0);
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * scale;
-    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 /// The look at one point of the surface.

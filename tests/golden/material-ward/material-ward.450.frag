@@ -55,26 +55,6 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
     return (scaled * (1.0 / sqrt(square)));
 }
 
-vec3 normalize_or_2_(vec3 v_1, vec3 otherwise_1) {
-    float largest_1 = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
-    if (!(((largest_1 > 1e-30) && (largest_1 < 1e30)))) {
-        return vec3(0.0);
-    }
-    vec3 scaled_1 = (v_1 * (1.0 / largest_1));
-    float square_1 = dot(scaled_1, scaled_1);
-    return (((floatBitsToUint(square_1) & 2139095040u) == 2139095040u) ? vec3(0.0) : (scaled_1 * (1.0 / sqrt(square_1))));
-}
-
-vec3 normalize_or_3_(vec3 v_2, vec3 otherwise_2) {
-    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if (!(((largest_2 > 1e-30) && (largest_2 < 1e30)))) {
-        return vec3(1.0, 0.0, 0.0);
-    }
-    vec3 scaled_2 = (v_2 * (1.0 / largest_2));
-    float square_2 = dot(scaled_2, scaled_2);
-    return (((floatBitsToUint(square_2) & 2139095040u) == 2139095040u) ? vec3(1.0, 0.0, 0.0) : (scaled_2 * (1.0 / sqrt(square_2))));
-}
-
 float exp2_stable(float x_1) {
     float clamped = max(x_1, -126.0);
     float whole = roundEven(clamped);
@@ -83,18 +63,13 @@ float exp2_stable(float x_1) {
     return (twice * uintBitsToFloat((uint((int(whole) + 126)) << 23u)));
 }
 
-vec3 normalize_moderate(vec3 v_3, vec3 otherwise_3) {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : otherwise_3);
+vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_4, vec3 otherwise_4) {
-    float square_4 = dot(v_4, v_4);
-    return ((square_4 > 1e-30) ? (v_4 * inversesqrt(max(square_4, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_seen(vec3 v_5) {
-    vec3 _e5 = normalize_moderate(v_5, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -105,12 +80,12 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 mat3x3 world_from_tangent(vec3 tangent, vec3 bitangent, vec3 normal) {
-    vec3 _e5 = normalize_or_2_(tangent, vec3(0.0));
+    vec3 _e5 = normalize_or(tangent, vec3(0.0));
     vec3 leaning = (_e5 - (dot(_e5, normal) * normal));
     bool is_usable = (dot(leaning, leaning) > 1e-8);
     vec3 _e12 = any_orthogonal(normal);
-    vec3 _e18 = normalize_or_3_((is_usable ? leaning : _e12), vec3(1.0, 0.0, 0.0));
-    vec3 _e26 = normalize_moderate_2_((_e18 - (dot(_e18, normal) * normal)), vec3(1.0, 0.0, 0.0));
+    vec3 _e18 = normalize_or((is_usable ? leaning : _e12), vec3(1.0, 0.0, 0.0));
+    vec3 _e26 = normalize_moderate((_e18 - (dot(_e18, normal) * normal)), vec3(1.0, 0.0, 0.0));
     vec3 b = cross(normal, _e26);
     return mat3x3(_e26, b, normal);
 }

@@ -94,28 +94,6 @@ float3 normalize_or(float3 v, float3 otherwise)
     return (scaled * (1.0 / sqrt(square)));
 }
 
-float3 normalize_or_2_(float3 v_1, float3 otherwise_1)
-{
-    float largest_1 = max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z));
-    if (!(((largest_1 > 1e-30) & (largest_1 < 1e30)))) {
-        return (0.0).xxx;
-    }
-    float3 scaled_1 = (v_1 * (1.0 / largest_1));
-    float square_1 = dot(scaled_1, scaled_1);
-    return (((asuint(square_1) & 2139095040u) == 2139095040u) ? (0.0).xxx : (scaled_1 * (1.0 / sqrt(square_1))));
-}
-
-float3 normalize_or_3_(float3 v_2, float3 otherwise_2)
-{
-    float largest_2 = max(max(abs(v_2.x), abs(v_2.y)), abs(v_2.z));
-    if (!(((largest_2 > 1e-30) & (largest_2 < 1e30)))) {
-        return float3(1.0, 0.0, 0.0);
-    }
-    float3 scaled_2 = (v_2 * (1.0 / largest_2));
-    float square_2 = dot(scaled_2, scaled_2);
-    return (((asuint(square_2) & 2139095040u) == 2139095040u) ? float3(1.0, 0.0, 0.0) : (scaled_2 * (1.0 / sqrt(square_2))));
-}
-
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
@@ -129,21 +107,15 @@ float exp2_stable(float x_1)
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float3 normalize_moderate(float3 v_3, float3 otherwise_3)
+float3 normalize_moderate(float3 v_1, float3 otherwise_1)
 {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : otherwise_3);
+    float square_1 = dot(v_1, v_1);
+    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_4, float3 otherwise_4)
+float3 normalize_seen(float3 v_2)
 {
-    float square_4 = dot(v_4, v_4);
-    return ((square_4 > 1e-30) ? (v_4 * rsqrt(max(square_4, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_seen(float3 v_5)
-{
-    const float3 _e5 = normalize_moderate(v_5, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -156,12 +128,12 @@ float3 any_orthogonal(float3 n)
 
 float3x3 world_from_tangent(float3 tangent, float3 bitangent, float3 normal)
 {
-    const float3 _e5 = normalize_or_2_(tangent, (0.0).xxx);
+    const float3 _e5 = normalize_or(tangent, (0.0).xxx);
     float3 leaning = (_e5 - (dot(_e5, normal) * normal));
     bool is_usable = (dot(leaning, leaning) > 1e-8);
     const float3 _e12 = any_orthogonal(normal);
-    const float3 _e18 = normalize_or_3_((is_usable ? leaning : _e12), float3(1.0, 0.0, 0.0));
-    const float3 _e26 = normalize_moderate_2_((_e18 - (dot(_e18, normal) * normal)), float3(1.0, 0.0, 0.0));
+    const float3 _e18 = normalize_or((is_usable ? leaning : _e12), float3(1.0, 0.0, 0.0));
+    const float3 _e26 = normalize_moderate((_e18 - (dot(_e18, normal) * normal)), float3(1.0, 0.0, 0.0));
     float3 b = cross(normal, _e26);
     return float3x3(_e26, b, normal);
 }

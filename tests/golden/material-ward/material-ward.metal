@@ -71,32 +71,6 @@ metal::float3 normalize_or(
     return scaled * (1.0 / metal::sqrt(square));
 }
 
-metal::float3 normalize_or_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float largest_1 = metal::max(metal::max(metal::abs(v_1.x), metal::abs(v_1.y)), metal::abs(v_1.z));
-    if (!(((largest_1 > 0.000000000000000000000000000001) & (largest_1 < 1000000000000000000000000000000.0)))) {
-        return metal::float3(0.0);
-    }
-    metal::float3 scaled_1 = v_1 * (1.0 / largest_1);
-    float square_1 = metal::dot(scaled_1, scaled_1);
-    return ((as_type<uint>(square_1) & 2139095040u) == 2139095040u) ? metal::float3(0.0) : (scaled_1 * (1.0 / metal::sqrt(square_1)));
-}
-
-metal::float3 normalize_or_3_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float largest_2 = metal::max(metal::max(metal::abs(v_2.x), metal::abs(v_2.y)), metal::abs(v_2.z));
-    if (!(((largest_2 > 0.000000000000000000000000000001) & (largest_2 < 1000000000000000000000000000000.0)))) {
-        return metal::float3(1.0, 0.0, 0.0);
-    }
-    metal::float3 scaled_2 = v_2 * (1.0 / largest_2);
-    float square_2 = metal::dot(scaled_2, scaled_2);
-    return ((as_type<uint>(square_2) & 2139095040u) == 2139095040u) ? metal::float3(1.0, 0.0, 0.0) : (scaled_2 * (1.0 / metal::sqrt(square_2)));
-}
-
 int naga_f2i32(float value) {
     return static_cast<int>(metal::clamp(value, -2147483600.0, 2147483500.0));
 }
@@ -112,25 +86,17 @@ float exp2_stable(
 }
 
 metal::float3 normalize_moderate(
-    metal::float3 v_3,
-    metal::float3 otherwise_3
+    metal::float3 v_1,
+    metal::float3 otherwise_1
 ) {
-    float square_3 = metal::dot(v_3, v_3);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : otherwise_3;
-}
-
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_4,
-    metal::float3 otherwise_4
-) {
-    float square_4 = metal::dot(v_4, v_4);
-    return (square_4 > 0.000000000000000000000000000001) ? (v_4 * metal::rsqrt(metal::max(square_4, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
+    float square_1 = metal::dot(v_1, v_1);
+    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
 metal::float3 normalize_seen(
-    metal::float3 v_5
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_5, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -147,12 +113,12 @@ metal::float3x3 world_from_tangent(
     metal::float3 bitangent,
     metal::float3 normal
 ) {
-    metal::float3 _e5 = normalize_or_2_(tangent, metal::float3(0.0));
+    metal::float3 _e5 = normalize_or(tangent, metal::float3(0.0));
     metal::float3 leaning = _e5 - (metal::dot(_e5, normal) * normal);
     bool is_usable = metal::dot(leaning, leaning) > 0.00000001;
     metal::float3 _e12 = any_orthogonal(normal);
-    metal::float3 _e18 = normalize_or_3_(is_usable ? leaning : _e12, metal::float3(1.0, 0.0, 0.0));
-    metal::float3 _e26 = normalize_moderate_2_(_e18 - (metal::dot(_e18, normal) * normal), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 _e18 = normalize_or(is_usable ? leaning : _e12, metal::float3(1.0, 0.0, 0.0));
+    metal::float3 _e26 = normalize_moderate(_e18 - (metal::dot(_e18, normal) * normal), metal::float3(1.0, 0.0, 0.0));
     metal::float3 b = metal::cross(normal, _e26);
     return metal::float3x3(_e26, b, normal);
 }

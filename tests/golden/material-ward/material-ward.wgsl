@@ -70,34 +70,6 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
     return scaled * (1.0 / sqrt(square));
 }
 
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return vec3f(0.0);
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    return select(scaled * (1.0 / sqrt(square)), vec3f(0.0), (bitcast<u32>(square)
-        & 0x7f800000u) == 0x7f800000u);
-}
-
-/// v at length 1, or `otherwise` where v is too short or too long to have a direction, or has a
-/// NaN. Scaled by the largest component first, so that neither tiny nor huge vectors under- or
-/// overflow.
-fn normalize_or_3(v: vec3f, otherwise: vec3f) -> vec3f {
-    let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    if !((largest > 1e-30) & (largest < 1e30)) {
-        return vec3f(1.0, 0.0, 0.0);
-    }
-    let scaled = v * (1.0 / largest);
-    let square = dot(scaled, scaled);
-    return select(scaled * (1.0 / sqrt(square)), vec3f(1.0, 0.0, 0.0), (bitcast<u32>(square)
-        & 0x7f800000u) == 0x7f800000u);
-}
-
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
@@ -109,21 +81,14 @@ fn exp2_stable(x: f32) -> f32 {
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -133,12 +98,12 @@ fn normalize_seen(v: vec3f) -> vec3f {
 /// normal (Gram and Schmidt), with the handedness of the mesh. Where the tangent is missing or lies
 /// along the normal, another one takes its place.
 fn world_from_tangent(tangent: vec3f, bitangent: vec3f, normal: vec3f) -> mat3x3f {
-    let t = normalize_or_2(tangent, vec3f(0.0));
+    let t = normalize_or(tangent, vec3f(0.0));
     let leaning = t - dot(t, normal) * normal;
     let is_usable = dot(leaning, leaning) > 1e-8;
-    let rough = normalize_or_3(select(any_orthogonal(normal), leaning, is_usable), vec3f(1.0, 0.0,
+    let rough = normalize_or(select(any_orthogonal(normal), leaning, is_usable), vec3f(1.0, 0.0,
         0.0));
-    let upright = normalize_moderate_2(rough - dot(rough, normal) * normal, vec3f(1.0, 0.0, 0.0));
+    let upright = normalize_moderate(rough - dot(rough, normal) * normal, vec3f(1.0, 0.0, 0.0));
     let b = cross(normal, upright);
     return mat3x3f(upright, b, normal);
 }

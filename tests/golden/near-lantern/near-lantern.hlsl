@@ -256,8 +256,8 @@ float4 blend_alpha(float4 below_1, float4 color, float tone, float opacity_1, bo
 {
     float a_1 = (opacity_1 * color.w);
     float alpha_1 = (below_1.w + ((tone * a_1) * (1.0 - below_1.w)));
-    const float4 _e21 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_1, true);
-    return _e21;
+    const float4 _e20 = blend_finish(below_1, (below_1.xyz + (tone * (color.xyz - below_1.xyz))), alpha_1, a_1, clamped_1);
+    return _e20;
 }
 
 float2 light_split(float intensity)

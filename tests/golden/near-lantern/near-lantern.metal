@@ -234,8 +234,8 @@ Composite blend_alpha(
 ) {
     float a_1 = opacity_1 * color.w;
     float alpha_1 = below_1.w + ((tone * a_1) * (1.0 - below_1.w));
-    Composite _e21 = blend_finish(below_1, below_1.xyz + (tone * (color.xyz - below_1.xyz)), alpha_1, a_1, true);
-    return _e21;
+    Composite _e20 = blend_finish(below_1, below_1.xyz + (tone * (color.xyz - below_1.xyz)), alpha_1, a_1, clamped_1);
+    return _e20;
 }
 
 metal::float2 light_split(

@@ -39,7 +39,6 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -82,9 +81,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -101,9 +100,9 @@ float exp2_stable_2_(
 float exp2_stable_3_(
     float x_2
 ) {
-    float clamped_2 = metal::max(x_2, -126.0);
-    float whole_2 = metal::rint(clamped_2);
-    float f_2 = clamped_2 - whole_2;
+    float clamped_1 = metal::max(x_2, -126.0);
+    float whole_2 = metal::rint(clamped_1);
+    float f_2 = clamped_1 - whole_2;
     float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
     return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
@@ -237,23 +236,13 @@ float curvature_signed_2_(
     return (a_2 >= 0.0) ? t_3 : -(t_3);
 }
 
-Composite blend_add(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular(
@@ -435,52 +424,52 @@ metal::float4 shade(
     float _e45 = profile(the_room_angle, the_room_warp, the_room_tone_shape);
     Light _e48 = look.street;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    Composite _e59 = blend_add(metal::float4(0.0157, 0.0118, 0.0353, 1.0), _e49.color, _e49.tone, 1.0, true);
-    Color _e70 = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
-    metal::float3 _e75 = look.cyan.direction;
-    metal::float3 _e84 = look.cyan.direction;
-    Angle cyan_tube_angle = Angle {0.5 * metal::length(surface_1.normal - _e75), 0.5 * metal::length(surface_1.normal + _e84)};
+    metal::float4 the_room_blend = metal::clamp(metal::float4(metal::float3(0.0157, 0.0118, 0.0353) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e76 = curvature_color(wet_magenta_convexity, metal::float4(0.0471, 0.2275, 0.3373, 1.0), metal::float4(0.0235, 0.0941, 0.1804, 1.0));
+    metal::float3 _e81 = look.cyan.direction;
+    metal::float3 _e90 = look.cyan.direction;
+    Angle cyan_tube_angle = Angle {0.5 * metal::length(surface_1.normal - _e81), 0.5 * metal::length(surface_1.normal + _e90)};
     float magenta_haze_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.15;
-    float _e97 = profile_2_(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e100 = look.cyan;
-    LitLayer _e101 = light_apply(_e100, _e70, _e97);
-    metal::float4 cyan_haze_blend = metal::clamp(metal::float4(_e59.xyz + ((_e59.xyz + (_e101.tone * _e101.color.xyz)) - _e59.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e129 = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
-    metal::float3 _e134 = look.magenta.direction;
-    metal::float3 _e143 = look.magenta.direction;
-    Angle magenta_tube_angle = Angle {0.5 * metal::length(surface_1.normal - _e134), 0.5 * metal::length(surface_1.normal + _e143)};
-    float _e150 = profile_2_(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
-    Light _e153 = look.magenta;
-    LitLayer _e154 = light_apply(_e153, _e129, _e150);
-    metal::float4 magenta_haze_blend = metal::clamp(metal::float4(cyan_haze_blend.xyz + ((cyan_haze_blend.xyz + (_e154.tone * _e154.color.xyz)) - cyan_haze_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e174 = curvature_signed_2_(surface_1.kappa, 0.25);
-    float magenta_tube_convexity = 0.5 + (0.5 * _e174);
-    Color _e189 = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
+    float _e103 = profile_2_(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    Light _e106 = look.cyan;
+    LitLayer _e107 = light_apply(_e106, _e76, _e103);
+    metal::float4 cyan_haze_blend = metal::clamp(metal::float4(the_room_blend.xyz + (_e107.tone * _e107.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e131 = curvature_color(wet_magenta_convexity, metal::float4(0.2902, 0.0471, 0.2667, 1.0), metal::float4(0.1098, 0.0235, 0.149, 1.0));
+    metal::float3 _e136 = look.magenta.direction;
+    metal::float3 _e145 = look.magenta.direction;
+    Angle magenta_tube_angle = Angle {0.5 * metal::length(surface_1.normal - _e136), 0.5 * metal::length(surface_1.normal + _e145)};
+    float _e152 = profile_2_(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
+    Light _e155 = look.magenta;
+    LitLayer _e156 = light_apply(_e155, _e131, _e152);
+    metal::float4 magenta_haze_blend = metal::clamp(metal::float4(cyan_haze_blend.xyz + (_e156.tone * _e156.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e172 = curvature_signed_2_(surface_1.kappa, 0.25);
+    float magenta_tube_convexity = 0.5 + (0.5 * _e172);
+    Color _e187 = curvature_color(magenta_tube_convexity, metal::float4(0.1333, 0.902, 1.0, 1.0), metal::float4(0.0392, 0.4157, 0.6039, 1.0));
     float magenta_tube_warp = ((2.0 * magenta_tube_convexity) - 1.0) * 0.25;
-    float _e197 = profile_3_(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e200 = look.cyan;
-    LitLayer _e201 = light_apply(_e200, _e189, _e197);
-    metal::float4 cyan_tube_blend = metal::clamp(metal::float4(magenta_haze_blend.xyz + ((magenta_haze_blend.xyz + (_e201.tone * _e201.color.xyz)) - magenta_haze_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e229 = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
-    float _e231 = profile_3_(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
-    Light _e234 = look.magenta;
-    LitLayer _e235 = light_apply(_e234, _e229, _e231);
-    metal::float4 magenta_tube_blend = metal::clamp(metal::float4(cyan_tube_blend.xyz + ((cyan_tube_blend.xyz + (_e235.tone * _e235.color.xyz)) - cyan_tube_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e263 = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
-    Light _e266 = look.cyan;
-    Angle _e269 = parametrization_specular(_e266, surface_1.normal, surface_1.view);
+    float _e195 = profile_3_(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    Light _e198 = look.cyan;
+    LitLayer _e199 = light_apply(_e198, _e187, _e195);
+    metal::float4 cyan_tube_blend = metal::clamp(metal::float4(magenta_haze_blend.xyz + (_e199.tone * _e199.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e223 = curvature_color(magenta_tube_convexity, metal::float4(1.0, 0.1725, 0.6588, 1.0), metal::float4(0.5255, 0.0627, 0.4784, 1.0));
+    float _e225 = profile_3_(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
+    Light _e228 = look.magenta;
+    LitLayer _e229 = light_apply(_e228, _e223, _e225);
+    metal::float4 magenta_tube_blend = metal::clamp(metal::float4(cyan_tube_blend.xyz + (_e229.tone * _e229.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e253 = curvature_color(wet_magenta_convexity, metal::float4(0.2275, 0.6588, 0.7843, 1.0), metal::float4(0.0627, 0.2902, 0.4157, 1.0));
+    Light _e256 = look.cyan;
+    Angle _e259 = parametrization_specular(_e256, surface_1.normal, surface_1.view);
     float wet_magenta_warp = ((2.0 * wet_magenta_convexity) - 1.0) * 0.1;
-    float _e277 = profile_4_(_e269, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e280 = look.cyan;
-    LitLayer _e281 = light_apply(_e280, _e263, _e277);
-    metal::float4 wet_cyan_blend = metal::clamp(metal::float4(magenta_tube_blend.xyz + ((magenta_tube_blend.xyz + (_e281.tone * _e281.color.xyz)) - magenta_tube_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e309 = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
-    Light _e312 = look.magenta;
-    Angle _e315 = parametrization_specular(_e312, surface_1.normal, surface_1.view);
-    float _e317 = profile_4_(_e315, wet_magenta_warp, wet_magenta_tone_shape);
-    Light _e320 = look.magenta;
-    LitLayer _e321 = light_apply(_e320, _e309, _e317);
-    metal::float4 output = metal::clamp(metal::float4(wet_cyan_blend.xyz + ((wet_cyan_blend.xyz + (_e321.tone * _e321.color.xyz)) - wet_cyan_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e267 = profile_4_(_e259, wet_magenta_warp, wet_magenta_tone_shape);
+    Light _e270 = look.cyan;
+    LitLayer _e271 = light_apply(_e270, _e253, _e267);
+    metal::float4 wet_cyan_blend = metal::clamp(metal::float4(magenta_tube_blend.xyz + (_e271.tone * _e271.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e295 = curvature_color(wet_magenta_convexity, metal::float4(0.7843, 0.2275, 0.6039, 1.0), metal::float4(0.3529, 0.0627, 0.3765, 1.0));
+    Light _e298 = look.magenta;
+    Angle _e301 = parametrization_specular(_e298, surface_1.normal, surface_1.view);
+    float _e303 = profile_4_(_e301, wet_magenta_warp, wet_magenta_tone_shape);
+    Light _e306 = look.magenta;
+    LitLayer _e307 = light_apply(_e306, _e295, _e303);
+    metal::float4 output = metal::clamp(metal::float4(wet_cyan_blend.xyz + (_e307.tone * _e307.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

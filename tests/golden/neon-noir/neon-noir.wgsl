@@ -41,9 +41,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -139,14 +136,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -229,14 +226,6 @@ fn curvature_signed_2(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -424,39 +413,39 @@ fn shade(surface: Surface) -> vec4f {
     let the_room_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.2;
     let the_room_tone = profile(the_room_angle, the_room_warp, the_room_tone_shape);
     let the_room_lit = light_apply(look.street, the_room_color, the_room_tone);
-    let the_room_blend = blend_add(vec4f(0.0157, 0.0118, 0.0353, 1.0), the_room_lit.color, the_room_lit.tone, 1.0, true);
+    let the_room_blend = clamp(vec4f(vec4f(0.0157, 0.0118, 0.0353, 1.0).xyz + the_room_lit.tone * the_room_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let cyan_haze_color = curvature_color(wet_magenta_convexity, vec4f(0.0471, 0.2275, 0.3373, 1.0), vec4f(0.0235, 0.0941, 0.1804, 1.0));
     let cyan_tube_angle = Angle(0.5 * length(surface.normal - look.cyan.direction), 0.5 * length(surface.normal + look.cyan.direction));
     let magenta_haze_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.15;
     let cyan_haze_tone = profile_2(cyan_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
     let cyan_haze_lit = light_apply(look.cyan, cyan_haze_color, cyan_haze_tone);
-    let cyan_haze_blend = clamp(vec4f(the_room_blend.xyz + (the_room_blend.xyz + cyan_haze_lit.tone * cyan_haze_lit.color.xyz - the_room_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let cyan_haze_blend = clamp(vec4f(the_room_blend.xyz + cyan_haze_lit.tone * cyan_haze_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let magenta_haze_color = curvature_color(wet_magenta_convexity, vec4f(0.2902, 0.0471, 0.2667, 1.0), vec4f(0.1098, 0.0235, 0.149, 1.0));
     let magenta_tube_angle = Angle(0.5 * length(surface.normal - look.magenta.direction), 0.5 * length(surface.normal + look.magenta.direction));
     let magenta_haze_tone = profile_2(magenta_tube_angle, magenta_haze_warp, magenta_haze_tone_shape);
     let magenta_haze_lit = light_apply(look.magenta, magenta_haze_color, magenta_haze_tone);
-    let magenta_haze_blend = clamp(vec4f(cyan_haze_blend.xyz + (cyan_haze_blend.xyz + magenta_haze_lit.tone * magenta_haze_lit.color.xyz - cyan_haze_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let magenta_haze_blend = clamp(vec4f(cyan_haze_blend.xyz + magenta_haze_lit.tone * magenta_haze_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let magenta_tube_convexity = 0.5 + 0.5 * curvature_signed_2(surface.kappa, 0.25);
     let cyan_tube_color = curvature_color(magenta_tube_convexity, vec4f(0.1333, 0.902, 1.0, 1.0), vec4f(0.0392, 0.4157, 0.6039, 1.0));
     let magenta_tube_warp = (2.0 * magenta_tube_convexity - 1.0) * 0.25;
     let cyan_tube_tone = profile_3(cyan_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
     let cyan_tube_lit = light_apply(look.cyan, cyan_tube_color, cyan_tube_tone);
-    let cyan_tube_blend = clamp(vec4f(magenta_haze_blend.xyz + (magenta_haze_blend.xyz + cyan_tube_lit.tone * cyan_tube_lit.color.xyz - magenta_haze_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let cyan_tube_blend = clamp(vec4f(magenta_haze_blend.xyz + cyan_tube_lit.tone * cyan_tube_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let magenta_tube_color = curvature_color(magenta_tube_convexity, vec4f(1.0, 0.1725, 0.6588, 1.0), vec4f(0.5255, 0.0627, 0.4784, 1.0));
     let magenta_tube_tone = profile_3(magenta_tube_angle, magenta_tube_warp, magenta_tube_tone_shape);
     let magenta_tube_lit = light_apply(look.magenta, magenta_tube_color, magenta_tube_tone);
-    let magenta_tube_blend = clamp(vec4f(cyan_tube_blend.xyz + (cyan_tube_blend.xyz + magenta_tube_lit.tone * magenta_tube_lit.color.xyz - cyan_tube_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let magenta_tube_blend = clamp(vec4f(cyan_tube_blend.xyz + magenta_tube_lit.tone * magenta_tube_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let wet_cyan_color = curvature_color(wet_magenta_convexity, vec4f(0.2275, 0.6588, 0.7843, 1.0), vec4f(0.0627, 0.2902, 0.4157, 1.0));
     let wet_cyan_angle = parametrization_specular(look.cyan, surface.normal, surface.view);
     let wet_magenta_warp = (2.0 * wet_magenta_convexity - 1.0) * 0.1;
     let wet_cyan_tone = profile_4(wet_cyan_angle, wet_magenta_warp, wet_magenta_tone_shape);
     let wet_cyan_lit = light_apply(look.cyan, wet_cyan_color, wet_cyan_tone);
-    let wet_cyan_blend = clamp(vec4f(magenta_tube_blend.xyz + (magenta_tube_blend.xyz + wet_cyan_lit.tone * wet_cyan_lit.color.xyz - magenta_tube_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let wet_cyan_blend = clamp(vec4f(magenta_tube_blend.xyz + wet_cyan_lit.tone * wet_cyan_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let wet_magenta_color = curvature_color(wet_magenta_convexity, vec4f(0.7843, 0.2275, 0.6039, 1.0), vec4f(0.3529, 0.0627, 0.3765, 1.0));
     let wet_magenta_angle = parametrization_specular(look.magenta, surface.normal, surface.view);
     let wet_magenta_tone = profile_4(wet_magenta_angle, wet_magenta_warp, wet_magenta_tone_shape);
     let wet_magenta_lit = light_apply(look.magenta, wet_magenta_color, wet_magenta_tone);
-    let wet_magenta_blend = clamp(vec4f(wet_cyan_blend.xyz + (wet_cyan_blend.xyz + wet_magenta_lit.tone * wet_magenta_lit.color.xyz - wet_cyan_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let wet_magenta_blend = clamp(vec4f(wet_cyan_blend.xyz + wet_magenta_lit.tone * wet_magenta_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = wet_magenta_blend;
     return output;
 }

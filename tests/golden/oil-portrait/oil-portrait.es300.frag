@@ -153,7 +153,8 @@ vec2 sin_cos_eighth(float x_3) {
 }
 
 vec2 sin_cos_eighth_2_(float x_4) {
-    return vec2(0.6816388, 0.73168886);
+    float s_1 = (x_4 * 0.9088517);
+    return vec2(s_1, 0.73168886);
 }
 
 vec2 sin_cos(float x_5) {
@@ -168,13 +169,8 @@ vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_3, vec3 otherwise_2) {
-    float square_2 = dot(v_3, v_3);
-    return ((square_2 > 1e-30) ? (v_3 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_3) {
+    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -185,28 +181,28 @@ float bounded(float x_6) {
     return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_5) {
-    uvec2 bits_2 = floatBitsToUint(v_5);
+vec2 bounded_vec2_(vec2 v_4) {
+    uvec2 bits_2 = floatBitsToUint(v_4);
     uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
     vec2 largest_2 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_2, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_5, lessThan(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_4, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
-vec3 bounded_vec3_(vec3 v_6) {
-    uvec3 bits_3 = floatBitsToUint(v_6);
+vec3 bounded_vec3_(vec3 v_5) {
+    uvec3 bits_3 = floatBitsToUint(v_5);
     uvec3 magnitude_2 = (bits_3 & uvec3(2147483647u));
     vec3 largest_3 = uintBitsToFloat(((bits_3 & uvec3(2147483648u)) | uvec3(2139095039u)));
     vec3 numbers_1 = mix(vec3(0.0), largest_3, equal(magnitude_2, uvec3(2139095040u)));
-    return mix(numbers_1, v_6, lessThan(magnitude_2, uvec3(2139095040u)));
+    return mix(numbers_1, v_5, lessThan(magnitude_2, uvec3(2139095040u)));
 }
 
-vec4 bounded_vec4_(vec4 v_7) {
-    uvec4 bits_4 = floatBitsToUint(v_7);
+vec4 bounded_vec4_(vec4 v_6) {
+    uvec4 bits_4 = floatBitsToUint(v_6);
     uvec4 magnitude_3 = (bits_4 & uvec4(2147483647u));
     vec4 largest_4 = uintBitsToFloat(((bits_4 & uvec4(2147483648u)) | uvec4(2139095039u)));
     vec4 numbers_2 = mix(vec4(0.0), largest_4, equal(magnitude_3, uvec4(2139095040u)));
-    return mix(numbers_2, v_7, lessThan(magnitude_3, uvec4(2139095040u)));
+    return mix(numbers_2, v_6, lessThan(magnitude_3, uvec4(2139095040u)));
 }
 
 vec4 mixed_vec4_(vec4 a, vec4 b, float t) {
@@ -250,13 +246,12 @@ vec4 straight(vec4 composite) {
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
     vec3 z_1 = (toward * inversesqrt(dot(toward, toward)));
-    vec3 y_1 = vec3(0.0, 1.0, 0.0);
-    vec3 leaning = cross(y_1, z_1);
-    float square_3 = dot(leaning, leaning);
+    vec3 leaning = cross(up, z_1);
+    float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(z_1.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across_3 = ((square_3 > 1e-8) ? leaning : cross(aside, z_1));
-    vec3 _e35 = normalize_moderate_2_((across_3 - (dot(across_3, z_1) * z_1)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e35, cross(z_1, _e35), z_1);
+    vec3 across_3 = ((square_2 > 1e-8) ? leaning : cross(aside, z_1));
+    vec3 _e31 = normalize_moderate((across_3 - (dot(across_3, z_1) * z_1)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e31, cross(z_1, _e31), z_1);
 }
 
 vec4 output_(vec4 color_1) {
@@ -266,36 +261,36 @@ vec4 output_(vec4 color_1) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_8 = uvec3(0u);
-    v_8 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_8.x;
-    uint _e10 = v_8.y;
-    uint _e12 = v_8.z;
-    v_8.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_8.y;
-    uint _e18 = v_8.z;
-    uint _e20 = v_8.x;
-    v_8.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_8.z;
-    uint _e26 = v_8.x;
-    uint _e28 = v_8.y;
-    v_8.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_8;
-    uvec3 _e32 = v_8;
-    v_8 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_8.x;
-    uint _e40 = v_8.y;
-    uint _e42 = v_8.z;
-    v_8.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_8.y;
-    uint _e48 = v_8.z;
-    uint _e50 = v_8.x;
-    v_8.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_8.z;
-    uint _e56 = v_8.x;
-    uint _e58 = v_8.y;
-    v_8.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_8;
+    uvec3 v_7 = uvec3(0u);
+    v_7 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_7.x;
+    uint _e10 = v_7.y;
+    uint _e12 = v_7.z;
+    v_7.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_7.y;
+    uint _e18 = v_7.z;
+    uint _e20 = v_7.x;
+    v_7.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_7.z;
+    uint _e26 = v_7.x;
+    uint _e28 = v_7.y;
+    v_7.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_7;
+    uvec3 _e32 = v_7;
+    v_7 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_7.x;
+    uint _e40 = v_7.y;
+    uint _e42 = v_7.z;
+    v_7.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_7.y;
+    uint _e48 = v_7.z;
+    uint _e50 = v_7.x;
+    v_7.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_7.z;
+    uint _e56 = v_7.x;
+    uint _e58 = v_7.y;
+    v_7.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_7;
     return _e61;
 }
 
@@ -344,10 +339,10 @@ StretchedPlace mark_place_of_2_(vec2 place_1, vec3 along_1, vec3 across_1, float
     vec2 _e5 = sin_cos_eighth_2_(0.75);
     vec2 turn_7 = clamp(_e5, vec2(-1.0), vec2(1.0));
     vec3 x_9 = ((turn_7.y * along_1) + (turn_7.x * across_1));
-    vec3 y_2 = ((turn_7.y * across_1) - (turn_7.x * along_1));
+    vec3 y_1 = ((turn_7.y * across_1) - (turn_7.x * along_1));
     vec2 _e21 = bounded_vec2_(place_1);
     vec2 turned_1 = vec2(((turn_7.y * _e21.x) + (turn_7.x * _e21.y)), ((turn_7.y * _e21.y) - (turn_7.x * _e21.x)));
-    vec3 stretch_13 = vec3(dot(x_9, x_9), dot(x_9, y_2), dot(y_2, y_2));
+    vec3 stretch_13 = vec3(dot(x_9, x_9), dot(x_9, y_1), dot(y_1, y_1));
     vec2 _e41 = bounded_vec2_(turned_1);
     return StretchedPlace(_e41, stretch_13);
 }
@@ -364,8 +359,8 @@ StretchedPlace place_on_surface(vec2 place_2, vec3 along_2, vec3 across_2, vec3 
     vec3 _e15 = bounded_vec3_((_e13 * height));
     vec3 _e16 = gradient_on_picture(across_2, normal_1, view_1);
     vec3 _e18 = bounded_vec3_((_e16 * height));
-    StretchedPlace _e20 = mark_place_of(place_2, _e15, _e18, 0.0);
-    return _e20;
+    StretchedPlace _e19 = mark_place_of(place_2, _e15, _e18, angle_2);
+    return _e19;
 }
 
 StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, vec3 normal_2, vec3 view_2, float magnification_1, float angle_3) {
@@ -373,8 +368,8 @@ StretchedPlace place_across(vec3 axis, vec3 position, mat3x3 world_from_normal, 
     vec2 place_14 = vec2(dot(position, _e11[0]), dot(position, _e11[2]));
     vec3 _e19 = bounded_vec3_((world_from_normal * _e11[0]));
     vec3 _e22 = bounded_vec3_((world_from_normal * _e11[2]));
-    StretchedPlace _e24 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    return _e24;
+    StretchedPlace _e23 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, angle_3);
+    return _e23;
 }
 
 SpacedPlace spaced(vec2 place_3, vec3 stretch, vec2 viewport_1, float count) {
@@ -382,8 +377,8 @@ SpacedPlace spaced(vec2 place_3, vec3 stretch, vec2 viewport_1, float count) {
     float scale_2 = (is_pixel ? (14.0 / max(viewport_1.y, 1.0)) : 14.0);
     vec2 p_6 = clamp((place_3 * scale_2), vec2(-4194304.0), vec2(4194304.0));
     vec3 _e23 = bounded_vec3_(stretch);
-    vec3 s_1 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_1));
+    vec3 s_2 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_6, (is_pixel ? vec3(1.0, 0.0, 1.0) : s_2));
 }
 
 SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count_1) {
@@ -391,8 +386,8 @@ SpacedPlace spaced_2_(vec2 place_4, vec3 stretch_1, vec2 viewport_2, float count
     float scale_3 = (is_pixel_1 ? (18.0 / max(viewport_2.y, 1.0)) : 18.0);
     vec2 p_7 = clamp((place_4 * scale_3), vec2(-4194304.0), vec2(4194304.0));
     vec3 _e23 = bounded_vec3_(stretch_1);
-    vec3 s_2 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : s_2));
+    vec3 s_3 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_7, (is_pixel_1 ? vec3(1.0, 0.0, 1.0) : s_3));
 }
 
 SpacedPlace spaced_3_(vec2 place_5, vec3 stretch_2, vec2 viewport_3, float count_2) {
@@ -418,8 +413,8 @@ SpacedPlace spaced_5_(vec2 place_7, vec3 stretch_4, vec2 viewport_5, float count
     float scale_6 = (is_pixel_4 ? (44.0 / max(viewport_5.y, 1.0)) : 44.0);
     vec2 p_10 = clamp((place_7 * scale_6), vec2(-4194304.0), vec2(4194304.0));
     vec3 _e23 = bounded_vec3_(stretch_4);
-    vec3 s_3 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
-    return SpacedPlace(p_10, (is_pixel_4 ? vec3(1.0, 0.0, 1.0) : s_3));
+    vec3 s_4 = clamp(_e23, vec3(-1000000000000000.0), vec3(1000000000000000.0));
+    return SpacedPlace(p_10, (is_pixel_4 ? vec3(1.0, 0.0, 1.0) : s_4));
 }
 
 float area_square(vec3 stretch_5) {
@@ -1029,56 +1024,56 @@ vec2 bristles_laid_6_(SpacedPlace at_5, float ink_5, Brush style_14) {
 }
 
 BrushStrokes brush_strokes_bristles(float value, vec2 place_8, vec3 stretch_6, float count_5, float aspect, float size, float scatter, float turn, int seed_4, vec2 viewport_6) {
-    SpacedPlace _e11 = spaced(place_8, stretch_6, viewport_6, 14.0);
+    SpacedPlace _e10 = spaced(place_8, stretch_6, viewport_6, count_5);
     Brush style_15 = Brush(aspect, size, scatter, 0.5, 1u, false);
-    vec2 _e18 = bristles_laid(_e11, (1.0 - value), style_15);
-    float shade_2 = (_e18.x / max(_e18.y, 0.001));
-    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e18.y);
+    vec2 _e17 = bristles_laid(_e10, (1.0 - value), style_15);
+    float shade_2 = (_e17.x / max(_e17.y, 0.001));
+    return BrushStrokes(vec4(shade_2, shade_2, shade_2, 1.0), _e17.y);
 }
 
 BrushStrokes brush_strokes_bristles_2_(float value_1, vec2 place_9, vec3 stretch_7, float count_6, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, vec2 viewport_7) {
-    SpacedPlace _e11 = spaced_2_(place_9, stretch_7, viewport_7, 18.0);
+    SpacedPlace _e10 = spaced_2_(place_9, stretch_7, viewport_7, count_6);
     Brush style_16 = Brush(aspect_1, 1.5, scatter_1, 0.5, 6u, false);
-    vec2 _e19 = bristles_laid_2_(_e11, (1.0 - value_1), style_16);
-    float shade_3 = (_e19.x / max(_e19.y, 0.001));
-    return BrushStrokes(vec4(shade_3, shade_3, shade_3, 1.0), _e19.y);
+    vec2 _e18 = bristles_laid_2_(_e10, (1.0 - value_1), style_16);
+    float shade_3 = (_e18.x / max(_e18.y, 0.001));
+    return BrushStrokes(vec4(shade_3, shade_3, shade_3, 1.0), _e18.y);
 }
 
 BrushStrokes brush_strokes_bristles_3_(float value_2, vec2 place_10, vec3 stretch_8, float count_7, float aspect_2, float size_2, float scatter_2, float turn_2, int seed_6, vec2 viewport_8) {
-    SpacedPlace _e11 = spaced_2_(place_10, stretch_8, viewport_8, 18.0);
+    SpacedPlace _e10 = spaced_2_(place_10, stretch_8, viewport_8, count_7);
     Brush style_17 = Brush(aspect_2, size_2, scatter_2, 0.5, 2u, false);
-    vec2 _e18 = bristles_laid_3_(_e11, (1.0 - value_2), style_17);
-    float shade_4 = (_e18.x / max(_e18.y, 0.001));
-    return BrushStrokes(vec4(shade_4, shade_4, shade_4, 1.0), _e18.y);
+    vec2 _e17 = bristles_laid_3_(_e10, (1.0 - value_2), style_17);
+    float shade_4 = (_e17.x / max(_e17.y, 0.001));
+    return BrushStrokes(vec4(shade_4, shade_4, shade_4, 1.0), _e17.y);
 }
 
 BrushStrokes brush_strokes_bristles_4_(float value_3, vec2 place_11, vec3 stretch_9, float count_8, float aspect_3, float size_3, float scatter_3, float turn_3, int seed_7, vec2 viewport_9) {
-    SpacedPlace _e11 = spaced_3_(place_11, stretch_9, viewport_9, 24.0);
+    SpacedPlace _e10 = spaced_3_(place_11, stretch_9, viewport_9, count_8);
     Brush style_18 = Brush(3.0, 1.5, scatter_3, 0.5, 3u, false);
-    vec2 _e20 = bristles_laid_4_(_e11, (1.0 - value_3), style_18);
-    float shade_5 = (_e20.x / max(_e20.y, 0.001));
-    return BrushStrokes(vec4(shade_5, shade_5, shade_5, 1.0), _e20.y);
+    vec2 _e19 = bristles_laid_4_(_e10, (1.0 - value_3), style_18);
+    float shade_5 = (_e19.x / max(_e19.y, 0.001));
+    return BrushStrokes(vec4(shade_5, shade_5, shade_5, 1.0), _e19.y);
 }
 
 BrushStrokes brush_strokes_bristles_5_(float value_4, vec2 place_12, vec3 stretch_10, float count_9, float aspect_4, float size_4, float scatter_4, float turn_4, int seed_8, vec2 viewport_10) {
-    SpacedPlace _e11 = spaced_4_(place_12, stretch_10, viewport_10, 32.0);
+    SpacedPlace _e10 = spaced_4_(place_12, stretch_10, viewport_10, count_9);
     Brush style_19 = Brush(aspect_4, size_4, scatter_4, turn_4, 4u, false);
-    vec2 _e17 = bristles_laid_5_(_e11, (1.0 - value_4), style_19);
-    float shade_6 = (_e17.x / max(_e17.y, 0.001));
-    return BrushStrokes(vec4(shade_6, shade_6, shade_6, 1.0), _e17.y);
+    vec2 _e16 = bristles_laid_5_(_e10, (1.0 - value_4), style_19);
+    float shade_6 = (_e16.x / max(_e16.y, 0.001));
+    return BrushStrokes(vec4(shade_6, shade_6, shade_6, 1.0), _e16.y);
 }
 
 BrushStrokes brush_strokes_bristles_6_(float value_5, vec2 place_13, vec3 stretch_11, float count_10, float aspect_5, float size_5, float scatter_5, float turn_5, int seed_9, vec2 viewport_11) {
-    SpacedPlace _e11 = spaced_5_(place_13, stretch_11, viewport_11, 44.0);
+    SpacedPlace _e10 = spaced_5_(place_13, stretch_11, viewport_11, count_10);
     Brush style_20 = Brush(aspect_5, 1.5, scatter_5, turn_5, 8u, false);
-    vec2 _e18 = bristles_laid_6_(_e11, (1.0 - value_5), style_20);
-    float shade_7 = (_e18.x / max(_e18.y, 0.001));
-    return BrushStrokes(vec4(shade_7, shade_7, shade_7, 1.0), _e18.y);
+    vec2 _e17 = bristles_laid_6_(_e10, (1.0 - value_5), style_20);
+    float shade_7 = (_e17.x / max(_e17.y, 0.001));
+    return BrushStrokes(vec4(shade_7, shade_7, shade_7, 1.0), _e17.y);
 }
 
 MarkPlace mark_place_axis(vec3 axis_1, vec3 normal_3, float angle_4, vec3 view_3, vec3 position_object, mat3x3 world_from_normal_1, float magnification_2) {
-    StretchedPlace _e8 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    return MarkPlace(_e8.place, _e8.stretch);
+    StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_4);
+    return MarkPlace(_e7.place, _e7.stretch);
 }
 
 MarkPlace mark_place_object(float angle_5, vec3 anchor, vec2 pixel_1, vec2 viewport_12) {
@@ -1087,8 +1082,8 @@ MarkPlace mark_place_object(float angle_5, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_12);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_15 = (_e15 / vec2(size_6));
-    StretchedPlace _e29 = mark_place_of_2_(place_15, vec3((1.0 / size_6), 0.0, 0.0), vec3(0.0, (1.0 / size_6), 0.0), 0.75);
-    return MarkPlace(_e29.place, _e29.stretch);
+    StretchedPlace _e28 = mark_place_of_2_(place_15, vec3((1.0 / size_6), 0.0, 0.0), vec3(0.0, (1.0 / size_6), 0.0), angle_5);
+    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 float reflectance_half_lambert(Light light, vec3 normal_4) {

@@ -214,7 +214,8 @@ float2 sin_cos_eighth(float x_3)
 
 float2 sin_cos_eighth_2_(float x_4)
 {
-    return float2(0.6816388, 0.73168886);
+    float s_1 = (x_4 * 0.9088517);
+    return float2(s_1, 0.73168886);
 }
 
 float2 sin_cos(float x_5)
@@ -231,15 +232,9 @@ float3 normalize_moderate(float3 v_2, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_3, float3 otherwise_2)
+float3 normalize_seen(float3 v_3)
 {
-    float square_2 = dot(v_3, v_3);
-    return ((square_2 > 1e-30) ? (v_3 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_seen(float3 v_4)
-{
-    const float3 _e5 = normalize_moderate(v_4, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -251,31 +246,31 @@ float bounded(float x_6)
     return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_5)
+float2 bounded_vec2_(float2 v_4)
 {
-    uint2 bits_2 = asuint(v_5);
+    uint2 bits_2 = asuint(v_4);
     uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
     float2 largest_2 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_2 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_5 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_4 : numbers);
 }
 
-float3 bounded_vec3_(float3 v_6)
+float3 bounded_vec3_(float3 v_5)
 {
-    uint3 bits_3 = asuint(v_6);
+    uint3 bits_3 = asuint(v_5);
     uint3 magnitude_2 = (bits_3 & (2147483647u).xxx);
     float3 largest_3 = asfloat(((bits_3 & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers_1 = ((magnitude_2 == (2139095040u).xxx) ? largest_3 : (0.0).xxx);
-    return ((magnitude_2 < (2139095040u).xxx) ? v_6 : numbers_1);
+    return ((magnitude_2 < (2139095040u).xxx) ? v_5 : numbers_1);
 }
 
-float4 bounded_vec4_(float4 v_7)
+float4 bounded_vec4_(float4 v_6)
 {
-    uint4 bits_4 = asuint(v_7);
+    uint4 bits_4 = asuint(v_6);
     uint4 magnitude_3 = (bits_4 & (2147483647u).xxxx);
     float4 largest_4 = asfloat(((bits_4 & (2147483648u).xxxx) | (2139095039u).xxxx));
     float4 numbers_2 = ((magnitude_3 == (2139095040u).xxxx) ? largest_4 : (0.0).xxxx);
-    return ((magnitude_3 < (2139095040u).xxxx) ? v_7 : numbers_2);
+    return ((magnitude_3 < (2139095040u).xxxx) ? v_6 : numbers_2);
 }
 
 float4 mixed_vec4_(float4 a, float4 b, float t)
@@ -326,13 +321,12 @@ float4 straight(float4 composite)
 float3x3 axes_around(float3 toward, float3 up)
 {
     float3 z_1 = (toward * rsqrt(dot(toward, toward)));
-    float3 y_1 = float3(0.0, 1.0, 0.0);
-    float3 leaning = cross(y_1, z_1);
-    float square_3 = dot(leaning, leaning);
+    float3 leaning = cross(up, z_1);
+    float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(z_1.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across_3 = ((square_3 > 1e-8) ? leaning : cross(aside, z_1));
-    const float3 _e35 = normalize_moderate_2_((across_3 - (dot(across_3, z_1) * z_1)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e35, cross(z_1, _e35), z_1);
+    float3 across_3 = ((square_2 > 1e-8) ? leaning : cross(aside, z_1));
+    const float3 _e31 = normalize_moderate((across_3 - (dot(across_3, z_1) * z_1)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e31, cross(z_1, _e31), z_1);
 }
 
 float4 output(float4 color_1)
@@ -344,37 +338,37 @@ float4 output(float4 color_1)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_8 = (uint3)0;
+    uint3 v_7 = (uint3)0;
 
-    v_8 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_8.x;
-    uint _e10 = v_8.y;
-    uint _e12 = v_8.z;
-    v_8.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_8.y;
-    uint _e18 = v_8.z;
-    uint _e20 = v_8.x;
-    v_8.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_8.z;
-    uint _e26 = v_8.x;
-    uint _e28 = v_8.y;
-    v_8.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_8;
-    uint3 _e32 = v_8;
-    v_8 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_8.x;
-    uint _e40 = v_8.y;
-    uint _e42 = v_8.z;
-    v_8.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_8.y;
-    uint _e48 = v_8.z;
-    uint _e50 = v_8.x;
-    v_8.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_8.z;
-    uint _e56 = v_8.x;
-    uint _e58 = v_8.y;
-    v_8.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_8;
+    v_7 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_7.x;
+    uint _e10 = v_7.y;
+    uint _e12 = v_7.z;
+    v_7.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_7.y;
+    uint _e18 = v_7.z;
+    uint _e20 = v_7.x;
+    v_7.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_7.z;
+    uint _e26 = v_7.x;
+    uint _e28 = v_7.y;
+    v_7.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_7;
+    uint3 _e32 = v_7;
+    v_7 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_7.x;
+    uint _e40 = v_7.y;
+    uint _e42 = v_7.z;
+    v_7.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_7.y;
+    uint _e48 = v_7.z;
+    uint _e50 = v_7.x;
+    v_7.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_7.z;
+    uint _e56 = v_7.x;
+    uint _e58 = v_7.y;
+    v_7.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_7;
     return _e61;
 }
 
@@ -439,10 +433,10 @@ StretchedPlace mark_place_of_2_(float2 place_1, float3 along_1, float3 across_1,
     const float2 _e5 = sin_cos_eighth_2_(0.75);
     float2 turn_7 = clamp(_e5, (-1.0).xx, (1.0).xx);
     float3 x_9 = ((turn_7.y * along_1) + (turn_7.x * across_1));
-    float3 y_2 = ((turn_7.y * across_1) - (turn_7.x * along_1));
+    float3 y_1 = ((turn_7.y * across_1) - (turn_7.x * along_1));
     const float2 _e21 = bounded_vec2_(place_1);
     float2 turned_1 = float2(((turn_7.y * _e21.x) + (turn_7.x * _e21.y)), ((turn_7.y * _e21.y) - (turn_7.x * _e21.x)));
-    float3 stretch_13 = float3(dot(x_9, x_9), dot(x_9, y_2), dot(y_2, y_2));
+    float3 stretch_13 = float3(dot(x_9, x_9), dot(x_9, y_1), dot(y_1, y_1));
     const float2 _e41 = bounded_vec2_(turned_1);
     const StretchedPlace stretchedplace_1 = ConstructStretchedPlace(_e41, stretch_13);
     return stretchedplace_1;
@@ -462,8 +456,8 @@ StretchedPlace place_on_surface(float2 place_2, float3 along_2, float3 across_2,
     const float3 _e15 = bounded_vec3_((_e13 * height));
     const float3 _e16 = gradient_on_picture(across_2, normal_1, view_1);
     const float3 _e18 = bounded_vec3_((_e16 * height));
-    const StretchedPlace _e20 = mark_place_of(place_2, _e15, _e18, 0.0);
-    const StretchedPlace stretchedplace_2 = _e20;
+    const StretchedPlace _e19 = mark_place_of(place_2, _e15, _e18, angle_2);
+    const StretchedPlace stretchedplace_2 = _e19;
     return stretchedplace_2;
 }
 
@@ -473,8 +467,8 @@ StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_no
     float2 place_14 = float2(dot(position, _e11[0]), dot(position, _e11[2]));
     const float3 _e19 = bounded_vec3_(mul(_e11[0], world_from_normal));
     const float3 _e22 = bounded_vec3_(mul(_e11[2], world_from_normal));
-    const StretchedPlace _e24 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    const StretchedPlace stretchedplace_3 = _e24;
+    const StretchedPlace _e23 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, angle_3);
+    const StretchedPlace stretchedplace_3 = _e23;
     return stretchedplace_3;
 }
 
@@ -491,8 +485,8 @@ SpacedPlace spaced(float2 place_3, float3 stretch, float2 viewport_1, float coun
     float scale_2 = (is_pixel ? (14.0 / max(viewport_1.y, 1.0)) : 14.0);
     float2 p_6 = clamp((place_3 * scale_2), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch);
-    float3 s_1 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace = ConstructSpacedPlace(p_6, (is_pixel ? float3(1.0, 0.0, 1.0) : s_1));
+    float3 s_2 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace = ConstructSpacedPlace(p_6, (is_pixel ? float3(1.0, 0.0, 1.0) : s_2));
     return spacedplace;
 }
 
@@ -502,8 +496,8 @@ SpacedPlace spaced_2_(float2 place_4, float3 stretch_1, float2 viewport_2, float
     float scale_3 = (is_pixel_1 ? (18.0 / max(viewport_2.y, 1.0)) : 18.0);
     float2 p_7 = clamp((place_4 * scale_3), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch_1);
-    float3 s_2 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_7, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : s_2));
+    float3 s_3 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace_1 = ConstructSpacedPlace(p_7, (is_pixel_1 ? float3(1.0, 0.0, 1.0) : s_3));
     return spacedplace_1;
 }
 
@@ -535,8 +529,8 @@ SpacedPlace spaced_5_(float2 place_7, float3 stretch_4, float2 viewport_5, float
     float scale_6 = (is_pixel_4 ? (44.0 / max(viewport_5.y, 1.0)) : 44.0);
     float2 p_10 = clamp((place_7 * scale_6), (-4194304.0).xx, (4194304.0).xx);
     const float3 _e23 = bounded_vec3_(stretch_4);
-    float3 s_3 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
-    const SpacedPlace spacedplace_4 = ConstructSpacedPlace(p_10, (is_pixel_4 ? float3(1.0, 0.0, 1.0) : s_3));
+    float3 s_4 = clamp(_e23, (-1000000000000000.0).xxx, (1000000000000000.0).xxx);
+    const SpacedPlace spacedplace_4 = ConstructSpacedPlace(p_10, (is_pixel_4 ? float3(1.0, 0.0, 1.0) : s_4));
     return spacedplace_4;
 }
 
@@ -1259,61 +1253,61 @@ BrushStrokes ConstructBrushStrokes(float4 arg0, float arg1) {
 
 BrushStrokes brush_strokes_bristles(float value, float2 place_8, float3 stretch_6, float count_5, float aspect, float size, float scatter, float turn, int seed_4, float2 viewport_6)
 {
-    const SpacedPlace _e11 = spaced(place_8, stretch_6, viewport_6, 14.0);
+    const SpacedPlace _e10 = spaced(place_8, stretch_6, viewport_6, count_5);
     Brush style_15 = ConstructBrush(aspect, size, scatter, 0.5, 1u, false);
-    const float2 _e18 = bristles_laid(_e11, (1.0 - value), style_15);
-    float shade_2 = (_e18.x / max(_e18.y, 0.001));
-    const BrushStrokes brushstrokes = ConstructBrushStrokes(float4(shade_2, shade_2, shade_2, 1.0), _e18.y);
+    const float2 _e17 = bristles_laid(_e10, (1.0 - value), style_15);
+    float shade_2 = (_e17.x / max(_e17.y, 0.001));
+    const BrushStrokes brushstrokes = ConstructBrushStrokes(float4(shade_2, shade_2, shade_2, 1.0), _e17.y);
     return brushstrokes;
 }
 
 BrushStrokes brush_strokes_bristles_2_(float value_1, float2 place_9, float3 stretch_7, float count_6, float aspect_1, float size_1, float scatter_1, float turn_1, int seed_5, float2 viewport_7)
 {
-    const SpacedPlace _e11 = spaced_2_(place_9, stretch_7, viewport_7, 18.0);
+    const SpacedPlace _e10 = spaced_2_(place_9, stretch_7, viewport_7, count_6);
     Brush style_16 = ConstructBrush(aspect_1, 1.5, scatter_1, 0.5, 6u, false);
-    const float2 _e19 = bristles_laid_2_(_e11, (1.0 - value_1), style_16);
-    float shade_3 = (_e19.x / max(_e19.y, 0.001));
-    const BrushStrokes brushstrokes_1 = ConstructBrushStrokes(float4(shade_3, shade_3, shade_3, 1.0), _e19.y);
+    const float2 _e18 = bristles_laid_2_(_e10, (1.0 - value_1), style_16);
+    float shade_3 = (_e18.x / max(_e18.y, 0.001));
+    const BrushStrokes brushstrokes_1 = ConstructBrushStrokes(float4(shade_3, shade_3, shade_3, 1.0), _e18.y);
     return brushstrokes_1;
 }
 
 BrushStrokes brush_strokes_bristles_3_(float value_2, float2 place_10, float3 stretch_8, float count_7, float aspect_2, float size_2, float scatter_2, float turn_2, int seed_6, float2 viewport_8)
 {
-    const SpacedPlace _e11 = spaced_2_(place_10, stretch_8, viewport_8, 18.0);
+    const SpacedPlace _e10 = spaced_2_(place_10, stretch_8, viewport_8, count_7);
     Brush style_17 = ConstructBrush(aspect_2, size_2, scatter_2, 0.5, 2u, false);
-    const float2 _e18 = bristles_laid_3_(_e11, (1.0 - value_2), style_17);
-    float shade_4 = (_e18.x / max(_e18.y, 0.001));
-    const BrushStrokes brushstrokes_2 = ConstructBrushStrokes(float4(shade_4, shade_4, shade_4, 1.0), _e18.y);
+    const float2 _e17 = bristles_laid_3_(_e10, (1.0 - value_2), style_17);
+    float shade_4 = (_e17.x / max(_e17.y, 0.001));
+    const BrushStrokes brushstrokes_2 = ConstructBrushStrokes(float4(shade_4, shade_4, shade_4, 1.0), _e17.y);
     return brushstrokes_2;
 }
 
 BrushStrokes brush_strokes_bristles_4_(float value_3, float2 place_11, float3 stretch_9, float count_8, float aspect_3, float size_3, float scatter_3, float turn_3, int seed_7, float2 viewport_9)
 {
-    const SpacedPlace _e11 = spaced_3_(place_11, stretch_9, viewport_9, 24.0);
+    const SpacedPlace _e10 = spaced_3_(place_11, stretch_9, viewport_9, count_8);
     Brush style_18 = ConstructBrush(3.0, 1.5, scatter_3, 0.5, 3u, false);
-    const float2 _e20 = bristles_laid_4_(_e11, (1.0 - value_3), style_18);
-    float shade_5 = (_e20.x / max(_e20.y, 0.001));
-    const BrushStrokes brushstrokes_3 = ConstructBrushStrokes(float4(shade_5, shade_5, shade_5, 1.0), _e20.y);
+    const float2 _e19 = bristles_laid_4_(_e10, (1.0 - value_3), style_18);
+    float shade_5 = (_e19.x / max(_e19.y, 0.001));
+    const BrushStrokes brushstrokes_3 = ConstructBrushStrokes(float4(shade_5, shade_5, shade_5, 1.0), _e19.y);
     return brushstrokes_3;
 }
 
 BrushStrokes brush_strokes_bristles_5_(float value_4, float2 place_12, float3 stretch_10, float count_9, float aspect_4, float size_4, float scatter_4, float turn_4, int seed_8, float2 viewport_10)
 {
-    const SpacedPlace _e11 = spaced_4_(place_12, stretch_10, viewport_10, 32.0);
+    const SpacedPlace _e10 = spaced_4_(place_12, stretch_10, viewport_10, count_9);
     Brush style_19 = ConstructBrush(aspect_4, size_4, scatter_4, turn_4, 4u, false);
-    const float2 _e17 = bristles_laid_5_(_e11, (1.0 - value_4), style_19);
-    float shade_6 = (_e17.x / max(_e17.y, 0.001));
-    const BrushStrokes brushstrokes_4 = ConstructBrushStrokes(float4(shade_6, shade_6, shade_6, 1.0), _e17.y);
+    const float2 _e16 = bristles_laid_5_(_e10, (1.0 - value_4), style_19);
+    float shade_6 = (_e16.x / max(_e16.y, 0.001));
+    const BrushStrokes brushstrokes_4 = ConstructBrushStrokes(float4(shade_6, shade_6, shade_6, 1.0), _e16.y);
     return brushstrokes_4;
 }
 
 BrushStrokes brush_strokes_bristles_6_(float value_5, float2 place_13, float3 stretch_11, float count_10, float aspect_5, float size_5, float scatter_5, float turn_5, int seed_9, float2 viewport_11)
 {
-    const SpacedPlace _e11 = spaced_5_(place_13, stretch_11, viewport_11, 44.0);
+    const SpacedPlace _e10 = spaced_5_(place_13, stretch_11, viewport_11, count_10);
     Brush style_20 = ConstructBrush(aspect_5, 1.5, scatter_5, turn_5, 8u, false);
-    const float2 _e18 = bristles_laid_6_(_e11, (1.0 - value_5), style_20);
-    float shade_7 = (_e18.x / max(_e18.y, 0.001));
-    const BrushStrokes brushstrokes_5 = ConstructBrushStrokes(float4(shade_7, shade_7, shade_7, 1.0), _e18.y);
+    const float2 _e17 = bristles_laid_6_(_e10, (1.0 - value_5), style_20);
+    float shade_7 = (_e17.x / max(_e17.y, 0.001));
+    const BrushStrokes brushstrokes_5 = ConstructBrushStrokes(float4(shade_7, shade_7, shade_7, 1.0), _e17.y);
     return brushstrokes_5;
 }
 
@@ -1326,8 +1320,8 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 
 MarkPlace mark_place_axis(float3 axis_1, float3 normal_3, float angle_4, float3 view_3, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
 {
-    const StretchedPlace _e8 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    const MarkPlace markplace = ConstructMarkPlace(_e8.place, _e8.stretch);
+    const StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_4);
+    const MarkPlace markplace = ConstructMarkPlace(_e7.place, _e7.stretch);
     return markplace;
 }
 
@@ -1338,8 +1332,8 @@ MarkPlace mark_place_object(float angle_5, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_12);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_15 = (_e15 / (size_6).xx);
-    const StretchedPlace _e29 = mark_place_of_2_(place_15, float3((1.0 / size_6), 0.0, 0.0), float3(0.0, (1.0 / size_6), 0.0), 0.75);
-    const MarkPlace markplace_1 = ConstructMarkPlace(_e29.place, _e29.stretch);
+    const StretchedPlace _e28 = mark_place_of_2_(place_15, float3((1.0 / size_6), 0.0, 0.0), float3(0.0, (1.0 / size_6), 0.0), angle_5);
+    const MarkPlace markplace_1 = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace_1;
 }
 

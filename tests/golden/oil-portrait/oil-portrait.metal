@@ -174,7 +174,8 @@ metal::float2 sin_cos_eighth(
 metal::float2 sin_cos_eighth_2_(
     float x_4
 ) {
-    return metal::float2(0.6816388, 0.73168886);
+    float s_1 = x_4 * 0.9088517;
+    return metal::float2(s_1, 0.73168886);
 }
 
 metal::float2 sin_cos(
@@ -194,18 +195,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_3,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_3, v_3);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -219,33 +212,33 @@ float bounded(
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_5
+    metal::float2 v_4
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_5);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_4);
     metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
     metal::float2 largest_2 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_2, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_5, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_4, magnitude_1 < metal::uint2(2139095040u));
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_6
+    metal::float3 v_5
 ) {
-    metal::uint3 bits_3 = as_type<metal::uint3>(v_6);
+    metal::uint3 bits_3 = as_type<metal::uint3>(v_5);
     metal::uint3 magnitude_2 = bits_3 & metal::uint3(2147483647u);
     metal::float3 largest_3 = as_type<metal::float3>((bits_3 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers_1 = metal::select(metal::float3(0.0), largest_3, magnitude_2 == metal::uint3(2139095040u));
-    return metal::select(numbers_1, v_6, magnitude_2 < metal::uint3(2139095040u));
+    return metal::select(numbers_1, v_5, magnitude_2 < metal::uint3(2139095040u));
 }
 
 metal::float4 bounded_vec4_(
-    metal::float4 v_7
+    metal::float4 v_6
 ) {
-    metal::uint4 bits_4 = as_type<metal::uint4>(v_7);
+    metal::uint4 bits_4 = as_type<metal::uint4>(v_6);
     metal::uint4 magnitude_3 = bits_4 & metal::uint4(2147483647u);
     metal::float4 largest_4 = as_type<metal::float4>((bits_4 & metal::uint4(2147483648u)) | metal::uint4(2139095039u));
     metal::float4 numbers_2 = metal::select(metal::float4(0.0), largest_4, magnitude_3 == metal::uint4(2139095040u));
-    return metal::select(numbers_2, v_7, magnitude_3 < metal::uint4(2139095040u));
+    return metal::select(numbers_2, v_6, magnitude_3 < metal::uint4(2139095040u));
 }
 
 metal::float4 mixed_vec4_(
@@ -312,13 +305,12 @@ metal::float3x3 axes_around(
     metal::float3 up
 ) {
     metal::float3 z_1 = toward * metal::rsqrt(metal::dot(toward, toward));
-    metal::float3 y_1 = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y_1, z_1);
-    float square_3 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, z_1);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(z_1.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across_3 = (square_3 > 0.00000001) ? leaning : metal::cross(aside, z_1);
-    metal::float3 _e35 = normalize_moderate_2_(across_3 - (metal::dot(across_3, z_1) * z_1), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e35, metal::cross(z_1, _e35), z_1);
+    metal::float3 across_3 = (square_2 > 0.00000001) ? leaning : metal::cross(aside, z_1);
+    metal::float3 _e31 = normalize_moderate(across_3 - (metal::dot(across_3, z_1) * z_1), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e31, metal::cross(z_1, _e31), z_1);
 }
 
 Color output(
@@ -332,36 +324,36 @@ Color output(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_8 = {};
-    v_8 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_8.x;
-    uint _e10 = v_8.y;
-    uint _e12 = v_8.z;
-    v_8.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_8.y;
-    uint _e18 = v_8.z;
-    uint _e20 = v_8.x;
-    v_8.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_8.z;
-    uint _e26 = v_8.x;
-    uint _e28 = v_8.y;
-    v_8.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_8;
-    metal::uint3 _e32 = v_8;
-    v_8 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_8.x;
-    uint _e40 = v_8.y;
-    uint _e42 = v_8.z;
-    v_8.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_8.y;
-    uint _e48 = v_8.z;
-    uint _e50 = v_8.x;
-    v_8.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_8.z;
-    uint _e56 = v_8.x;
-    uint _e58 = v_8.y;
-    v_8.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_8;
+    metal::uint3 v_7 = {};
+    v_7 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_7.x;
+    uint _e10 = v_7.y;
+    uint _e12 = v_7.z;
+    v_7.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_7.y;
+    uint _e18 = v_7.z;
+    uint _e20 = v_7.x;
+    v_7.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_7.z;
+    uint _e26 = v_7.x;
+    uint _e28 = v_7.y;
+    v_7.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_7;
+    metal::uint3 _e32 = v_7;
+    v_7 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_7.x;
+    uint _e40 = v_7.y;
+    uint _e42 = v_7.z;
+    v_7.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_7.y;
+    uint _e48 = v_7.z;
+    uint _e50 = v_7.x;
+    v_7.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_7.z;
+    uint _e56 = v_7.x;
+    uint _e58 = v_7.y;
+    v_7.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_7;
     return _e61;
 }
 
@@ -438,10 +430,10 @@ StretchedPlace mark_place_of_2_(
     metal::float2 _e5 = sin_cos_eighth_2_(0.75);
     metal::float2 turn_7 = metal::clamp(_e5, metal::float2(-1.0), metal::float2(1.0));
     metal::float3 x_9 = (turn_7.y * along_1) + (turn_7.x * across_1);
-    metal::float3 y_2 = (turn_7.y * across_1) - (turn_7.x * along_1);
+    metal::float3 y_1 = (turn_7.y * across_1) - (turn_7.x * along_1);
     metal::float2 _e21 = bounded_vec2_(place_1);
     metal::float2 turned_1 = metal::float2((turn_7.y * _e21.x) + (turn_7.x * _e21.y), (turn_7.y * _e21.y) - (turn_7.x * _e21.x));
-    metal::float3 stretch_13 = metal::float3(metal::dot(x_9, x_9), metal::dot(x_9, y_2), metal::dot(y_2, y_2));
+    metal::float3 stretch_13 = metal::float3(metal::dot(x_9, x_9), metal::dot(x_9, y_1), metal::dot(y_1, y_1));
     metal::float2 _e41 = bounded_vec2_(turned_1);
     return StretchedPlace {_e41, {}, stretch_13};
 }
@@ -470,8 +462,8 @@ StretchedPlace place_on_surface(
     metal::float3 _e15 = bounded_vec3_(_e13 * height);
     metal::float3 _e16 = gradient_on_picture(across_2, normal_1, view_1);
     metal::float3 _e18 = bounded_vec3_(_e16 * height);
-    StretchedPlace _e20 = mark_place_of(place_2, _e15, _e18, 0.0);
-    return _e20;
+    StretchedPlace _e19 = mark_place_of(place_2, _e15, _e18, angle_2);
+    return _e19;
 }
 
 StretchedPlace place_across(
@@ -487,8 +479,8 @@ StretchedPlace place_across(
     metal::float2 place_14 = metal::float2(metal::dot(position, _e11[0]), metal::dot(position, _e11[2]));
     metal::float3 _e19 = bounded_vec3_(world_from_normal * _e11[0]);
     metal::float3 _e22 = bounded_vec3_(world_from_normal * _e11[2]);
-    StretchedPlace _e24 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    return _e24;
+    StretchedPlace _e23 = place_on_surface(place_14, _e19, _e22, normal_2, view_2, magnification_1, angle_3);
+    return _e23;
 }
 
 SpacedPlace spaced(
@@ -501,8 +493,8 @@ SpacedPlace spaced(
     float scale_2 = is_pixel ? (14.0 / metal::max(viewport_1.y, 1.0)) : 14.0;
     metal::float2 p_6 = metal::clamp(place_3 * scale_2, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch);
-    metal::float3 s_1 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_1};
+    metal::float3 s_2 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_6, {}, is_pixel ? metal::float3(1.0, 0.0, 1.0) : s_2};
 }
 
 SpacedPlace spaced_2_(
@@ -515,8 +507,8 @@ SpacedPlace spaced_2_(
     float scale_3 = is_pixel_1 ? (18.0 / metal::max(viewport_2.y, 1.0)) : 18.0;
     metal::float2 p_7 = metal::clamp(place_4 * scale_3, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch_1);
-    metal::float3 s_2 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_7, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : s_2};
+    metal::float3 s_3 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_7, {}, is_pixel_1 ? metal::float3(1.0, 0.0, 1.0) : s_3};
 }
 
 SpacedPlace spaced_3_(
@@ -557,8 +549,8 @@ SpacedPlace spaced_5_(
     float scale_6 = is_pixel_4 ? (44.0 / metal::max(viewport_5.y, 1.0)) : 44.0;
     metal::float2 p_10 = metal::clamp(place_7 * scale_6, metal::float2(-4194304.0), metal::float2(4194304.0));
     metal::float3 _e23 = bounded_vec3_(stretch_4);
-    metal::float3 s_3 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
-    return SpacedPlace {p_10, {}, is_pixel_4 ? metal::float3(1.0, 0.0, 1.0) : s_3};
+    metal::float3 s_4 = metal::clamp(_e23, metal::float3(-1000000000000000.0), metal::float3(1000000000000000.0));
+    return SpacedPlace {p_10, {}, is_pixel_4 ? metal::float3(1.0, 0.0, 1.0) : s_4};
 }
 
 float area_square(
@@ -1314,11 +1306,11 @@ BrushStrokes brush_strokes_bristles(
     int seed_4,
     metal::float2 viewport_6
 ) {
-    SpacedPlace _e11 = spaced(place_8, stretch_6, viewport_6, 14.0);
+    SpacedPlace _e10 = spaced(place_8, stretch_6, viewport_6, count_5);
     Brush style_15 = Brush {aspect, size, scatter, 0.5, 1u, false};
-    metal::float2 _e18 = bristles_laid(_e11, 1.0 - value, style_15);
-    float shade_2 = _e18.x / metal::max(_e18.y, 0.001);
-    return BrushStrokes {metal::float4(shade_2, shade_2, shade_2, 1.0), _e18.y};
+    metal::float2 _e17 = bristles_laid(_e10, 1.0 - value, style_15);
+    float shade_2 = _e17.x / metal::max(_e17.y, 0.001);
+    return BrushStrokes {metal::float4(shade_2, shade_2, shade_2, 1.0), _e17.y};
 }
 
 BrushStrokes brush_strokes_bristles_2_(
@@ -1333,11 +1325,11 @@ BrushStrokes brush_strokes_bristles_2_(
     int seed_5,
     metal::float2 viewport_7
 ) {
-    SpacedPlace _e11 = spaced_2_(place_9, stretch_7, viewport_7, 18.0);
+    SpacedPlace _e10 = spaced_2_(place_9, stretch_7, viewport_7, count_6);
     Brush style_16 = Brush {aspect_1, 1.5, scatter_1, 0.5, 6u, false};
-    metal::float2 _e19 = bristles_laid_2_(_e11, 1.0 - value_1, style_16);
-    float shade_3 = _e19.x / metal::max(_e19.y, 0.001);
-    return BrushStrokes {metal::float4(shade_3, shade_3, shade_3, 1.0), _e19.y};
+    metal::float2 _e18 = bristles_laid_2_(_e10, 1.0 - value_1, style_16);
+    float shade_3 = _e18.x / metal::max(_e18.y, 0.001);
+    return BrushStrokes {metal::float4(shade_3, shade_3, shade_3, 1.0), _e18.y};
 }
 
 BrushStrokes brush_strokes_bristles_3_(
@@ -1352,11 +1344,11 @@ BrushStrokes brush_strokes_bristles_3_(
     int seed_6,
     metal::float2 viewport_8
 ) {
-    SpacedPlace _e11 = spaced_2_(place_10, stretch_8, viewport_8, 18.0);
+    SpacedPlace _e10 = spaced_2_(place_10, stretch_8, viewport_8, count_7);
     Brush style_17 = Brush {aspect_2, size_2, scatter_2, 0.5, 2u, false};
-    metal::float2 _e18 = bristles_laid_3_(_e11, 1.0 - value_2, style_17);
-    float shade_4 = _e18.x / metal::max(_e18.y, 0.001);
-    return BrushStrokes {metal::float4(shade_4, shade_4, shade_4, 1.0), _e18.y};
+    metal::float2 _e17 = bristles_laid_3_(_e10, 1.0 - value_2, style_17);
+    float shade_4 = _e17.x / metal::max(_e17.y, 0.001);
+    return BrushStrokes {metal::float4(shade_4, shade_4, shade_4, 1.0), _e17.y};
 }
 
 BrushStrokes brush_strokes_bristles_4_(
@@ -1371,11 +1363,11 @@ BrushStrokes brush_strokes_bristles_4_(
     int seed_7,
     metal::float2 viewport_9
 ) {
-    SpacedPlace _e11 = spaced_3_(place_11, stretch_9, viewport_9, 24.0);
+    SpacedPlace _e10 = spaced_3_(place_11, stretch_9, viewport_9, count_8);
     Brush style_18 = Brush {3.0, 1.5, scatter_3, 0.5, 3u, false};
-    metal::float2 _e20 = bristles_laid_4_(_e11, 1.0 - value_3, style_18);
-    float shade_5 = _e20.x / metal::max(_e20.y, 0.001);
-    return BrushStrokes {metal::float4(shade_5, shade_5, shade_5, 1.0), _e20.y};
+    metal::float2 _e19 = bristles_laid_4_(_e10, 1.0 - value_3, style_18);
+    float shade_5 = _e19.x / metal::max(_e19.y, 0.001);
+    return BrushStrokes {metal::float4(shade_5, shade_5, shade_5, 1.0), _e19.y};
 }
 
 BrushStrokes brush_strokes_bristles_5_(
@@ -1390,11 +1382,11 @@ BrushStrokes brush_strokes_bristles_5_(
     int seed_8,
     metal::float2 viewport_10
 ) {
-    SpacedPlace _e11 = spaced_4_(place_12, stretch_10, viewport_10, 32.0);
+    SpacedPlace _e10 = spaced_4_(place_12, stretch_10, viewport_10, count_9);
     Brush style_19 = Brush {aspect_4, size_4, scatter_4, turn_4, 4u, false};
-    metal::float2 _e17 = bristles_laid_5_(_e11, 1.0 - value_4, style_19);
-    float shade_6 = _e17.x / metal::max(_e17.y, 0.001);
-    return BrushStrokes {metal::float4(shade_6, shade_6, shade_6, 1.0), _e17.y};
+    metal::float2 _e16 = bristles_laid_5_(_e10, 1.0 - value_4, style_19);
+    float shade_6 = _e16.x / metal::max(_e16.y, 0.001);
+    return BrushStrokes {metal::float4(shade_6, shade_6, shade_6, 1.0), _e16.y};
 }
 
 BrushStrokes brush_strokes_bristles_6_(
@@ -1409,11 +1401,11 @@ BrushStrokes brush_strokes_bristles_6_(
     int seed_9,
     metal::float2 viewport_11
 ) {
-    SpacedPlace _e11 = spaced_5_(place_13, stretch_11, viewport_11, 44.0);
+    SpacedPlace _e10 = spaced_5_(place_13, stretch_11, viewport_11, count_10);
     Brush style_20 = Brush {aspect_5, 1.5, scatter_5, turn_5, 8u, false};
-    metal::float2 _e18 = bristles_laid_6_(_e11, 1.0 - value_5, style_20);
-    float shade_7 = _e18.x / metal::max(_e18.y, 0.001);
-    return BrushStrokes {metal::float4(shade_7, shade_7, shade_7, 1.0), _e18.y};
+    metal::float2 _e17 = bristles_laid_6_(_e10, 1.0 - value_5, style_20);
+    float shade_7 = _e17.x / metal::max(_e17.y, 0.001);
+    return BrushStrokes {metal::float4(shade_7, shade_7, shade_7, 1.0), _e17.y};
 }
 
 MarkPlace mark_place_axis(
@@ -1425,8 +1417,8 @@ MarkPlace mark_place_axis(
     metal::float3x3 world_from_normal_1,
     float magnification_2
 ) {
-    StretchedPlace _e8 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    return MarkPlace {_e8.place, {}, _e8.stretch};
+    StretchedPlace _e7 = place_across(axis_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_4);
+    return MarkPlace {_e7.place, {}, _e7.stretch};
 }
 
 MarkPlace mark_place_object(
@@ -1440,8 +1432,8 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_12);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_15 = _e15 / metal::float2(size_6);
-    StretchedPlace _e29 = mark_place_of_2_(place_15, metal::float3(1.0 / size_6, 0.0, 0.0), metal::float3(0.0, 1.0 / size_6, 0.0), 0.75);
-    return MarkPlace {_e29.place, {}, _e29.stretch};
+    StretchedPlace _e28 = mark_place_of_2_(place_15, metal::float3(1.0 / size_6, 0.0, 0.0), metal::float3(0.0, 1.0 / size_6, 0.0), angle_5);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 float reflectance_half_lambert(

@@ -138,8 +138,8 @@ fn sin_cos_eighth(x: f32) -> vec2f {
 
 /// [`sin_cos_quarter`] for |x| <= pi/4, where the series need no half-angle.
 fn sin_cos_eighth_2(x: f32) -> vec2f {
-    let s = 0.75 * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625 * (0.00833333333333333333
-        + 0.5625 * (-0.0001984126984126984 + 0.5625 * 0.00000275573192239858907))));
+    let s = x * (1.0 + 0.5625 * (-0.16666666666666666 + 0.5625 * (0.00833333333333333333 + 0.5625
+        * (-0.0001984126984126984 + 0.5625 * 0.00000275573192239858907))));
     let c = 1.0 - 0.5625 * (0.5 + 0.5625 * (-0.041666666666666664 + 0.5625
         * (0.00138888888888888889 + 0.5625 * (-2.48015873015873e-5 + 0.5625
         * 2.75573192239858907e-7))));
@@ -154,21 +154,14 @@ fn sin_cos(x: f32) -> vec2f {
     return sin_cos_eighth(r);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -258,12 +251,11 @@ fn straight(composite: Composite) -> Color {
 /// itself; upright lies along `up` as far as that goes.
 fn axes_around(toward: vec3f, up: vec3f) -> mat3x3f {
     let z = toward * inverseSqrt(dot(toward, toward));
-    let y = vec3f(0.0, 1.0, 0.0);
-    let leaning = cross(y, z);
+    let leaning = cross(up, z);
     let square = dot(leaning, leaning);
     let aside = select(vec3f(1.0, 0.0, 0.0), vec3f(0.0, 0.0, 1.0), abs(z.x) > 0.7);
     let across = select(cross(aside, z), leaning, square > 1e-8);
-    let x = normalize_moderate_2(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
+    let x = normalize_moderate(across - dot(across, z) * z, vec3f(1.0, 0.0, 0.0));
     return mat3x3f(x, cross(z, x), z);
 }
 
@@ -441,7 +433,7 @@ fn place_across(axis: vec3f, position: vec3f, world_from_normal: mat3x3f, normal
     let place = vec2f(dot(position, axes[0]), dot(position, axes[2]));
     let along = bounded_vec3(world_from_normal * axes[0]);
     let across = bounded_vec3(world_from_normal * axes[2]);
-    return place_on_surface(place, along, across, normal, view, magnification, 0.0);
+    return place_on_surface(place, along, across, normal, view, magnification, angle);
 }
 
 /// A place on a surface whose coordinates have the gradients `along` and `across` in world space.
@@ -450,7 +442,7 @@ fn place_on_surface(place: vec2f, along: vec3f, across: vec3f, normal: vec3f, vi
     let height = 1.0 / clamp(bounded(magnification), 1e-15, 1e15);
     let x = bounded_vec3(gradient_on_picture(along, normal, view) * height);
     let y = bounded_vec3(gradient_on_picture(across, normal, view) * height);
-    return mark_place_of(place, x, y, 0.0);
+    return mark_place_of(place, x, y, angle);
 }
 
 /// A place in spacings of marks, with its stretch.
@@ -1043,7 +1035,7 @@ fn brush_turned_3(step: vec2f, stroke: Brushstroke, style: Brush) -> vec2f {
 
 fn brush_strokes_bristles(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced(place, stretch, viewport, 14.0);
+    let at = spaced(place, stretch, viewport, count);
     let style = Brush(aspect, size, scatter, 0.5, 1u, false);
     let paint = bristles_laid(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1052,7 +1044,7 @@ fn brush_strokes_bristles(value: f32, place: vec2f, stretch: vec3f, count: f32, 
 
 fn brush_strokes_bristles_2(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_2(place, stretch, viewport, 18.0);
+    let at = spaced_2(place, stretch, viewport, count);
     let style = Brush(aspect, 1.5, scatter, 0.5, 6u, false);
     let paint = bristles_laid_2(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1061,7 +1053,7 @@ fn brush_strokes_bristles_2(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_3(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_2(place, stretch, viewport, 18.0);
+    let at = spaced_2(place, stretch, viewport, count);
     let style = Brush(aspect, size, scatter, 0.5, 2u, false);
     let paint = bristles_laid_3(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1070,7 +1062,7 @@ fn brush_strokes_bristles_3(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_4(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_3(place, stretch, viewport, 24.0);
+    let at = spaced_3(place, stretch, viewport, count);
     let style = Brush(3.0, 1.5, scatter, 0.5, 3u, false);
     let paint = bristles_laid_4(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1079,7 +1071,7 @@ fn brush_strokes_bristles_4(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_5(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_4(place, stretch, viewport, 32.0);
+    let at = spaced_4(place, stretch, viewport, count);
     let style = Brush(aspect, size, scatter, turn, 4u, false);
     let paint = bristles_laid_5(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1088,7 +1080,7 @@ fn brush_strokes_bristles_5(value: f32, place: vec2f, stretch: vec3f, count: f32
 
 fn brush_strokes_bristles_6(value: f32, place: vec2f, stretch: vec3f, count: f32, aspect: f32,
     size: f32, scatter: f32, turn: f32, seed: i32, viewport: vec2f) -> BrushStrokes {
-    let at = spaced_5(place, stretch, viewport, 44.0);
+    let at = spaced_5(place, stretch, viewport, count);
     let style = Brush(aspect, 1.5, scatter, turn, 8u, false);
     let paint = bristles_laid_6(at, 1.0 - value, style);
     let shade = paint.x / max(paint.y, 1e-3);
@@ -1106,14 +1098,14 @@ struct BrushStrokes {
 fn mark_place_axis(axis: vec3f, normal: vec3f, angle: f32, view: vec3f, position_object: vec3f,
     world_from_normal: mat3x3f, magnification: f32) -> MarkPlace {
     let m = place_across(axis, position_object, world_from_normal, normal, view, magnification,
-        0.0);
+        angle);
     return MarkPlace(m.place, m.stretch);
 }
 
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of_2(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.75);
+    let m = mark_place_of_2(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
 

@@ -100,13 +100,8 @@ vec3 normalize_moderate(vec3 v, vec3 otherwise) {
     return ((square > 1e-30) ? (v * inversesqrt(max(square, 1e-30))) : otherwise);
 }
 
-vec3 normalize_moderate_2_(vec3 v_1, vec3 otherwise_1) {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_2) {
-    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_1) {
+    vec3 _e5 = normalize_moderate(v_1, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -141,12 +136,12 @@ float bounded(float x_3) {
     return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-vec2 bounded_vec2_(vec2 v_3) {
-    uvec2 bits_2 = floatBitsToUint(v_3);
+vec2 bounded_vec2_(vec2 v_2) {
+    uvec2 bits_2 = floatBitsToUint(v_2);
     uvec2 magnitude_1 = (bits_2 & uvec2(2147483647u));
     vec2 largest_1 = uintBitsToFloat(((bits_2 & uvec2(2147483648u)) | uvec2(2139095039u)));
     vec2 numbers = mix(vec2(0.0), largest_1, equal(magnitude_1, uvec2(2139095040u)));
-    return mix(numbers, v_3, lessThan(magnitude_1, uvec2(2139095040u)));
+    return mix(numbers, v_2, lessThan(magnitude_1, uvec2(2139095040u)));
 }
 
 float footprint_of(float x_4) {
@@ -242,7 +237,7 @@ float rim(Light light, vec3 normal, vec3 view, float width, float softness, floa
     float within = ((further / max(edge, 1e-6)) + 0.5);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across = (light.direction - (dot(light.direction, view) * view));
-    vec3 _e42 = normalize_moderate_2_(across, vec3(0.0));
+    vec3 _e42 = normalize_moderate(across, vec3(0.0));
     float side = dot((normal - (dot(normal, view) * view)), _e42);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -264,20 +259,20 @@ float faded_in(float x_6, float limit, float softness_1) {
 float inner_contour_suggestive(float width_1, float limit_1, float softness_2, vec3 tensor_1, vec3 normal_1, vec3 view_1, mat3x3 camera_from_world, vec3 place_1, vec2 viewport) {
     vec3 n = (camera_from_world * normal_1);
     vec3 _e10 = tensor_safe(tensor_1);
-    float square_2 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_2, 1e-6));
+    float square_1 = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
     float _e36 = dFdx(radial);
     float _e37 = dFdy(radial);
     vec2 change = vec2(_e36, _e37);
-    vec3 v_4 = (camera_from_world * view_1);
+    vec3 v_3 = (camera_from_world * view_1);
     vec3 row = dFdy(place_1);
-    float up = (((row - (dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_2, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * inversesqrt(max(square_1, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    float _e80 = faded_in(((toward_eye * height) * 0.05), 20.0, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e80) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    float _e79 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e79) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
 vec4 shade(Surface surface_1) {

@@ -165,15 +165,9 @@ float3 normalize_moderate(float3 v, float3 otherwise)
     return ((square > 1e-30) ? (v * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_1, float3 otherwise_1)
+float3 normalize_seen(float3 v_1)
 {
-    float square_1 = dot(v_1, v_1);
-    return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_2)
-{
-    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_1, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -221,13 +215,13 @@ float bounded(float x_3)
     return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest : 0.0));
 }
 
-float2 bounded_vec2_(float2 v_3)
+float2 bounded_vec2_(float2 v_2)
 {
-    uint2 bits_2 = asuint(v_3);
+    uint2 bits_2 = asuint(v_2);
     uint2 magnitude_1 = (bits_2 & (2147483647u).xx);
     float2 largest_1 = asfloat(((bits_2 & (2147483648u).xx) | (2139095039u).xx));
     float2 numbers = ((magnitude_1 == (2139095040u).xx) ? largest_1 : (0.0).xx);
-    return ((magnitude_1 < (2139095040u).xx) ? v_3 : numbers);
+    return ((magnitude_1 < (2139095040u).xx) ? v_2 : numbers);
 }
 
 float footprint_of(float x_4)
@@ -335,7 +329,7 @@ float rim(Light light, float3 normal, float3 view, float width, float softness, 
     float within = ((further / max(edge, 1e-6)) + 0.5);
     float inside = clamp(within, 0.0, 1.0);
     float3 across = (light.direction - (dot(light.direction, view) * view));
-    const float3 _e42 = normalize_moderate_2_(across, (0.0).xxx);
+    const float3 _e42 = normalize_moderate(across, (0.0).xxx);
     float side = dot((normal - (dot(normal, view) * view)), _e42);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -364,20 +358,20 @@ float inner_contour_suggestive(float width_1, float limit_1, float softness_2, f
 {
     float3 n = mul(normal_1, camera_from_world);
     const float3 _e10 = tensor_safe(tensor_1);
-    float square_2 = dot(n.xy, n.xy);
-    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_2, 1e-6));
+    float square_1 = dot(n.xy, n.xy);
+    float radial = (((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / max(square_1, 1e-6));
     float _e36 = ddx(radial);
     float _e37 = ddy(radial);
     float2 change = float2(_e36, _e37);
-    float3 v_4 = mul(view_1, camera_from_world);
+    float3 v_3 = mul(view_1, camera_from_world);
     float3 row = ddy(place_1);
-    float up = (((row - (dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0);
+    float up = (((row - (dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0);
     float height = clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_2, 1e-6)));
+    float toward_eye = (-(((change.x * n.x) + ((up * change.y) * n.y))) * rsqrt(max(square_1, 1e-6)));
     float pixels = ((1.5 * height) / 1000.0);
     float distance_ = (abs(radial) / max(length(change), 1e-6));
-    const float _e80 = faded_in(((toward_eye * height) * 0.05), 20.0, softness_2);
-    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e80) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
+    const float _e79 = faded_in(((toward_eye * height) * 0.05), limit_1, softness_2);
+    return ((clamp(((pixels + 0.5) - distance_), 0.0, min(pixels, 1.0)) * _e79) * smoothstep(0.05, 0.3, dot(normal_1, view_1)));
 }
 
 float4 shade(Surface surface_1)

@@ -125,18 +125,10 @@ metal::float3 normalize_moderate(
     return (square > 0.000000000000000000000000000001) ? (v * metal::rsqrt(metal::max(square, 0.000000000000000000000000000001))) : otherwise;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_1,
-    metal::float3 otherwise_1
-) {
-    float square_1 = metal::dot(v_1, v_1);
-    return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_2
+    metal::float3 v_1
 ) {
-    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_1, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -182,13 +174,13 @@ float bounded(
 }
 
 metal::float2 bounded_vec2_(
-    metal::float2 v_3
+    metal::float2 v_2
 ) {
-    metal::uint2 bits_2 = as_type<metal::uint2>(v_3);
+    metal::uint2 bits_2 = as_type<metal::uint2>(v_2);
     metal::uint2 magnitude_1 = bits_2 & metal::uint2(2147483647u);
     metal::float2 largest_1 = as_type<metal::float2>((bits_2 & metal::uint2(2147483648u)) | metal::uint2(2139095039u));
     metal::float2 numbers = metal::select(metal::float2(0.0), largest_1, magnitude_1 == metal::uint2(2139095040u));
-    return metal::select(numbers, v_3, magnitude_1 < metal::uint2(2139095040u));
+    return metal::select(numbers, v_2, magnitude_1 < metal::uint2(2139095040u));
 }
 
 float footprint_of(
@@ -321,7 +313,7 @@ float rim(
     float within = (further / metal::max(edge, 0.000001)) + 0.5;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across = light.direction - (metal::dot(light.direction, view) * view);
-    metal::float3 _e42 = normalize_moderate_2_(across, metal::float3(0.0));
+    metal::float3 _e42 = normalize_moderate(across, metal::float3(0.0));
     float side = metal::dot(normal - (metal::dot(normal, view) * view), _e42);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
@@ -367,20 +359,20 @@ float inner_contour_suggestive(
 ) {
     metal::float3 n = camera_from_world * normal_1;
     metal::float3 _e10 = tensor_safe(tensor_1);
-    float square_2 = metal::dot(n.xy, n.xy);
-    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_2, 0.000001);
+    float square_1 = metal::dot(n.xy, n.xy);
+    float radial = ((((_e10.x * n.x) * n.x) + (((2.0 * _e10.y) * n.x) * n.y)) + ((_e10.z * n.y) * n.y)) / metal::max(square_1, 0.000001);
     float _e36 = metal::dfdx(radial);
     float _e37 = metal::dfdy(radial);
     metal::float2 change = metal::float2(_e36, _e37);
-    metal::float3 v_4 = camera_from_world * view_1;
+    metal::float3 v_3 = camera_from_world * view_1;
     metal::float3 row = metal::dfdy(place_1);
-    float up = ((row - (metal::dot(row, v_4) * v_4)).y >= 0.0) ? 1.0 : -1.0;
+    float up = ((row - (metal::dot(row, v_3) * v_3)).y >= 0.0) ? 1.0 : -1.0;
     float height = metal::clamp(viewport.y, 1.0, 100000.0);
-    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_2, 0.000001));
+    float toward_eye = -(((change.x * n.x) + ((up * change.y) * n.y))) * metal::rsqrt(metal::max(square_1, 0.000001));
     float pixels = (1.5 * height) / 1000.0;
     float distance = metal::abs(radial) / metal::max(metal::length(change), 0.000001);
-    float _e80 = faded_in((toward_eye * height) * 0.05, 20.0, softness_2);
-    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * _e80) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
+    float _e79 = faded_in((toward_eye * height) * 0.05, limit_1, softness_2);
+    return (metal::clamp((pixels + 0.5) - distance, 0.0, metal::min(pixels, 1.0)) * _e79) * metal::smoothstep(0.05, 0.3, metal::dot(normal_1, view_1));
 }
 
 metal::float4 shade(

@@ -112,13 +112,9 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-vec4 blend_add(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
-    return clamp(vec4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), vec4(0.0), vec4(1.0));
-}
-
-LitLayer light_apply(Light light, vec4 color_1, float tone_1) {
+LitLayer light_apply(Light light, vec4 color, float tone) {
     vec2 split = vec2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    return LitLayer(vec4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    return LitLayer(vec4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
 }
 
 float profile_power(float q, float exponent) {
@@ -176,21 +172,21 @@ vec4 shade(Surface surface_1) {
     float _e22 = profile(body_angle, 0.0, body_tone_shape);
     Light _e25 = u_look.window;
     LitLayer _e31 = light_apply(_e25, vec4(0.42, 0.38, 0.38, 1.0), _e22);
-    vec4 _e41 = blend_add(vec4(0.2, 0.18, 0.22, 1.0), _e31.color, _e31.tone, 1.0, true);
-    vec3 _e46 = u_look.lamp.direction;
-    vec3 _e55 = u_look.lamp.direction;
-    Angle light_angle = Angle((0.5 * length((surface_1.normal - _e46))), (0.5 * length((surface_1.normal + _e55))));
-    float _e63 = profile(light_angle, 0.0, light_tone_shape);
-    Light _e66 = u_look.lamp;
-    LitLayer _e72 = light_apply(_e66, vec4(0.14, 0.13, 0.12, 1.0), _e63);
-    vec4 light_blend = clamp(vec4((_e41.xyz + ((_e41.xyz + (_e72.tone * _e72.color.xyz)) - _e41.xyz)), 1.0), vec4(0.0), vec4(1.0));
-    vec3 _e94 = u_look.back.direction;
-    vec3 _e103 = u_look.back.direction;
-    Angle behind_angle = Angle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
-    float _e111 = profile(behind_angle, 0.0, behind_tone_shape);
-    Light _e114 = u_look.back;
-    LitLayer _e120 = light_apply(_e114, vec4(0.08, 0.09, 0.1, 1.0), _e111);
-    vec4 output_ = clamp(vec4((light_blend.xyz + ((light_blend.xyz + (_e120.tone * _e120.color.xyz)) - light_blend.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 body_blend = clamp(vec4((vec3(0.2, 0.18, 0.22) + (_e31.tone * _e31.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec3 _e52 = u_look.lamp.direction;
+    vec3 _e61 = u_look.lamp.direction;
+    Angle light_angle = Angle((0.5 * length((surface_1.normal - _e52))), (0.5 * length((surface_1.normal + _e61))));
+    float _e69 = profile(light_angle, 0.0, light_tone_shape);
+    Light _e72 = u_look.lamp;
+    LitLayer _e78 = light_apply(_e72, vec4(0.14, 0.13, 0.12, 1.0), _e69);
+    vec4 light_blend = clamp(vec4((body_blend.xyz + (_e78.tone * _e78.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec3 _e96 = u_look.back.direction;
+    vec3 _e105 = u_look.back.direction;
+    Angle behind_angle = Angle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
+    float _e113 = profile(behind_angle, 0.0, behind_tone_shape);
+    Light _e116 = u_look.back;
+    LitLayer _e122 = light_apply(_e116, vec4(0.08, 0.09, 0.1, 1.0), _e113);
+    vec4 output_ = clamp(vec4((light_blend.xyz + (_e122.tone * _e122.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     return output_;
 }
 

@@ -192,11 +192,6 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_2;
 }
 
-float4 blend_add(float4 below, float4 color, float tone, float opacity, bool clamped)
-{
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -204,10 +199,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light, float4 color_1, float tone_1)
+LitLayer light_apply(Light light, float4 color, float tone)
 {
     float2 split = float2(min(light.intensity, 1.0), max(light.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color.xyz * light.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
@@ -272,21 +267,21 @@ float4 shade(Surface surface_1)
     const float _e22 = profile(body_angle, 0.0, body_tone_shape);
     Light _e25 = look.window;
     const LitLayer _e31 = light_apply(_e25, float4(0.42, 0.38, 0.38, 1.0), _e22);
-    const float4 _e41 = blend_add(float4(0.2, 0.18, 0.22, 1.0), _e31.color, _e31.tone, 1.0, true);
-    float3 _e46 = look.lamp.direction;
-    float3 _e55 = look.lamp.direction;
-    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e46))), (0.5 * length((surface_1.normal + _e55))));
-    const float _e63 = profile(light_angle, 0.0, light_tone_shape);
-    Light _e66 = look.lamp;
-    const LitLayer _e72 = light_apply(_e66, float4(0.14, 0.13, 0.12, 1.0), _e63);
-    float4 light_blend = clamp(float4((_e41.xyz + ((_e41.xyz + (_e72.tone * _e72.color.xyz)) - _e41.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    float3 _e94 = look.back.direction;
-    float3 _e103 = look.back.direction;
-    Angle behind_angle = ConstructAngle((0.5 * length((surface_1.normal - _e94))), (0.5 * length((surface_1.normal + _e103))));
-    const float _e111 = profile(behind_angle, 0.0, behind_tone_shape);
-    Light _e114 = look.back;
-    const LitLayer _e120 = light_apply(_e114, float4(0.08, 0.09, 0.1, 1.0), _e111);
-    float4 output = clamp(float4((light_blend.xyz + ((light_blend.xyz + (_e120.tone * _e120.color.xyz)) - light_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 body_blend = clamp(float4((float3(0.2, 0.18, 0.22) + (_e31.tone * _e31.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 _e52 = look.lamp.direction;
+    float3 _e61 = look.lamp.direction;
+    Angle light_angle = ConstructAngle((0.5 * length((surface_1.normal - _e52))), (0.5 * length((surface_1.normal + _e61))));
+    const float _e69 = profile(light_angle, 0.0, light_tone_shape);
+    Light _e72 = look.lamp;
+    const LitLayer _e78 = light_apply(_e72, float4(0.14, 0.13, 0.12, 1.0), _e69);
+    float4 light_blend = clamp(float4((body_blend.xyz + (_e78.tone * _e78.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 _e96 = look.back.direction;
+    float3 _e105 = look.back.direction;
+    Angle behind_angle = ConstructAngle((0.5 * length((surface_1.normal - _e96))), (0.5 * length((surface_1.normal + _e105))));
+    const float _e113 = profile(behind_angle, 0.0, behind_tone_shape);
+    Light _e116 = look.back;
+    const LitLayer _e122 = light_apply(_e116, float4(0.08, 0.09, 0.1, 1.0), _e113);
+    float4 output = clamp(float4((light_blend.xyz + (_e122.tone * _e122.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     return output;
 }
 

@@ -37,7 +37,6 @@ struct Surface {
     metal::float3 normal;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -158,23 +157,13 @@ Angle angle_turned_2_(
     return Angle {turned_1.x, turned_1.y};
 }
 
-Composite blend_add(
-    Composite below,
-    Color color,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light,
-    Color color_1,
-    float tone_1
+    Color color,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light.intensity, 1.0), metal::max(light.intensity, 1.0));
-    return LitLayer {metal::float4((color_1.xyz * light.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color.xyz * light.color) * split.y, 1.0), tone * split.x};
 }
 
 float profile_power(
@@ -249,21 +238,21 @@ metal::float4 shade(
     float _e22 = profile(body_angle, 0.0, body_tone_shape);
     Light _e25 = look.window;
     LitLayer _e31 = light_apply(_e25, metal::float4(0.42, 0.38, 0.38, 1.0), _e22);
-    Composite _e41 = blend_add(metal::float4(0.2, 0.18, 0.22, 1.0), _e31.color, _e31.tone, 1.0, true);
-    metal::float3 _e46 = look.lamp.direction;
-    metal::float3 _e55 = look.lamp.direction;
-    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e46), 0.5 * metal::length(surface_1.normal + _e55)};
-    float _e63 = profile(light_angle, 0.0, light_tone_shape);
-    Light _e66 = look.lamp;
-    LitLayer _e72 = light_apply(_e66, metal::float4(0.14, 0.13, 0.12, 1.0), _e63);
-    metal::float4 light_blend = metal::clamp(metal::float4(_e41.xyz + ((_e41.xyz + (_e72.tone * _e72.color.xyz)) - _e41.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    metal::float3 _e94 = look.back.direction;
-    metal::float3 _e103 = look.back.direction;
-    Angle behind_angle = Angle {0.5 * metal::length(surface_1.normal - _e94), 0.5 * metal::length(surface_1.normal + _e103)};
-    float _e111 = profile(behind_angle, 0.0, behind_tone_shape);
-    Light _e114 = look.back;
-    LitLayer _e120 = light_apply(_e114, metal::float4(0.08, 0.09, 0.1, 1.0), _e111);
-    metal::float4 output = metal::clamp(metal::float4(light_blend.xyz + ((light_blend.xyz + (_e120.tone * _e120.color.xyz)) - light_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 body_blend = metal::clamp(metal::float4(metal::float3(0.2, 0.18, 0.22) + (_e31.tone * _e31.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e52 = look.lamp.direction;
+    metal::float3 _e61 = look.lamp.direction;
+    Angle light_angle = Angle {0.5 * metal::length(surface_1.normal - _e52), 0.5 * metal::length(surface_1.normal + _e61)};
+    float _e69 = profile(light_angle, 0.0, light_tone_shape);
+    Light _e72 = look.lamp;
+    LitLayer _e78 = light_apply(_e72, metal::float4(0.14, 0.13, 0.12, 1.0), _e69);
+    metal::float4 light_blend = metal::clamp(metal::float4(body_blend.xyz + (_e78.tone * _e78.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e96 = look.back.direction;
+    metal::float3 _e105 = look.back.direction;
+    Angle behind_angle = Angle {0.5 * metal::length(surface_1.normal - _e96), 0.5 * metal::length(surface_1.normal + _e105)};
+    float _e113 = profile(behind_angle, 0.0, behind_tone_shape);
+    Light _e116 = look.back;
+    LitLayer _e122 = light_apply(_e116, metal::float4(0.08, 0.09, 0.1, 1.0), _e113);
+    metal::float4 output = metal::clamp(metal::float4(light_blend.xyz + (_e122.tone * _e122.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     return output;
 }
 

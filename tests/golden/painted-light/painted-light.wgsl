@@ -38,9 +38,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -103,14 +100,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -165,14 +162,6 @@ fn angle_turned_2(u: Angle, t: vec2f) -> Angle {
     let upper = select(vec2f(s, c), vec2f(1.0, 0.0), c <= 0.0);
     let turned = select(upper, vec2f(0.0, 1.0), (s <= 0.0) & (s < c));
     return Angle(turned.x, turned.y);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -353,15 +342,15 @@ fn shade(surface: Surface) -> vec4f {
     let body_angle = Angle(0.5 * length(surface.normal - look.window.direction), 0.5 * length(surface.normal + look.window.direction));
     let body_tone = profile(body_angle, 0.0, body_tone_shape);
     let body_lit = light_apply(look.window, vec4f(0.18708, 0.62392, 0.48886, 1.0), body_tone);
-    let body_blend = blend_add(vec4f(0.14678, 0.1201, 0.28662, 1.0), body_lit.color, body_lit.tone, 1.0, true);
+    let body_blend = clamp(vec4f(vec4f(0.14678, 0.1201, 0.28662, 1.0).xyz + body_lit.tone * body_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let light_angle = Angle(0.5 * length(surface.normal - look.lamp.direction), 0.5 * length(surface.normal + look.lamp.direction));
     let light_tone = profile_2(light_angle, 0.0, light_tone_shape);
     let light_lit = light_apply(look.lamp, vec4f(0.81701, 0.67278, 0.30725, 1.0), light_tone);
-    let light_blend = clamp(vec4f(body_blend.xyz + (body_blend.xyz + light_lit.tone * light_lit.color.xyz - body_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let light_blend = clamp(vec4f(body_blend.xyz + light_lit.tone * light_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let behind_angle = Angle(0.5 * length(surface.normal - look.back.direction), 0.5 * length(surface.normal + look.back.direction));
     let behind_tone = profile_3(behind_angle, 0.0, behind_tone_shape);
     let behind_lit = light_apply(look.back, vec4f(0.08, 0.09, 0.1, 1.0), behind_tone);
-    let behind_blend = clamp(vec4f(light_blend.xyz + (light_blend.xyz + behind_lit.tone * behind_lit.color.xyz - light_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let behind_blend = clamp(vec4f(light_blend.xyz + behind_lit.tone * behind_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let output = behind_blend;
     return output;
 }

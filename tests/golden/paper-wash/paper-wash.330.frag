@@ -147,9 +147,9 @@ float footprint_of_2_(float x_3) {
 }
 
 float stairs_integral(float x_4, float count) {
-    float inside = min(x_4, 4.0);
+    float inside = min(x_4, count);
     float stair = min(floor(inside), 3.0);
-    float beyond = max((x_4 - 4.0), 0.0);
+    float beyond = max((x_4 - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
 }
 
@@ -165,9 +165,9 @@ float stairs_filtered(float x_6, float count_2, float w) {
         return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
     }
     float half_ = (0.5 * w);
-    float _e23 = stairs_integral((x_6 + half_), 4.0);
-    float _e26 = stairs_integral_2_((x_6 - half_), 4.0);
-    return ((_e23 - _e26) / (2.0 * half_));
+    float _e22 = stairs_integral((x_6 + half_), count_2);
+    float _e24 = stairs_integral_2_((x_6 - half_), count_2);
+    return ((_e22 - _e24) / (2.0 * half_));
 }
 
 vec4 hermite(vec4 a_1, vec4 b_1, vec4 from_a, vec4 to_b, float t) {
@@ -230,9 +230,9 @@ vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
     }
     uint _e31 = at;
     uint _e35 = at;
-    float place_7 = places[(_e31 / 4u)][(_e35 % 4u)];
+    float place_6 = places[(_e31 / 4u)][(_e35 % 4u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_7))) {
+    if ((((_e40 + 1u) >= 5u) || (x_7 <= place_6))) {
         uint _e47 = at;
         vec4 _e49 = colors[_e47];
         return _e49;
@@ -240,8 +240,8 @@ vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
     uint _e50 = at;
     uint after_1 = (_e50 + 1u);
     float _e59 = places[(after_1 / 4u)][(after_1 % 4u)];
-    float span = (_e59 - place_7);
-    float _e62 = divided((x_7 - place_7), span);
+    float span = (_e59 - place_6);
+    float _e62 = divided((x_7 - place_6), span);
     float t_1 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
@@ -255,12 +255,12 @@ vec4 ramp_at(Ramp ramp, float x_7, float w_1) {
         vec4 _e96 = colors[after_1];
         uint _e97 = at;
         vec4 _e99 = colors[_e97];
-        vec4 _e101 = ramp_slope((_e87 - _e92), (place_7 - before_1), (_e96 - _e99), span);
+        vec4 _e101 = ramp_slope((_e87 - _e92), (place_6 - before_1), (_e96 - _e99), span);
         from_a_1 = _e101;
     }
     if (((after_1 + 1u) < 5u)) {
         float _e119 = places[((after_1 + 1u) / 4u)][((after_1 + 1u) % 4u)];
-        float next = (_e119 - (place_7 + span));
+        float next = (_e119 - (place_6 + span));
         vec4 _e123 = colors[after_1];
         uint _e124 = at;
         vec4 _e126 = colors[_e124];
@@ -358,11 +358,11 @@ float perlin_noise(vec3 p, uint seed_1) {
         int _e25 = i;
         int _e28 = i;
         int _e33 = i;
-        ivec3 at_3 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
-        vec3 weight = mix((vec3(1.0) - f), f, equal(at_3, ivec3(1)));
+        ivec3 at_2 = ivec3((_e25 & 1), ((_e28 >> 1u) & 1), (_e33 >> 2u));
+        vec3 weight = mix((vec3(1.0) - f), f, equal(at_2, ivec3(1)));
         float _e44 = sum;
-        uvec3 _e58 = hash_pcg3d((uvec3((cell + at_3)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
-        float _e61 = gradient_dot(_e58, (d_4 - vec3(at_3)));
+        uvec3 _e58 = hash_pcg3d((uvec3((cell + at_2)) + (seed_1 * uvec3(2654435769u, 2246822507u, 3266489909u))));
+        float _e61 = gradient_dot(_e58, (d_4 - vec3(at_2)));
         sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
     }
     float _e67 = sum;
@@ -425,20 +425,20 @@ MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewp
     float size = clamp(_e5, 1e-6, 1000000.0);
     vec2 _e9 = place_in_picture(pixel_1, viewport_3);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
-    vec2 place_8 = (_e15 / vec2(size));
-    StretchedPlace _e29 = mark_place_of(place_8, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), 0.0);
-    return MarkPlace(_e29.place, _e29.stretch);
+    vec2 place_7 = (_e15 / vec2(size));
+    StretchedPlace _e28 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 float paper_octave(vec2 place_3, int zoom, float w_2, float fiber, uint seed_2) {
     float scale_4 = uintBitsToFloat((uint((zoom + 127)) << 23u));
     vec2 p_3 = clamp((place_3 * scale_4), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (5u + (7u * uint(zoom)));
-    float _e24 = perlin_noise(vec3(p_3, 0.5), own);
-    float grain = (_e24 - 0.5);
+    uint own = (seed_2 + (7u * uint(zoom)));
+    float _e23 = perlin_noise(vec3(p_3, 0.5), own);
+    float grain = (_e23 - 0.5);
     vec2 q = clamp((2.7 * vec2(((0.8 * p_3.x) - (0.6 * p_3.y)), ((0.6 * p_3.x) + (0.8 * p_3.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e53 = perlin_noise(vec3(q, 0.5), (own + 1u));
-    float felt = (_e53 - 0.5);
+    float _e52 = perlin_noise(vec3(q, 0.5), (own + 1u));
+    float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_4)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_4)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
@@ -448,71 +448,35 @@ float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3) {
     float height = 0.0;
     vec2 x_9 = dFdx(at_1.place);
     vec2 y_1 = dFdy(at_1.place);
-    float w_4 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
+    float w_3 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
     float _e12 = area_square(at_1.stretch);
     float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_2 = floor(level);
-    float f_1 = (level - zoom_2);
-    float _e27 = paper_octave(at_1.place, int(zoom_2), w_4, fiber_1, 5u);
-    height = _e27;
+    float zoom_1 = floor(level);
+    float f_1 = (level - zoom_1);
+    float _e26 = paper_octave(at_1.place, int(zoom_1), w_3, fiber_1, seed_3);
+    height = _e26;
     if ((f_1 > 0.0)) {
-        float _e31 = height;
-        float _e37 = paper_octave(at_1.place, (int(zoom_2) + 1), w_4, fiber_1, 5u);
-        float both = mix(_e31, _e37, f_1);
+        float _e30 = height;
+        float _e35 = paper_octave(at_1.place, (int(zoom_1) + 1), w_3, fiber_1, seed_3);
+        float both = mix(_e30, _e35, f_1);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
-float paper_octave_2_(vec2 place_4, int zoom_1, float w_3, float fiber_2, uint seed_4) {
-    float scale_5 = uintBitsToFloat((uint((zoom_1 + 127)) << 23u));
-    vec2 p_4 = clamp((place_4 * scale_5), vec2(-4194304.0), vec2(4194304.0));
-    uint own_1 = (0u + (7u * uint(zoom_1)));
-    float _e24 = perlin_noise(vec3(p_4, 0.5), own_1);
-    float grain_1 = (_e24 - 0.5);
-    vec2 q_1 = clamp((2.7 * vec2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e53 = perlin_noise(vec3(q_1, 0.5), (own_1 + 1u));
-    float felt_1 = (_e53 - 0.5);
-    float coarse_seen_1 = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
-    float felt_seen_1 = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
-    return clamp((0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((fiber_2 * felt_seen_1) * felt_1)))), 0.0, 1.0);
+PaperGrain paper_grain(float value, vec2 place_4, vec3 stretch_3, float count_5, float tooth, float fiber_2, int seed_4, vec2 viewport_4) {
+    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
+    float _e10 = paper_height(_e8, fiber_2, 5u);
+    return PaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
 }
 
-float paper_height_2_(SpacedPlace at_2, float fiber_3, uint seed_5) {
-    float height_1 = 0.0;
-    vec2 x_10 = dFdx(at_2.place);
-    vec2 y_2 = dFdy(at_2.place);
-    float w_5 = sqrt(max(dot(x_10, x_10), dot(y_2, y_2)));
-    float _e12 = area_square(at_2.stretch);
-    float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level_1 = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_3 = floor(level_1);
-    float f_2 = (level_1 - zoom_3);
-    float _e27 = paper_octave_2_(at_2.place, int(zoom_3), w_5, fiber_3, 0u);
-    height_1 = _e27;
-    if ((f_2 > 0.0)) {
-        float _e31 = height_1;
-        float _e37 = paper_octave_2_(at_2.place, (int(zoom_3) + 1), w_5, fiber_3, 0u);
-        float both_1 = mix(_e31, _e37, f_2);
-        height_1 = clamp((0.5 + ((both_1 - 0.5) / sqrt(((f_2 * f_2) + ((1.0 - f_2) * (1.0 - f_2)))))), 0.0, 1.0);
-    }
-    float _e55 = height_1;
-    return _e55;
-}
-
-PaperGrain paper_grain(float value, vec2 place_5, vec3 stretch_3, float count_5, float tooth, float fiber_4, int seed_6, vec2 viewport_4) {
-    SpacedPlace _e9 = spaced(place_5, stretch_3, viewport_4, 11.0);
-    float _e11 = paper_height(_e9, fiber_4, 5u);
-    return PaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
-}
-
-PaperGrain paper_grain_2_(float value_1, vec2 place_6, vec3 stretch_4, float count_6, float tooth_1, float fiber_5, int seed_7, vec2 viewport_5) {
-    SpacedPlace _e9 = spaced_2_(place_6, stretch_4, viewport_5, 260.0);
-    float _e11 = paper_height_2_(_e9, fiber_5, 0u);
+PaperGrain paper_grain_2_(float value_1, vec2 place_5, vec3 stretch_4, float count_6, float tooth_1, float fiber_3, int seed_5, vec2 viewport_5) {
+    SpacedPlace _e8 = spaced_2_(place_5, stretch_4, viewport_5, count_6);
+    float _e10 = paper_height(_e8, fiber_3, 0u);
     float ink = (1.0 - clamp(value_1, 0.0, 1.0));
-    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e11 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e11);
+    return PaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
 }
 
 vec4 shade(Surface surface_1) {

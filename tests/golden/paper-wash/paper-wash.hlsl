@@ -225,9 +225,9 @@ float footprint_of_2_(float x_3)
 
 float stairs_integral(float x_4, float count)
 {
-    float inside = min(x_4, 4.0);
+    float inside = min(x_4, count);
     float stair = min(floor(inside), 3.0);
-    float beyond = max((x_4 - 4.0), 0.0);
+    float beyond = max((x_4 - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0));
 }
 
@@ -245,9 +245,9 @@ float stairs_filtered(float x_6, float count_2, float w)
         return ((edge - 1.0) + clamp((0.5 + ((x_6 - edge) / w)), 0.0, 1.0));
     }
     float half_ = (0.5 * w);
-    const float _e23 = stairs_integral((x_6 + half_), 4.0);
-    const float _e26 = stairs_integral_2_((x_6 - half_), 4.0);
-    return ((_e23 - _e26) / (2.0 * half_));
+    const float _e22 = stairs_integral((x_6 + half_), count_2);
+    const float _e24 = stairs_integral_2_((x_6 - half_), count_2);
+    return ((_e22 - _e24) / (2.0 * half_));
 }
 
 float4 hermite(float4 a_1, float4 b_1, float4 from_a, float4 to_b, float t)
@@ -326,9 +326,9 @@ float4 ramp_at(Ramp ramp, float x_7, float w_1)
     }
     uint _e31 = at;
     uint _e35 = at;
-    float place_7 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
+    float place_6 = places[min(uint(naga_div(_e31, 4u)), 3u)][min(uint(naga_mod(_e35, 4u)), 3u)];
     uint _e40 = at;
-    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_7))) {
+    if ((((_e40 + 1u) >= 5u) | (x_7 <= place_6))) {
         uint _e47 = at;
         float4 _e49 = colors[min(uint(_e47), 15u)];
         return _e49;
@@ -336,8 +336,8 @@ float4 ramp_at(Ramp ramp, float x_7, float w_1)
     uint _e50 = at;
     uint after_1 = (_e50 + 1u);
     float _e59 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
-    float span = (_e59 - place_7);
-    const float _e62 = divided((x_7 - place_7), span);
+    float span = (_e59 - place_6);
+    const float _e62 = divided((x_7 - place_6), span);
     float t_1 = clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if ((_e69 > 0u)) {
@@ -351,12 +351,12 @@ float4 ramp_at(Ramp ramp, float x_7, float w_1)
         float4 _e96 = colors[min(uint(after_1), 15u)];
         uint _e97 = at;
         float4 _e99 = colors[min(uint(_e97), 15u)];
-        const float4 _e101 = ramp_slope((_e87 - _e92), (place_7 - before_1), (_e96 - _e99), span);
+        const float4 _e101 = ramp_slope((_e87 - _e92), (place_6 - before_1), (_e96 - _e99), span);
         from_a_1 = _e101;
     }
     if (((after_1 + 1u) < 5u)) {
         float _e119 = places[min(uint(naga_div((after_1 + 1u), 4u)), 3u)][min(uint(naga_mod((after_1 + 1u), 4u)), 3u)];
-        float next = (_e119 - (place_7 + span));
+        float next = (_e119 - (place_6 + span));
         float4 _e123 = colors[min(uint(after_1), 15u)];
         uint _e124 = at;
         float4 _e126 = colors[min(uint(_e124), 15u)];
@@ -469,11 +469,11 @@ float perlin_noise(float3 p, uint seed_1)
         int _e25 = i;
         int _e28 = i;
         int _e33 = i;
-        int3 at_3 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
-        float3 weight = ((at_3 == (int(1)).xxx) ? f : ((1.0).xxx - f));
+        int3 at_2 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
+        float3 weight = ((at_2 == (int(1)).xxx) ? f : ((1.0).xxx - f));
         float _e44 = sum;
-        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_3))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
-        const float _e61 = gradient_dot(_e58, (d_4 - float3(at_3)));
+        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_2))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
+        const float _e61 = gradient_dot(_e58, (d_4 - float3(at_2)));
         sum = (_e44 + (((weight.x * weight.y) * 0.5) * _e61));
     }
     float _e67 = sum;
@@ -568,9 +568,9 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     float size = clamp(_e5, 1e-6, 1000000.0);
     const float2 _e9 = place_in_picture(pixel_1, viewport_3);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
-    float2 place_8 = (_e15 / (size).xx);
-    const StretchedPlace _e29 = mark_place_of(place_8, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), 0.0);
-    const MarkPlace markplace = ConstructMarkPlace(_e29.place, _e29.stretch);
+    float2 place_7 = (_e15 / (size).xx);
+    const StretchedPlace _e28 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
 
@@ -578,12 +578,12 @@ float paper_octave(float2 place_3, int zoom, float w_2, float fiber, uint seed_2
 {
     float scale_4 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
     float2 p_3 = clamp((place_3 * scale_4), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (5u + (7u * asuint(zoom)));
-    const float _e24 = perlin_noise(float3(p_3, 0.5), own);
-    float grain = (_e24 - 0.5);
+    uint own = (seed_2 + (7u * asuint(zoom)));
+    const float _e23 = perlin_noise(float3(p_3, 0.5), own);
+    float grain = (_e23 - 0.5);
     float2 q = clamp((2.7 * float2(((0.8 * p_3.x) - (0.6 * p_3.y)), ((0.6 * p_3.x) + (0.8 * p_3.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e53 = perlin_noise(float3(q, 0.5), (own + 1u));
-    float felt = (_e53 - 0.5);
+    const float _e52 = perlin_noise(float3(q, 0.5), (own + 1u));
+    float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_2 * scale_4)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_2) * scale_4)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
@@ -599,61 +599,22 @@ float paper_height(SpacedPlace at_1, float fiber_1, uint seed_3)
 
     float2 x_9 = ddx(at_1.place);
     float2 y_1 = ddy(at_1.place);
-    float w_4 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
+    float w_3 = sqrt(max(dot(x_9, x_9), dot(y_1, y_1)));
     const float _e12 = area_square(at_1.stretch);
     const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_2 = floor(level);
-    float f_1 = (level - zoom_2);
-    const float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_2), w_4, fiber_1, 5u);
-    height = _e27;
+    float zoom_1 = floor(level);
+    float f_1 = (level - zoom_1);
+    const float _e26 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_3, fiber_1, seed_3);
+    height = _e26;
     if ((f_1 > 0.0)) {
-        float _e31 = height;
-        const float _e37 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), w_4, fiber_1, 5u);
-        float both = lerp(_e31, _e37, f_1);
+        float _e30 = height;
+        const float _e35 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_3, fiber_1, seed_3);
+        float both = lerp(_e30, _e35, f_1);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
-}
-
-float paper_octave_2_(float2 place_4, int zoom_1, float w_3, float fiber_2, uint seed_4)
-{
-    float scale_5 = asfloat((uint(asint(asuint(zoom_1) + asuint(int(127)))) << 23u));
-    float2 p_4 = clamp((place_4 * scale_5), (-4194304.0).xx, (4194304.0).xx);
-    uint own_1 = (0u + (7u * asuint(zoom_1)));
-    const float _e24 = perlin_noise(float3(p_4, 0.5), own_1);
-    float grain_1 = (_e24 - 0.5);
-    float2 q_1 = clamp((2.7 * float2(((0.8 * p_4.x) - (0.6 * p_4.y)), ((0.6 * p_4.x) + (0.8 * p_4.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e53 = perlin_noise(float3(q_1, 0.5), (own_1 + 1u));
-    float felt_1 = (_e53 - 0.5);
-    float coarse_seen_1 = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
-    float felt_seen_1 = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
-    return clamp((0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((fiber_2 * felt_seen_1) * felt_1)))), 0.0, 1.0);
-}
-
-float paper_height_2_(SpacedPlace at_2, float fiber_3, uint seed_5)
-{
-    float height_1 = (float)0;
-
-    float2 x_10 = ddx(at_2.place);
-    float2 y_2 = ddy(at_2.place);
-    float w_5 = sqrt(max(dot(x_10, x_10), dot(y_2, y_2)));
-    const float _e12 = area_square(at_2.stretch);
-    const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
-    float level_1 = clamp((-0.5 * _e16), -16.0, 16.0);
-    float zoom_3 = floor(level_1);
-    float f_2 = (level_1 - zoom_3);
-    const float _e27 = paper_octave_2_(at_2.place, naga_f2i32(zoom_3), w_5, fiber_3, 0u);
-    height_1 = _e27;
-    if ((f_2 > 0.0)) {
-        float _e31 = height_1;
-        const float _e37 = paper_octave_2_(at_2.place, asint(asuint(naga_f2i32(zoom_3)) + asuint(int(1))), w_5, fiber_3, 0u);
-        float both_1 = lerp(_e31, _e37, f_2);
-        height_1 = clamp((0.5 + ((both_1 - 0.5) / sqrt(((f_2 * f_2) + ((1.0 - f_2) * (1.0 - f_2)))))), 0.0, 1.0);
-    }
-    float _e55 = height_1;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -663,20 +624,20 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
     return ret;
 }
 
-PaperGrain paper_grain(float value, float2 place_5, float3 stretch_3, float count_5, float tooth, float fiber_4, int seed_6, float2 viewport_4)
+PaperGrain paper_grain(float value, float2 place_4, float3 stretch_3, float count_5, float tooth, float fiber_2, int seed_4, float2 viewport_4)
 {
-    const SpacedPlace _e9 = spaced(place_5, stretch_3, viewport_4, 11.0);
-    const float _e11 = paper_height(_e9, fiber_4, 5u);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
+    const SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
+    const float _e10 = paper_height(_e8, fiber_2, 5u);
+    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
     return papergrain;
 }
 
-PaperGrain paper_grain_2_(float value_1, float2 place_6, float3 stretch_4, float count_6, float tooth_1, float fiber_5, int seed_7, float2 viewport_5)
+PaperGrain paper_grain_2_(float value_1, float2 place_5, float3 stretch_4, float count_6, float tooth_1, float fiber_3, int seed_5, float2 viewport_5)
 {
-    const SpacedPlace _e9 = spaced_2_(place_6, stretch_4, viewport_5, 260.0);
-    const float _e11 = paper_height_2_(_e9, fiber_5, 0u);
+    const SpacedPlace _e8 = spaced_2_(place_5, stretch_4, viewport_5, count_6);
+    const float _e10 = paper_height(_e8, fiber_3, 0u);
     float ink = (1.0 - clamp(value_1, 0.0, 1.0));
-    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e11 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e11);
+    const PaperGrain papergrain_1 = ConstructPaperGrain((1.0 - clamp((ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink))), 0.0, 1.0)), _e10);
     return papergrain_1;
 }
 

@@ -191,9 +191,9 @@ float stairs_integral(
     float x_4,
     float count
 ) {
-    float inside = metal::min(x_4, 4.0);
+    float inside = metal::min(x_4, count);
     float stair = metal::min(metal::floor(inside), 3.0);
-    float beyond = metal::max(x_4 - 4.0, 0.0);
+    float beyond = metal::max(x_4 - count, 0.0);
     return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 3.0);
 }
 
@@ -216,9 +216,9 @@ float stairs_filtered(
         return (edge - 1.0) + metal::clamp(0.5 + ((x_6 - edge) / w), 0.0, 1.0);
     }
     float half_ = 0.5 * w;
-    float _e23 = stairs_integral(x_6 + half_, 4.0);
-    float _e26 = stairs_integral_2_(x_6 - half_, 4.0);
-    return (_e23 - _e26) / (2.0 * half_);
+    float _e22 = stairs_integral(x_6 + half_, count_2);
+    float _e24 = stairs_integral_2_(x_6 - half_, count_2);
+    return (_e22 - _e24) / (2.0 * half_);
 }
 
 metal::float4 hermite(
@@ -312,9 +312,9 @@ Color ramp_at(
     }
     uint _e31 = at;
     uint _e35 = at;
-    float place_7 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
+    float place_6 = places.inner[naga_div(_e31, 4u)][naga_mod(_e35, 4u)];
     uint _e40 = at;
-    if (((_e40 + 1u) >= 5u) | (x_7 <= place_7)) {
+    if (((_e40 + 1u) >= 5u) | (x_7 <= place_6)) {
         uint _e47 = at;
         metal::float4 _e49 = colors.inner[_e47];
         return _e49;
@@ -322,8 +322,8 @@ Color ramp_at(
     uint _e50 = at;
     uint after_1 = _e50 + 1u;
     float _e59 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
-    float span = _e59 - place_7;
-    float _e62 = divided(x_7 - place_7, span);
+    float span = _e59 - place_6;
+    float _e62 = divided(x_7 - place_6, span);
     float t_1 = metal::clamp(_e62, 0.0, 1.0);
     uint _e69 = at;
     if (_e69 > 0u) {
@@ -337,12 +337,12 @@ Color ramp_at(
         metal::float4 _e96 = colors.inner[after_1];
         uint _e97 = at;
         metal::float4 _e99 = colors.inner[_e97];
-        metal::float4 _e101 = ramp_slope(_e87 - _e92, place_7 - before_1, _e96 - _e99, span);
+        metal::float4 _e101 = ramp_slope(_e87 - _e92, place_6 - before_1, _e96 - _e99, span);
         from_a_1 = _e101;
     }
     if ((after_1 + 1u) < 5u) {
         float _e119 = places.inner[naga_div(after_1 + 1u, 4u)][naga_mod(after_1 + 1u, 4u)];
-        float next = _e119 - (place_7 + span);
+        float next = _e119 - (place_6 + span);
         metal::float4 _e123 = colors.inner[after_1];
         uint _e124 = at;
         metal::float4 _e126 = colors.inner[_e124];
@@ -461,11 +461,11 @@ float perlin_noise(
         int _e25 = i;
         int _e28 = i;
         int _e33 = i;
-        metal::int3 at_3 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
-        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at_3 == metal::int3(1));
+        metal::int3 at_2 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
+        metal::float3 weight = metal::select(metal::float3(1.0) - f, f, at_2 == metal::int3(1));
         float _e44 = sum;
-        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_3))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
-        float _e61 = gradient_dot(_e58, d_4 - static_cast<metal::float3>(at_3));
+        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_2))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        float _e61 = gradient_dot(_e58, d_4 - static_cast<metal::float3>(at_2));
         sum = _e44 + (((weight.x * weight.y) * 0.5) * _e61);
     }
     float _e67 = sum;
@@ -561,9 +561,9 @@ MarkPlace mark_place_object(
     float size = metal::clamp(_e5, 0.000001, 1000000.0);
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_3);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
-    metal::float2 place_8 = _e15 / metal::float2(size);
-    StretchedPlace _e29 = mark_place_of(place_8, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
-    return MarkPlace {_e29.place, {}, _e29.stretch};
+    metal::float2 place_7 = _e15 / metal::float2(size);
+    StretchedPlace _e28 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 float paper_octave(
@@ -575,12 +575,12 @@ float paper_octave(
 ) {
     float scale_4 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
     metal::float2 p_3 = metal::clamp(place_3 * scale_4, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = 5u + (7u * as_type<uint>(zoom));
-    float _e24 = perlin_noise(metal::float3(p_3, 0.5), own);
-    float grain = _e24 - 0.5;
+    uint own = seed_2 + (7u * as_type<uint>(zoom));
+    float _e23 = perlin_noise(metal::float3(p_3, 0.5), own);
+    float grain = _e23 - 0.5;
     metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_3.x) - (0.6 * p_3.y), (0.6 * p_3.x) + (0.8 * p_3.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e53 = perlin_noise(metal::float3(q, 0.5), own + 1u);
-    float felt = _e53 - 0.5;
+    float _e52 = perlin_noise(metal::float3(q, 0.5), own + 1u);
+    float felt = _e52 - 0.5;
     float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * scale_4);
     float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_2) * scale_4);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
@@ -598,99 +598,53 @@ float paper_height(
     float height = {};
     metal::float2 x_9 = metal::dfdx(at_1.place);
     metal::float2 y_1 = metal::dfdy(at_1.place);
-    float w_4 = metal::sqrt(metal::max(metal::dot(x_9, x_9), metal::dot(y_1, y_1)));
+    float w_3 = metal::sqrt(metal::max(metal::dot(x_9, x_9), metal::dot(y_1, y_1)));
     float _e12 = area_square(at_1.stretch);
     float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
-    float zoom_2 = metal::floor(level);
-    float f_1 = level - zoom_2;
-    float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_2), w_4, fiber_1, 5u);
-    height = _e27;
+    float zoom_1 = metal::floor(level);
+    float f_1 = level - zoom_1;
+    float _e26 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_3, fiber_1, seed_3);
+    height = _e26;
     if (f_1 > 0.0) {
-        float _e31 = height;
-        float _e37 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), w_4, fiber_1, 5u);
-        float both = metal::mix(_e31, _e37, f_1);
+        float _e30 = height;
+        float _e35 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_3, fiber_1, seed_3);
+        float both = metal::mix(_e30, _e35, f_1);
         height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
-}
-
-float paper_octave_2_(
-    metal::float2 place_4,
-    int zoom_1,
-    float w_3,
-    float fiber_2,
-    uint seed_4
-) {
-    float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom_1) + as_type<uint>(127))) << 23u);
-    metal::float2 p_4 = metal::clamp(place_4 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own_1 = 0u + (7u * as_type<uint>(zoom_1));
-    float _e24 = perlin_noise(metal::float3(p_4, 0.5), own_1);
-    float grain_1 = _e24 - 0.5;
-    metal::float2 q_1 = metal::clamp(2.7 * metal::float2((0.8 * p_4.x) - (0.6 * p_4.y), (0.6 * p_4.x) + (0.8 * p_4.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e53 = perlin_noise(metal::float3(q_1, 0.5), own_1 + 1u);
-    float felt_1 = _e53 - 0.5;
-    float coarse_seen_1 = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * scale_5);
-    float felt_seen_1 = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_3) * scale_5);
-    return metal::clamp(0.5 + (1.4 * ((coarse_seen_1 * grain_1) + ((fiber_2 * felt_seen_1) * felt_1))), 0.0, 1.0);
-}
-
-float paper_height_2_(
-    SpacedPlace at_2,
-    float fiber_3,
-    uint seed_5
-) {
-    float height_1 = {};
-    metal::float2 x_10 = metal::dfdx(at_2.place);
-    metal::float2 y_2 = metal::dfdy(at_2.place);
-    float w_5 = metal::sqrt(metal::max(metal::dot(x_10, x_10), metal::dot(y_2, y_2)));
-    float _e12 = area_square(at_2.stretch);
-    float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
-    float level_1 = metal::clamp(-0.5 * _e16, -16.0, 16.0);
-    float zoom_3 = metal::floor(level_1);
-    float f_2 = level_1 - zoom_3;
-    float _e27 = paper_octave_2_(at_2.place, naga_f2i32(zoom_3), w_5, fiber_3, 0u);
-    height_1 = _e27;
-    if (f_2 > 0.0) {
-        float _e31 = height_1;
-        float _e37 = paper_octave_2_(at_2.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_3)) + as_type<uint>(1)), w_5, fiber_3, 0u);
-        float both_1 = metal::mix(_e31, _e37, f_2);
-        height_1 = metal::clamp(0.5 + ((both_1 - 0.5) / metal::sqrt((f_2 * f_2) + ((1.0 - f_2) * (1.0 - f_2)))), 0.0, 1.0);
-    }
-    float _e55 = height_1;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain paper_grain(
     float value,
-    metal::float2 place_5,
+    metal::float2 place_4,
     metal::float3 stretch_3,
     float count_5,
     float tooth,
-    float fiber_4,
-    int seed_6,
+    float fiber_2,
+    int seed_4,
     metal::float2 viewport_4
 ) {
-    SpacedPlace _e9 = spaced(place_5, stretch_3, viewport_4, 11.0);
-    float _e11 = paper_height(_e9, fiber_4, 5u);
-    return PaperGrain {1.0 - metal::clamp(0.5 + (((0.0 * (_e11 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e11};
+    SpacedPlace _e8 = spaced(place_4, stretch_3, viewport_4, count_5);
+    float _e10 = paper_height(_e8, fiber_2, 5u);
+    return PaperGrain {1.0 - metal::clamp(0.5 + (((0.0 * (_e10 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e10};
 }
 
 PaperGrain paper_grain_2_(
     float value_1,
-    metal::float2 place_6,
+    metal::float2 place_5,
     metal::float3 stretch_4,
     float count_6,
     float tooth_1,
-    float fiber_5,
-    int seed_7,
+    float fiber_3,
+    int seed_5,
     metal::float2 viewport_5
 ) {
-    SpacedPlace _e9 = spaced_2_(place_6, stretch_4, viewport_5, 260.0);
-    float _e11 = paper_height_2_(_e9, fiber_5, 0u);
+    SpacedPlace _e8 = spaced_2_(place_5, stretch_4, viewport_5, count_6);
+    float _e10 = paper_height(_e8, fiber_3, 0u);
     float ink = 1.0 - metal::clamp(value_1, 0.0, 1.0);
-    return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth_1) * (_e11 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e11};
+    return PaperGrain {1.0 - metal::clamp(ink + ((((8.0 * tooth_1) * (_e10 - 0.5)) * ink) * (1.0 - ink)), 0.0, 1.0), _e10};
 }
 
 metal::float4 shade(

@@ -280,8 +280,8 @@ vec2 screen_cells(vec2 place, vec2 viewport, float lines, float angle_4) {
     vec2 most = vec2(4194304.0);
     vec2 _e6 = bounded_vec2_(place);
     vec2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
-    vec2 _e18 = turned_by(clamp(_e13, vec2(-4194304.0), most), 0.0);
-    return clamp(_e18, vec2(-4194304.0), most);
+    vec2 _e17 = turned_by(clamp(_e13, vec2(-4194304.0), most), angle_4);
+    return clamp(_e17, vec2(-4194304.0), most);
 }
 
 vec2 screen_cells_2_(vec2 place_1, vec2 viewport_1, float lines_1, float angle_5) {
@@ -408,24 +408,24 @@ float ink_of_dots_2_(vec2 cell_1, float share_4, float w_6) {
 }
 
 float halftone_dots(float value, vec2 place_3, float lines_3, float angle_7, vec2 viewport_3) {
-    vec2 _e6 = screen_cells_2_(place_3, viewport_3, 56.0, angle_7);
-    vec2 _e7 = footprint_of_vec2_(_e6);
-    float _e15 = ink_of_dots(_e6, (1.0 - min(value, 1.0)), max(_e7.x, _e7.y));
-    return (1.0 - _e15);
+    vec2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_7);
+    vec2 _e6 = footprint_of_vec2_(_e5);
+    float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
+    return (1.0 - _e14);
 }
 
 float halftone_dots_2_(float value_1, vec2 place_4, float lines_4, float angle_8, vec2 viewport_4) {
-    vec2 _e6 = screen_cells_3_(place_4, viewport_4, 56.0, angle_8);
-    vec2 _e7 = footprint_of_vec2_(_e6);
-    float _e15 = ink_of_dots_2_(_e6, (1.0 - min(value_1, 1.0)), max(_e7.x, _e7.y));
-    return (1.0 - _e15);
+    vec2 _e5 = screen_cells_3_(place_4, viewport_4, lines_4, angle_8);
+    vec2 _e6 = footprint_of_vec2_(_e5);
+    float _e14 = ink_of_dots_2_(_e5, (1.0 - min(value_1, 1.0)), max(_e6.x, _e6.y));
+    return (1.0 - _e14);
 }
 
 float halftone_lines(float value_2, vec2 place_5, float lines_5, float angle_9, vec2 viewport_5) {
-    vec2 _e7 = screen_cells(place_5, viewport_5, 56.0, 0.0);
-    float _e12 = footprint_of(_e7.y);
-    float _e13 = lines_filtered(_e7.y, (1.0 - value_2), _e12);
-    return (1.0 - _e13);
+    vec2 _e5 = screen_cells(place_5, viewport_5, lines_5, angle_9);
+    float _e10 = footprint_of(_e5.y);
+    float _e11 = lines_filtered(_e5.y, (1.0 - value_2), _e10);
+    return (1.0 - _e11);
 }
 
 vec4 shade(Surface surface_1) {

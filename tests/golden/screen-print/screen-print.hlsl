@@ -373,8 +373,8 @@ float2 screen_cells(float2 place, float2 viewport, float lines, float angle_4)
     float2 most = (4194304.0).xx;
     const float2 _e6 = bounded_vec2_(place);
     const float2 _e13 = bounded_vec2_((_e6 * (56.0 / max(viewport.y, 1.0))));
-    const float2 _e18 = turned_by(clamp(_e13, (-4194304.0).xx, most), 0.0);
-    return clamp(_e18, (-4194304.0).xx, most);
+    const float2 _e17 = turned_by(clamp(_e13, (-4194304.0).xx, most), angle_4);
+    return clamp(_e17, (-4194304.0).xx, most);
 }
 
 float2 screen_cells_2_(float2 place_1, float2 viewport_1, float lines_1, float angle_5)
@@ -517,26 +517,26 @@ float ink_of_dots_2_(float2 cell_1, float share_4, float w_6)
 
 float halftone_dots(float value, float2 place_3, float lines_3, float angle_7, float2 viewport_3)
 {
-    const float2 _e6 = screen_cells_2_(place_3, viewport_3, 56.0, angle_7);
-    const float2 _e7 = footprint_of_vec2_(_e6);
-    const float _e15 = ink_of_dots(_e6, (1.0 - min(value, 1.0)), max(_e7.x, _e7.y));
-    return (1.0 - _e15);
+    const float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_7);
+    const float2 _e6 = footprint_of_vec2_(_e5);
+    const float _e14 = ink_of_dots(_e5, (1.0 - min(value, 1.0)), max(_e6.x, _e6.y));
+    return (1.0 - _e14);
 }
 
 float halftone_dots_2_(float value_1, float2 place_4, float lines_4, float angle_8, float2 viewport_4)
 {
-    const float2 _e6 = screen_cells_3_(place_4, viewport_4, 56.0, angle_8);
-    const float2 _e7 = footprint_of_vec2_(_e6);
-    const float _e15 = ink_of_dots_2_(_e6, (1.0 - min(value_1, 1.0)), max(_e7.x, _e7.y));
-    return (1.0 - _e15);
+    const float2 _e5 = screen_cells_3_(place_4, viewport_4, lines_4, angle_8);
+    const float2 _e6 = footprint_of_vec2_(_e5);
+    const float _e14 = ink_of_dots_2_(_e5, (1.0 - min(value_1, 1.0)), max(_e6.x, _e6.y));
+    return (1.0 - _e14);
 }
 
 float halftone_lines(float value_2, float2 place_5, float lines_5, float angle_9, float2 viewport_5)
 {
-    const float2 _e7 = screen_cells(place_5, viewport_5, 56.0, 0.0);
-    const float _e12 = footprint_of(_e7.y);
-    const float _e13 = lines_filtered(_e7.y, (1.0 - value_2), _e12);
-    return (1.0 - _e13);
+    const float2 _e5 = screen_cells(place_5, viewport_5, lines_5, angle_9);
+    const float _e10 = footprint_of(_e5.y);
+    const float _e11 = lines_filtered(_e5.y, (1.0 - value_2), _e10);
+    return (1.0 - _e11);
 }
 
 float4 shade(Surface surface_1)

@@ -376,8 +376,8 @@ metal::float2 screen_cells(
     metal::float2 most = metal::float2(4194304.0);
     metal::float2 _e6 = bounded_vec2_(place);
     metal::float2 _e13 = bounded_vec2_(_e6 * (56.0 / metal::max(viewport.y, 1.0)));
-    metal::float2 _e18 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), 0.0);
-    return metal::clamp(_e18, metal::float2(-4194304.0), most);
+    metal::float2 _e17 = turned_by(metal::clamp(_e13, metal::float2(-4194304.0), most), angle_4);
+    return metal::clamp(_e17, metal::float2(-4194304.0), most);
 }
 
 metal::float2 screen_cells_2_(
@@ -548,10 +548,10 @@ float halftone_dots(
     float angle_7,
     metal::float2 viewport_3
 ) {
-    metal::float2 _e6 = screen_cells_2_(place_3, viewport_3, 56.0, angle_7);
-    metal::float2 _e7 = footprint_of_vec2_(_e6);
-    float _e15 = ink_of_dots(_e6, 1.0 - metal::min(value, 1.0), metal::max(_e7.x, _e7.y));
-    return 1.0 - _e15;
+    metal::float2 _e5 = screen_cells_2_(place_3, viewport_3, lines_3, angle_7);
+    metal::float2 _e6 = footprint_of_vec2_(_e5);
+    float _e14 = ink_of_dots(_e5, 1.0 - metal::min(value, 1.0), metal::max(_e6.x, _e6.y));
+    return 1.0 - _e14;
 }
 
 float halftone_dots_2_(
@@ -561,10 +561,10 @@ float halftone_dots_2_(
     float angle_8,
     metal::float2 viewport_4
 ) {
-    metal::float2 _e6 = screen_cells_3_(place_4, viewport_4, 56.0, angle_8);
-    metal::float2 _e7 = footprint_of_vec2_(_e6);
-    float _e15 = ink_of_dots_2_(_e6, 1.0 - metal::min(value_1, 1.0), metal::max(_e7.x, _e7.y));
-    return 1.0 - _e15;
+    metal::float2 _e5 = screen_cells_3_(place_4, viewport_4, lines_4, angle_8);
+    metal::float2 _e6 = footprint_of_vec2_(_e5);
+    float _e14 = ink_of_dots_2_(_e5, 1.0 - metal::min(value_1, 1.0), metal::max(_e6.x, _e6.y));
+    return 1.0 - _e14;
 }
 
 float halftone_lines(
@@ -574,10 +574,10 @@ float halftone_lines(
     float angle_9,
     metal::float2 viewport_5
 ) {
-    metal::float2 _e7 = screen_cells(place_5, viewport_5, 56.0, 0.0);
-    float _e12 = footprint_of(_e7.y);
-    float _e13 = lines_filtered(_e7.y, 1.0 - value_2, _e12);
-    return 1.0 - _e13;
+    metal::float2 _e5 = screen_cells(place_5, viewport_5, lines_5, angle_9);
+    float _e10 = footprint_of(_e5.y);
+    float _e11 = lines_filtered(_e5.y, 1.0 - value_2, _e10);
+    return 1.0 - _e11;
 }
 
 metal::float4 shade(

@@ -145,14 +145,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -355,7 +355,8 @@ fn turned_by_3(p: vec2f, angle: f32) -> vec2f {
 fn screen_cells(place: vec2f, viewport: vec2f, lines: f32, angle: f32) -> vec2f {
     let most = vec2f(4194304.0);
     let upright = bounded_vec2(bounded_vec2(place) * (56.0 / max(viewport.y, 1.0)));
-    return clamp(turned_by(clamp(upright, vec2f(-4194304.0), most), 0.0), vec2f(-4194304.0), most);
+    return clamp(turned_by(clamp(upright, vec2f(-4194304.0), most), angle), vec2f(-4194304.0),
+        most);
 }
 
 /// A place in pixels, in cells of a half-tone screen that has `lines` lines to the picture's height
@@ -486,7 +487,7 @@ fn ink_of_dots_2(cell: vec2f, share: f32, w: f32) -> f32 {
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells_2(place, viewport, 56.0, angle);
+    let cell = screen_cells_2(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
@@ -498,13 +499,13 @@ fn halftone_dots(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec
 /// take one node for each channel of Separate color; printers turn the screens of cyan (red's) by
 /// 15 degrees, of magenta (green's) by 75, of yellow (blue's) by 0 and of black by 45.
 fn halftone_dots_2(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells_3(place, viewport, 56.0, angle);
+    let cell = screen_cells_3(place, viewport, lines, angle);
     let w = footprint_of_vec2(cell);
     return 1.0 - ink_of_dots_2(cell, 1.0 - min(value, 1.0), max(w.x, w.y));
 }
 
 fn halftone_lines(value: f32, place: vec2f, lines: f32, angle: f32, viewport: vec2f) -> f32 {
-    let cell = screen_cells(place, viewport, 56.0, 0.0);
+    let cell = screen_cells(place, viewport, lines, angle);
     return 1.0 - lines_filtered(cell.y, 1.0 - value, footprint_of(cell.y));
 }
 

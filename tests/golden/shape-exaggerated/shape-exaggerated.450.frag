@@ -236,7 +236,7 @@ vec4 ramp_oklab(float value, Ramp ramp_1) {
 float detail_lit(vec3 finer, vec3 coarser, vec3 light_1, float contrast) {
     vec3 across = (light_1 - (dot(light_1, coarser) * coarser));
     vec3 toward = (across / vec3(max(length(across), 0.05)));
-    return clamp((7.0 * dot(finer, toward)), -1.0, 1.0);
+    return clamp((contrast * dot(finer, toward)), -1.0, 1.0);
 }
 
 float exaggerated_four(Light light_2, vec3 normal, float contrast_1, float detail, vec3 smooth_1_, vec3 smooth_2_, vec3 smooth_3_, vec3 smooth_4_) {

@@ -343,7 +343,7 @@ float detail_lit(float3 finer, float3 coarser, float3 light_1, float contrast)
 {
     float3 across = (light_1 - (dot(light_1, coarser) * coarser));
     float3 toward = (across / (max(length(across), 0.05)).xxx);
-    return clamp((7.0 * dot(finer, toward)), -1.0, 1.0);
+    return clamp((contrast * dot(finer, toward)), -1.0, 1.0);
 }
 
 float exaggerated_four(Light light_2, float3 normal, float contrast_1, float detail, float3 smooth_1_, float3 smooth_2_, float3 smooth_3_, float3 smooth_4_)

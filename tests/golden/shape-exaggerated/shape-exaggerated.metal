@@ -309,7 +309,7 @@ float detail_lit(
 ) {
     metal::float3 across = light_1 - (metal::dot(light_1, coarser) * coarser);
     metal::float3 toward = across / metal::float3(metal::max(metal::length(across), 0.05));
-    return metal::clamp(7.0 * metal::dot(finer, toward), -1.0, 1.0);
+    return metal::clamp(contrast * metal::dot(finer, toward), -1.0, 1.0);
 }
 
 float exaggerated_four(

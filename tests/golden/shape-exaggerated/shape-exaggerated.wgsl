@@ -128,14 +128,14 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -262,8 +262,9 @@ fn ramp_oklab(value: f32, ramp: Ramp) -> Color {
 /// horizon, so that detail is lit as well as can be, however the light falls.
 fn detail_lit(finer: vec3f, coarser: vec3f, light: vec3f, contrast: f32) -> f32 {
     let across = light - dot(light, coarser) * coarser;
+    // Straight under the light there is no direction along the surface, and detail fades.
     let toward = across / max(length(across), 0.05);
-    return clamp(7.0 * dot(finer, toward), -1.0, 1.0);
+    return clamp(contrast * dot(finer, toward), -1.0, 1.0);
 }
 
 fn exaggerated_four(light: Light, normal: vec3f, contrast: f32, detail: f32, smooth_1: vec3f,

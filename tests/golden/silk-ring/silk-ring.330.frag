@@ -129,18 +129,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -183,10 +173,25 @@ Angle angle_turned_2_(Angle u_2, vec2 t_1) {
     return Angle(turned_1.x, turned_1.y);
 }
 
-float footprint_of_vec3_(vec3 v_5) {
-    vec3 dx_1 = dFdx(v_5);
-    vec3 dy_1 = dFdy(v_5);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+float bounded(float x_6) {
+    uint bits_1 = floatBitsToUint(x_6);
+    uint magnitude = (bits_1 & 2147483647u);
+    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+}
+
+float eased(float x_7, float low, float high) {
+    float _e3 = bounded(x_7);
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
+float footprint_of_vec3_(vec3 v_3) {
+    vec3 dx_1 = dFdx(v_3);
+    vec3 dy_1 = dFdy(v_3);
+    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 vec3 any_orthogonal(vec3 n) {
@@ -196,7 +201,7 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate_3_(y_axis, vec3(0.0));
+    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
     return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
 }
 
@@ -207,18 +212,17 @@ vec3 direction_moved(DirectionParts parts, vec2 by) {
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
-    vec3 y_4 = vec3(0.0, 1.0, 0.0);
-    vec3 leaning = cross(y_4, toward);
-    float square_4 = dot(leaning, leaning);
+    vec3 leaning = cross(up, toward);
+    float square_2 = dot(leaning, leaning);
     vec3 aside = ((abs(toward.x) > 0.7) ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0));
-    vec3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
-    vec3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
-    return mat3x3(_e32, cross(toward, _e32), toward);
+    vec3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    vec3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), vec3(1.0, 0.0, 0.0));
+    return mat3x3(_e28, cross(toward, _e28), toward);
 }
 
 AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e6 = axes_around(direction_1, vec3(0.0, 1.0, 0.0));
-    return AxesAround(_e6[0], _e6[1]);
+    mat3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround(_e2[0], _e2[1]);
 }
 
 vec3 half_vector(Light light, vec3 view) {
@@ -228,10 +232,10 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_6, float y_2) {
+vec3 stretch_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_8, float y_2) {
     DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    vec3 _e11 = direction_moved(_e5, (-(vec2(x_6, 0.0)) * _e5.place));
-    return _e11;
+    vec3 _e10 = direction_moved(_e5, (-(vec2(x_8, y_2)) * _e5.place));
+    return _e10;
 }
 
 vec4 blend_alpha(vec4 below, vec4 color, float tone, float opacity, bool clamped) {
@@ -382,36 +386,36 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_6 = uvec3(0u);
-    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_6;
-    uvec3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_6;
+    uvec3 v_4 = uvec3(0u);
+    v_4 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_4;
+    uvec3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_4;
     return _e61;
 }
 
@@ -485,7 +489,8 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_3 * _e21)));
+        float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -512,10 +517,10 @@ float fractal_noise(uint kind, vec3 p_1, int octaves, float roughness, int seed_
 }
 
 float noise_perlin(vec3 position, float scale, int octaves_1, float roughness_1, int seed_4) {
-    vec3 p_2 = (position * 14.0);
-    float _e11 = footprint_of_vec3_(p_2);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e11);
-    return _e12;
+    vec3 p_2 = (position * scale);
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {

@@ -201,21 +201,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_2)
+float3 normalize_seen(float3 v_2)
 {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_moderate_3_(float3 v_3, float3 otherwise_3)
-{
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_4)
-{
-    const float3 _e5 = normalize_moderate(v_4, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -271,11 +259,28 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_4;
 }
 
-float footprint_of_vec3_(float3 v_5)
+float bounded(float x_6)
 {
-    float3 dx_1 = ddx(v_5);
-    float3 dy_1 = ddy(v_5);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    uint bits_1 = asuint(x_6);
+    uint magnitude = (bits_1 & 2147483647u);
+    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+}
+
+float eased(float x_7, float low, float high)
+{
+    const float _e3 = bounded(x_7);
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
+float footprint_of_vec3_(float3 v_3)
+{
+    float3 dx_1 = ddx(v_3);
+    float3 dy_1 = ddy(v_3);
+    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
 float3 any_orthogonal(float3 n)
@@ -296,7 +301,7 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate_3_(y_axis, (0.0).xxx);
+    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
     const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
     return directionparts;
 }
@@ -310,13 +315,12 @@ float3 direction_moved(DirectionParts parts, float2 by)
 
 float3x3 axes_around(float3 toward, float3 up)
 {
-    float3 y_4 = float3(0.0, 1.0, 0.0);
-    float3 leaning = cross(y_4, toward);
-    float square_4 = dot(leaning, leaning);
+    float3 leaning = cross(up, toward);
+    float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(toward.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across = ((square_4 > 1e-8) ? leaning : cross(aside, toward));
-    const float3 _e32 = normalize_moderate_2_((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e32, cross(toward, _e32), toward);
+    float3 across = ((square_2 > 1e-8) ? leaning : cross(aside, toward));
+    const float3 _e28 = normalize_moderate((across - (dot(across, toward) * toward)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e28, cross(toward, _e28), toward);
 }
 
 AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
@@ -328,8 +332,8 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
 
 AxesAround axes(float3 direction_1, float3 up_1)
 {
-    const float3x3 _e6 = axes_around(direction_1, float3(0.0, 1.0, 0.0));
-    const AxesAround axesaround = ConstructAxesAround(_e6[0], _e6[1]);
+    const float3x3 _e2 = axes_around(direction_1, up_1);
+    const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
 
@@ -341,11 +345,11 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 stretch_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_6, float y_2)
+float3 stretch_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_8, float y_2)
 {
     const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    const float3 _e11 = direction_moved(_e5, (-(float2(x_6, 0.0)) * _e5.place));
-    return _e11;
+    const float3 _e10 = direction_moved(_e5, (-(float2(x_8, y_2)) * _e5.place));
+    return _e10;
 }
 
 float4 blend_alpha(float4 below, float4 color, float tone, float opacity, bool clamped)
@@ -512,37 +516,37 @@ float profile_3_(Angle angle_2, float shift_2, ProfileShape shape_8)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_6 = (uint3)0;
+    uint3 v_4 = (uint3)0;
 
-    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_6;
-    uint3 _e32 = v_6;
-    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_6;
+    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_4;
+    uint3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -637,7 +641,8 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_3 * _e21)));
+        const float _e25 = eased((w_3 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -665,10 +670,10 @@ float fractal_noise(uint kind, float3 p_1, int octaves, float roughness, int see
 
 float noise_perlin(float3 position, float scale, int octaves_1, float roughness_1, int seed_4)
 {
-    float3 p_2 = (position * 14.0);
-    const float _e11 = footprint_of_vec3_(p_2);
-    const float _e12 = fractal_noise(NOISE_PERLIN, p_2, int(2), 0.5, int(0), _e11);
-    return _e12;
+    float3 p_2 = (position * scale);
+    const float _e7 = footprint_of_vec3_(p_2);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)

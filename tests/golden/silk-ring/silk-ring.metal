@@ -163,26 +163,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_3,
-    metal::float3 otherwise_3
-) {
-    float square_3 = metal::dot(v_3, v_3);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -236,12 +220,33 @@ Angle angle_turned_2_(
     return Angle {turned_1.x, turned_1.y};
 }
 
-float footprint_of_vec3_(
-    metal::float3 v_5
+float bounded(
+    float x_6
 ) {
-    metal::float3 dx_1 = metal::dfdx(v_5);
-    metal::float3 dy_1 = metal::dfdy(v_5);
-    return metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1)));
+    uint bits_1 = as_type<uint>(x_6);
+    uint magnitude = bits_1 & 2147483647u;
+    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+}
+
+float eased(
+    float x_7,
+    float low,
+    float high
+) {
+    float _e3 = bounded(x_7);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
+    float t_4 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_4 * t_4) * (3.0 - (2.0 * t_4));
+}
+
+float footprint_of_vec3_(
+    metal::float3 v_3
+) {
+    metal::float3 dx_1 = metal::dfdx(v_3);
+    metal::float3 dy_1 = metal::dfdy(v_3);
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
+    return _e7;
 }
 
 metal::float3 any_orthogonal(
@@ -257,7 +262,7 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate_3_(y_axis, metal::float3(0.0));
+    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
     return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
 }
 
@@ -274,21 +279,20 @@ metal::float3x3 axes_around(
     metal::float3 toward,
     metal::float3 up
 ) {
-    metal::float3 y_4 = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y_4, toward);
-    float square_4 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, toward);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(toward.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across = (square_4 > 0.00000001) ? leaning : metal::cross(aside, toward);
-    metal::float3 _e32 = normalize_moderate_2_(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e32, metal::cross(toward, _e32), toward);
+    metal::float3 across = (square_2 > 0.00000001) ? leaning : metal::cross(aside, toward);
+    metal::float3 _e28 = normalize_moderate(across - (metal::dot(across, toward) * toward), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e28, metal::cross(toward, _e28), toward);
 }
 
 AxesAround axes(
     metal::float3 direction_1,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e6 = axes_around(direction_1, metal::float3(0.0, 1.0, 0.0));
-    return AxesAround {_e6[0], _e6[1]};
+    metal::float3x3 _e2 = axes_around(direction_1, up_1);
+    return AxesAround {_e2[0], _e2[1]};
 }
 
 metal::float3 half_vector(
@@ -305,12 +309,12 @@ metal::float3 stretch_direction(
     metal::float3 direction_2,
     metal::float3 x_axis_1,
     metal::float3 y_axis_1,
-    float x_6,
+    float x_8,
     float y_2
 ) {
     DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
-    metal::float3 _e11 = direction_moved(_e5, -(metal::float2(x_6, 0.0)) * _e5.place);
-    return _e11;
+    metal::float3 _e10 = direction_moved(_e5, -(metal::float2(x_8, y_2)) * _e5.place);
+    return _e10;
 }
 
 Composite blend_alpha(
@@ -514,36 +518,36 @@ float profile_3_(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_6 = {};
-    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_6.x;
-    uint _e10 = v_6.y;
-    uint _e12 = v_6.z;
-    v_6.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_6.y;
-    uint _e18 = v_6.z;
-    uint _e20 = v_6.x;
-    v_6.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_6.z;
-    uint _e26 = v_6.x;
-    uint _e28 = v_6.y;
-    v_6.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_6;
-    metal::uint3 _e32 = v_6;
-    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_6.x;
-    uint _e40 = v_6.y;
-    uint _e42 = v_6.z;
-    v_6.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_6.y;
-    uint _e48 = v_6.z;
-    uint _e50 = v_6.x;
-    v_6.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_6.z;
-    uint _e56 = v_6.x;
-    uint _e58 = v_6.y;
-    v_6.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_6;
+    metal::uint3 v_4 = {};
+    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_4;
+    metal::uint3 _e32 = v_4;
+    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -649,7 +653,8 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * _e21);
+        float _e25 = eased(w_3 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
@@ -682,10 +687,10 @@ float noise_perlin(
     float roughness_1,
     int seed_4
 ) {
-    metal::float3 p_2 = position * 14.0;
-    float _e11 = footprint_of_vec3_(p_2);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_2, 2, 0.5, 0, _e11);
-    return _e12;
+    metal::float3 p_2 = position * scale;
+    float _e7 = footprint_of_vec3_(p_2);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_2, octaves_1, roughness_1, seed_4, _e7);
+    return _e8;
 }
 
 metal::float4 shade(

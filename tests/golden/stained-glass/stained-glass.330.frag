@@ -195,6 +195,13 @@ float bounded(float x_6) {
     return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
+float eased(float x_7, float low, float high) {
+    float _e3 = bounded(x_7);
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
 float length_of(vec3 v_3) {
     float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
     if ((largest_2 < SMALLEST_NORMAL)) {
@@ -204,9 +211,9 @@ float length_of(vec3 v_3) {
     return _e16;
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
+float footprint_of(float x_8) {
+    float _e1 = dFdx(x_8);
+    float _e2 = dFdy(x_8);
     vec2 d_1 = vec2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -214,15 +221,22 @@ float footprint_of(float x_7) {
 float footprint_of_vec3_(vec3 v_4) {
     vec3 dx_1 = dFdx(v_4);
     vec3 dy_1 = dFdy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
-float step_filtered(float x_8, float edge, float w) {
-    float d_2 = (x_8 - edge);
+float footprint_of_vec3_2_(vec3 v_5) {
+    vec3 dx_2 = dFdx(v_5);
+    vec3 dy_2 = dFdy(v_5);
+    return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
+}
+
+float step_filtered(float x_9, float edge, float w) {
+    float d_2 = (x_9 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
 }
 
-vec4 ramp_at(Ramp ramp, float x_9, float w_1) {
+vec4 ramp_at(Ramp ramp, float x_10, float w_1) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 color = vec4(0.0);
@@ -250,7 +264,7 @@ vec4 ramp_at(Ramp ramp, float x_9, float w_1) {
         uint _e26 = i;
         uint _e30 = i;
         float _e34 = places[(_e26 / 4u)][(_e30 % 4u)];
-        float _e35 = step_filtered(x_9, _e34, w_1);
+        float _e35 = step_filtered(x_10, _e34, w_1);
         color = (_e16 + ((_e19 - _e24) * _e35));
     }
     vec4 _e41 = color;
@@ -265,9 +279,9 @@ vec3 bumped_normal(vec4 along_x, vec4 along_y, vec3 normal) {
         return normal;
     }
     vec3 s_3 = (along_x.xyz / vec3(largest_3));
-    vec3 t_4 = (along_y.xyz / vec3(largest_3));
+    vec3 t_5 = (along_y.xyz / vec3(largest_3));
     vec2 rise = clamp((vec2(along_x.w, along_y.w) / vec2(largest_3)), vec2(-1000000.0), vec2(1000000.0));
-    vec3 right = cross(t_4, normal);
+    vec3 right = cross(t_5, normal);
     vec3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -413,37 +427,41 @@ float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5) {
 }
 
 uvec3 hash_pcg3d(uvec3 seed) {
-    uvec3 v_5 = uvec3(0u);
-    v_5 = ((seed * 1664525u) + uvec3(1013904223u));
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uvec3 _e31 = v_5;
-    uvec3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> uvec3(16u)));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uvec3 _e61 = v_5;
+    uvec3 v_6 = uvec3(0u);
+    v_6 = ((seed * 1664525u) + uvec3(1013904223u));
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = (_e24 + (_e26 * _e28));
+    uvec3 _e31 = v_6;
+    uvec3 _e32 = v_6;
+    v_6 = (_e31 ^ (_e32 >> uvec3(16u)));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = (_e54 + (_e56 * _e58));
+    uvec3 _e61 = v_6;
     return _e61;
+}
+
+vec3 unit_of_hash(uvec3 hash) {
+    return (vec3((hash >> uvec3(8u))) * 5.9604645e-8);
 }
 
 uvec3 lattice_hash(ivec3 cell, uint seed_1) {
@@ -451,11 +469,11 @@ uvec3 lattice_hash(ivec3 cell, uint seed_1) {
     return _e9;
 }
 
-float gradient_dot(uvec3 hash, vec3 d) {
-    uint axis = ((hash.x >> 8u) % 3u);
+float gradient_dot(uvec3 hash_1, vec3 d) {
+    uint axis = ((hash_1.x >> 8u) % 3u);
     float a_1 = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash_1.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
 }
 
 vec3 fade_quintic(vec3 t_2) {
@@ -498,75 +516,84 @@ float perlin_noise(vec3 p, uint seed_2) {
 }
 
 Cell nearest_cell(vec3 p_1, uint seed_3) {
-    int i_2 = 0;
-    uvec3 hash_1 = uvec3(0u);
     vec3 nearest = vec3(4.0);
+    uvec3 hash_2 = uvec3(0u);
+    int i_2 = 0;
     float border = 0.0;
-    int i_2_ = 0;
+    int i_3 = 0;
     vec3 corner_1 = floor(p_1);
     vec3 d_4 = (p_1 - corner_1);
     ivec3 cell_2 = ivec3(corner_1);
     bool loop_init_2 = true;
     while(true) {
         if (!loop_init_2) {
-            int _e62 = i_2;
-            i_2 = (_e62 + 1);
+            int _e51 = i_2;
+            i_2 = (_e51 + 1);
         }
         loop_init_2 = false;
         int _e13 = i_2;
-        if (!((_e13 < 27))) {
+        if ((_e13 < 27)) {
+        } else {
             break;
         }
-        int _e17 = i_2;
-        int _e22 = i_2;
-        int _e29 = i_2;
-        ivec3 at_1 = ivec3(((_e17 % 3) - 1), (((_e22 / 3) % 3) - 1), ((_e29 / 9) - 1));
-        uvec3 _e42 = hash_pcg3d((uvec3((cell_2 + at_1)) + uvec3(2027808484u, 397355436u, 181057748u)));
-        vec3 offset = (((vec3(at_1) + vec3(0.25)) + (0.5 * (vec3((_e42 >> uvec3(8u))) * 5.9604645e-8))) - d_4);
-        vec3 _e58 = nearest;
-        vec3 _e59 = nearest;
-        if ((dot(offset, offset) < dot(_e58, _e59))) {
-            nearest = offset;
-            hash_1 = _e42;
+        {
+            int _e16 = i_2;
+            int _e21 = i_2;
+            int _e28 = i_2;
+            ivec3 at_1 = ivec3(((_e16 % 3) - 1), (((_e21 / 3) % 3) - 1), ((_e28 / 9) - 1));
+            uvec3 _e35 = lattice_hash((cell_2 + at_1), seed_3);
+            vec3 _e40 = unit_of_hash(_e35);
+            vec3 offset = (((vec3(at_1) + vec3(0.25)) + (0.5 * _e40)) - d_4);
+            vec3 _e46 = nearest;
+            vec3 _e47 = nearest;
+            if ((dot(offset, offset) < dot(_e46, _e47))) {
+                nearest = offset;
+                hash_2 = _e35;
+            }
         }
     }
-    vec3 _e65 = nearest;
-    float distance_ = length(_e65);
+    vec3 _e53 = nearest;
+    float distance_ = length(_e53);
     border = max((0.5 * (CELL_REACH - distance_)), 0.0);
     bool loop_init_3 = true;
     while(true) {
         if (!loop_init_3) {
-            int _e133 = i_2_;
-            i_2_ = (_e133 + 1);
+            int _e110 = i_3;
+            i_3 = (_e110 + 1);
         }
         loop_init_3 = false;
-        int _e76 = i_2_;
-        if (!((_e76 < 27))) {
+        int _e64 = i_3;
+        if ((_e64 < 27)) {
+        } else {
             break;
         }
-        int _e80 = i_2_;
-        int _e85 = i_2_;
-        int _e92 = i_2_;
-        ivec3 at_2_ = ivec3(((_e80 % 3) - 1), (((_e85 / 3) % 3) - 1), ((_e92 / 9) - 1));
-        uvec3 _e109 = hash_pcg3d((uvec3((cell_2 + at_2_)) + uvec3(2027808484u, 397355436u, 181057748u)));
-        vec3 _e120 = nearest;
-        vec3 apart = ((((vec3(at_2_) + vec3(0.25)) + (0.5 * (vec3((_e109 >> uvec3(8u))) * 5.9604645e-8))) - d_4) - _e120);
-        float between = length(apart);
-        if ((between > 0.25)) {
-            float _e125 = border;
-            vec3 _e126 = nearest;
-            border = min(_e125, (dot((_e126 + (0.5 * apart)), apart) / between));
+        {
+            int _e67 = i_3;
+            int _e72 = i_3;
+            int _e79 = i_3;
+            ivec3 at_2 = ivec3(((_e67 % 3) - 1), (((_e72 / 3) % 3) - 1), ((_e79 / 9) - 1));
+            uvec3 _e90 = lattice_hash((cell_2 + at_2), seed_3);
+            vec3 _e91 = unit_of_hash(_e90);
+            vec3 _e96 = nearest;
+            vec3 apart = ((((vec3(at_2) + vec3(0.25)) + (0.5 * _e91)) - d_4) - _e96);
+            float between = length(apart);
+            if ((between > 0.25)) {
+                float _e101 = border;
+                vec3 _e102 = nearest;
+                border = min(_e101, (dot((_e102 + (0.5 * apart)), apart) / between));
+            }
         }
     }
-    float _e136 = border;
-    uvec3 _e139 = hash_1;
-    uvec3 _e140 = hash_pcg3d(_e139);
-    return Cell(max(_e136, 0.0), (vec3((_e140 >> uvec3(8u))) * 5.9604645e-8).x, distance_);
+    float _e112 = border;
+    uvec3 _e115 = hash_2;
+    uvec3 _e116 = hash_pcg3d(_e115);
+    vec3 _e117 = unit_of_hash(_e116);
+    return Cell(max(_e112, 0.0), _e117.x, distance_);
 }
 
 float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_4, float w_4) {
     float octave = 0.0;
-    int i_3 = 0;
+    int i_4 = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
@@ -574,22 +601,23 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
     bool loop_init_4 = true;
     while(true) {
         if (!loop_init_4) {
-            int _e67 = i_3;
-            i_3 = (_e67 + 1);
+            int _e67 = i_4;
+            i_4 = (_e67 + 1);
         }
         loop_init_4 = false;
-        int _e17 = i_3;
+        int _e17 = i_4;
         if (!((_e17 < 2))) {
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_4 * _e21)));
+        float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
-            int _e33 = i_3;
+            int _e33 = i_4;
             vec3 place = clamp(((p_2 * _e31) + (float(_e33) * vec3(17.31, 5.17, 11.73))), vec3(-4194304.0), vec3(4194304.0));
-            int _e47 = i_3;
+            int _e47 = i_4;
             float _e50 = perlin_noise(place, (0u + uint(_e47)));
             octave = mix(0.5, _e50, visible);
         }
@@ -612,7 +640,7 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
 Cells cells(vec3 position_1, float scale_1, int seed_5) {
     vec3 p_3 = clamp((position_1 * scale_1), vec3(-4194304.0), vec3(4194304.0));
     Cell _e10 = nearest_cell(p_3, 4u);
-    float _e11 = footprint_of_vec3_(p_3);
+    float _e11 = footprint_of_vec3_2_(p_3);
     float visible_1 = (1.0 - smoothstep(0.5, 1.0, _e11));
     vec3 average = vec3(0.1301, 0.5, 0.491);
     vec3 seen = mix(average, vec3(_e10.border, _e10.random, _e10.distance_), visible_1);
@@ -620,10 +648,10 @@ Cells cells(vec3 position_1, float scale_1, int seed_5) {
 }
 
 float noise_perlin(vec3 position_2, float scale_2, int octaves_1, float roughness_1, int seed_6) {
-    vec3 p_4 = (position_2 * 5.0);
-    float _e11 = footprint_of_vec3_(p_4);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_4, 2, 0.5, 0, _e11);
-    return _e12;
+    vec3 p_4 = (position_2 * scale_2);
+    float _e7 = footprint_of_vec3_(p_4);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_6, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {

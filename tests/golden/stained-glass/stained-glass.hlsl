@@ -304,6 +304,14 @@ float bounded(float x_6)
     return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
+float eased(float x_7, float low, float high)
+{
+    const float _e3 = bounded(x_7);
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_4 = clamp(_e8, 0.0, 1.0);
+    return ((t_4 * t_4) * (3.0 - (2.0 * t_4)));
+}
+
 float length_of(float3 v_3)
 {
     float largest_2 = max(max(abs(v_3.x), abs(v_3.y)), abs(v_3.z));
@@ -314,10 +322,10 @@ float length_of(float3 v_3)
     return _e16;
 }
 
-float footprint_of(float x_7)
+float footprint_of(float x_8)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
+    float _e1 = ddx(x_8);
+    float _e2 = ddy(x_8);
     float2 d_1 = float2(_e1, _e2);
     return sqrt(dot(d_1, d_1));
 }
@@ -326,12 +334,20 @@ float footprint_of_vec3_(float3 v_4)
 {
     float3 dx_1 = ddx(v_4);
     float3 dy_1 = ddy(v_4);
-    return sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1)));
+    const float _e7 = bounded(sqrt(max(dot(dx_1, dx_1), dot(dy_1, dy_1))));
+    return _e7;
 }
 
-float step_filtered(float x_8, float edge, float w)
+float footprint_of_vec3_2_(float3 v_5)
 {
-    float d_2 = (x_8 - edge);
+    float3 dx_2 = ddx(v_5);
+    float3 dy_2 = ddy(v_5);
+    return sqrt(max(dot(dx_2, dx_2), dot(dy_2, dy_2)));
+}
+
+float step_filtered(float x_9, float edge, float w)
+{
+    float d_2 = (x_9 - edge);
     return ((w < 1e-30) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_2 / w)), 0.0, 1.0));
 }
 
@@ -343,7 +359,7 @@ uint naga_mod(uint lhs, uint rhs) {
     return lhs % (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_9, float w_1)
+float4 ramp_at(Ramp ramp, float x_10, float w_1)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -376,7 +392,7 @@ float4 ramp_at(Ramp ramp, float x_9, float w_1)
         uint _e26 = i;
         uint _e30 = i;
         float _e34 = places[min(uint(naga_div(_e26, 4u)), 3u)][min(uint(naga_mod(_e30, 4u)), 3u)];
-        const float _e35 = step_filtered(x_9, _e34, w_1);
+        const float _e35 = step_filtered(x_10, _e34, w_1);
         color = (_e16 + ((_e19 - _e24) * _e35));
     }
     float4 _e41 = color;
@@ -392,9 +408,9 @@ float3 bumped_normal(float4 along_x, float4 along_y, float3 normal)
         return normal;
     }
     float3 s_3 = (along_x.xyz / (largest_3).xxx);
-    float3 t_4 = (along_y.xyz / (largest_3).xxx);
+    float3 t_5 = (along_y.xyz / (largest_3).xxx);
     float2 rise = clamp((float2(along_x.w, along_y.w) / (largest_3).xx), (-1000000.0).xx, (1000000.0).xx);
-    float3 right = cross(t_4, normal);
+    float3 right = cross(t_5, normal);
     float3 up = cross(normal, s_3);
     float area = dot(s_3, right);
     if ((abs(area) < 1e-6)) {
@@ -565,38 +581,43 @@ float profile_2_(Angle angle_1, float shift_1, ProfileShape shape_5)
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_5 = (uint3)0;
+    uint3 v_6 = (uint3)0;
 
-    v_5 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_5;
-    uint3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_5;
+    v_6 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_6;
+    uint3 _e32 = v_6;
+    v_6 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_6;
     return _e61;
+}
+
+float3 unit_of_hash(uint3 hash)
+{
+    return (float3((hash >> (8u).xxx)) * 5.9604645e-8);
 }
 
 uint3 lattice_hash(int3 cell, uint seed_1)
@@ -605,12 +626,12 @@ uint3 lattice_hash(int3 cell, uint seed_1)
     return _e9;
 }
 
-float gradient_dot(uint3 hash, float3 d)
+float gradient_dot(uint3 hash_1, float3 d)
 {
-    uint axis = naga_mod((hash.x >> 8u), 3u);
+    uint axis = naga_mod((hash_1.x >> 8u), 3u);
     float a_1 = ((axis == 0u) ? d.y : d.x);
     float b = ((axis == 2u) ? d.y : d.z);
-    return ((((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b)));
+    return ((((hash_1.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash_1.z >> 31u) == 0u) ? b : -(b)));
 }
 
 float3 fade_quintic(float3 t_2)
@@ -681,11 +702,11 @@ Cell ConstructCell(float arg0, float arg1, float arg2) {
 
 Cell nearest_cell(float3 p_1, uint seed_3)
 {
-    int i_2 = int(0);
-    uint3 hash_1 = (0u).xxx;
     float3 nearest = (4.0).xxx;
+    uint3 hash_2 = (0u).xxx;
+    int i_2 = int(0);
     float border = (float)0;
-    int i_2_ = int(0);
+    int i_3 = int(0);
 
     float3 corner_1 = floor(p_1);
     float3 d_4 = (p_1 - corner_1);
@@ -696,29 +717,33 @@ Cell nearest_cell(float3 p_1, uint seed_3)
         if (all(loop_bound_2 == uint2(0u, 0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e62 = i_2;
-            i_2 = asint(asuint(_e62) + asuint(int(1)));
+            int _e51 = i_2;
+            i_2 = asint(asuint(_e51) + asuint(int(1)));
         }
         loop_init_2 = false;
         int _e13 = i_2;
-        if (!((_e13 < int(27)))) {
+        if ((_e13 < int(27))) {
+        } else {
             break;
         }
-        int _e17 = i_2;
-        int _e22 = i_2;
-        int _e29 = i_2;
-        int3 at_1 = int3(asint(asuint(naga_mod(_e17, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e22, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e29, int(9))) - asuint(int(1))));
-        const uint3 _e42 = hash_pcg3d((asuint(asint(asuint(cell_2) + asuint(at_1))) + uint3(2027808484u, 397355436u, 181057748u)));
-        float3 offset = (((float3(at_1) + (0.25).xxx) + (0.5 * (float3((_e42 >> (8u).xxx)) * 5.9604645e-8))) - d_4);
-        float3 _e58 = nearest;
-        float3 _e59 = nearest;
-        if ((dot(offset, offset) < dot(_e58, _e59))) {
-            nearest = offset;
-            hash_1 = _e42;
+        {
+            int _e16 = i_2;
+            int _e21 = i_2;
+            int _e28 = i_2;
+            int3 at_1 = int3(asint(asuint(naga_mod(_e16, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e21, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e28, int(9))) - asuint(int(1))));
+            const uint3 _e35 = lattice_hash(asint(asuint(cell_2) + asuint(at_1)), seed_3);
+            const float3 _e40 = unit_of_hash(_e35);
+            float3 offset = (((float3(at_1) + (0.25).xxx) + (0.5 * _e40)) - d_4);
+            float3 _e46 = nearest;
+            float3 _e47 = nearest;
+            if ((dot(offset, offset) < dot(_e46, _e47))) {
+                nearest = offset;
+                hash_2 = _e35;
+            }
         }
     }
-    float3 _e65 = nearest;
-    float distance_ = length(_e65);
+    float3 _e53 = nearest;
+    float distance_ = length(_e53);
     border = max((0.5 * (CELL_REACH - distance_)), 0.0);
     uint2 loop_bound_3 = uint2(4294967295u, 4294967295u);
     bool loop_init_3 = true;
@@ -726,39 +751,44 @@ Cell nearest_cell(float3 p_1, uint seed_3)
         if (all(loop_bound_3 == uint2(0u, 0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            int _e133 = i_2_;
-            i_2_ = asint(asuint(_e133) + asuint(int(1)));
+            int _e110 = i_3;
+            i_3 = asint(asuint(_e110) + asuint(int(1)));
         }
         loop_init_3 = false;
-        int _e76 = i_2_;
-        if (!((_e76 < int(27)))) {
+        int _e64 = i_3;
+        if ((_e64 < int(27))) {
+        } else {
             break;
         }
-        int _e80 = i_2_;
-        int _e85 = i_2_;
-        int _e92 = i_2_;
-        int3 at_2_ = int3(asint(asuint(naga_mod(_e80, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e85, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e92, int(9))) - asuint(int(1))));
-        const uint3 _e109 = hash_pcg3d((asuint(asint(asuint(cell_2) + asuint(at_2_))) + uint3(2027808484u, 397355436u, 181057748u)));
-        float3 _e120 = nearest;
-        float3 apart = ((((float3(at_2_) + (0.25).xxx) + (0.5 * (float3((_e109 >> (8u).xxx)) * 5.9604645e-8))) - d_4) - _e120);
-        float between = length(apart);
-        if ((between > 0.25)) {
-            float _e125 = border;
-            float3 _e126 = nearest;
-            border = min(_e125, (dot((_e126 + (0.5 * apart)), apart) / between));
+        {
+            int _e67 = i_3;
+            int _e72 = i_3;
+            int _e79 = i_3;
+            int3 at_2 = int3(asint(asuint(naga_mod(_e67, int(3))) - asuint(int(1))), asint(asuint(naga_mod(naga_div(_e72, int(3)), int(3))) - asuint(int(1))), asint(asuint(naga_div(_e79, int(9))) - asuint(int(1))));
+            const uint3 _e90 = lattice_hash(asint(asuint(cell_2) + asuint(at_2)), seed_3);
+            const float3 _e91 = unit_of_hash(_e90);
+            float3 _e96 = nearest;
+            float3 apart = ((((float3(at_2) + (0.25).xxx) + (0.5 * _e91)) - d_4) - _e96);
+            float between = length(apart);
+            if ((between > 0.25)) {
+                float _e101 = border;
+                float3 _e102 = nearest;
+                border = min(_e101, (dot((_e102 + (0.5 * apart)), apart) / between));
+            }
         }
     }
-    float _e136 = border;
-    uint3 _e139 = hash_1;
-    const uint3 _e140 = hash_pcg3d(_e139);
-    const Cell cell_3 = ConstructCell(max(_e136, 0.0), (float3((_e140 >> (8u).xxx)) * 5.9604645e-8).x, distance_);
+    float _e112 = border;
+    uint3 _e115 = hash_2;
+    const uint3 _e116 = hash_pcg3d(_e115);
+    const float3 _e117 = unit_of_hash(_e116);
+    const Cell cell_3 = ConstructCell(max(_e112, 0.0), _e117.x, distance_);
     return cell_3;
 }
 
 float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int seed_4, float w_4)
 {
     float octave = (float)0;
-    int i_3 = int(0);
+    int i_4 = int(0);
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
@@ -770,22 +800,23 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
         if (all(loop_bound_4 == uint2(0u, 0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e67 = i_3;
-            i_3 = asint(asuint(_e67) + asuint(int(1)));
+            int _e67 = i_4;
+            i_4 = asint(asuint(_e67) + asuint(int(1)));
         }
         loop_init_4 = false;
-        int _e17 = i_3;
+        int _e17 = i_4;
         if (!((_e17 < int(2)))) {
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_4 * _e21)));
+        const float _e25 = eased((w_4 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
-            int _e33 = i_3;
+            int _e33 = i_4;
             float3 place = clamp(((p_2 * _e31) + (float(_e33) * float3(17.31, 5.17, 11.73))), (-4194304.0).xxx, (4194304.0).xxx);
-            int _e47 = i_3;
+            int _e47 = i_4;
             const float _e50 = perlin_noise(place, (0u + uint(_e47)));
             octave = lerp(0.5, _e50, visible);
         }
@@ -817,7 +848,7 @@ Cells cells(float3 position_1, float scale_1, int seed_5)
 {
     float3 p_3 = clamp((position_1 * scale_1), (-4194304.0).xxx, (4194304.0).xxx);
     const Cell _e10 = nearest_cell(p_3, 4u);
-    const float _e11 = footprint_of_vec3_(p_3);
+    const float _e11 = footprint_of_vec3_2_(p_3);
     float visible_1 = (1.0 - smoothstep(0.5, 1.0, _e11));
     float3 average = float3(0.1301, 0.5, 0.491);
     float3 seen = lerp(average, float3(_e10.border, _e10.random, _e10.distance_), visible_1);
@@ -827,10 +858,10 @@ Cells cells(float3 position_1, float scale_1, int seed_5)
 
 float noise_perlin(float3 position_2, float scale_2, int octaves_1, float roughness_1, int seed_6)
 {
-    float3 p_4 = (position_2 * 5.0);
-    const float _e11 = footprint_of_vec3_(p_4);
-    const float _e12 = fractal_noise(NOISE_PERLIN, p_4, int(2), 0.5, int(0), _e11);
-    return _e12;
+    float3 p_4 = (position_2 * scale_2);
+    const float _e7 = footprint_of_vec3_(p_4);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_6, _e7);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)

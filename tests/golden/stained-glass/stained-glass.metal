@@ -251,6 +251,17 @@ float bounded(
     return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
+float eased(
+    float x_7,
+    float low,
+    float high
+) {
+    float _e3 = bounded(x_7);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
+    float t_4 = metal::clamp(_e8, 0.0, 1.0);
+    return (t_4 * t_4) * (3.0 - (2.0 * t_4));
+}
+
 float length_of(
     metal::float3 v_3
 ) {
@@ -263,10 +274,10 @@ float length_of(
 }
 
 float footprint_of(
-    float x_7
+    float x_8
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_8);
+    float _e2 = metal::dfdy(x_8);
     metal::float2 d_1 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_1, d_1));
 }
@@ -276,15 +287,24 @@ float footprint_of_vec3_(
 ) {
     metal::float3 dx_1 = metal::dfdx(v_4);
     metal::float3 dy_1 = metal::dfdy(v_4);
-    return metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1)));
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx_1, dx_1), metal::dot(dy_1, dy_1))));
+    return _e7;
+}
+
+float footprint_of_vec3_2_(
+    metal::float3 v_5
+) {
+    metal::float3 dx_2 = metal::dfdx(v_5);
+    metal::float3 dy_2 = metal::dfdy(v_5);
+    return metal::sqrt(metal::max(metal::dot(dx_2, dx_2), metal::dot(dy_2, dy_2)));
 }
 
 float step_filtered(
-    float x_8,
+    float x_9,
     float edge,
     float w
 ) {
-    float d_2 = x_8 - edge;
+    float d_2 = x_9 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_2 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_2 / w), 0.0, 1.0);
 }
 
@@ -298,7 +318,7 @@ uint naga_mod(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_9,
+    float x_10,
     float w_1
 ) {
     type_5 colors = {};
@@ -331,7 +351,7 @@ Color ramp_at(
         uint _e26 = i;
         uint _e30 = i;
         float _e34 = places.inner[naga_div(_e26, 4u)][naga_mod(_e30, 4u)];
-        float _e35 = step_filtered(x_9, _e34, w_1);
+        float _e35 = step_filtered(x_10, _e34, w_1);
         color = _e16 + ((_e19 - _e24) * _e35);
     }
     metal::float4 _e41 = color;
@@ -350,9 +370,9 @@ metal::float3 bumped_normal(
         return normal;
     }
     metal::float3 s_3 = along_x.xyz / metal::float3(largest_3);
-    metal::float3 t_4 = along_y.xyz / metal::float3(largest_3);
+    metal::float3 t_5 = along_y.xyz / metal::float3(largest_3);
     metal::float2 rise = metal::clamp(metal::float2(along_x.w, along_y.w) / metal::float2(largest_3), metal::float2(-1000000.0), metal::float2(1000000.0));
-    metal::float3 right = metal::cross(t_4, normal);
+    metal::float3 right = metal::cross(t_5, normal);
     metal::float3 up = metal::cross(normal, s_3);
     float area = metal::dot(s_3, right);
     if (metal::abs(area) < 0.000001) {
@@ -553,37 +573,43 @@ float profile_2_(
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_5 = {};
-    v_5 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_5;
-    metal::uint3 _e32 = v_5;
-    v_5 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_5;
+    metal::uint3 v_6 = {};
+    v_6 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_6.x;
+    uint _e10 = v_6.y;
+    uint _e12 = v_6.z;
+    v_6.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_6.y;
+    uint _e18 = v_6.z;
+    uint _e20 = v_6.x;
+    v_6.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_6.z;
+    uint _e26 = v_6.x;
+    uint _e28 = v_6.y;
+    v_6.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_6;
+    metal::uint3 _e32 = v_6;
+    v_6 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_6.x;
+    uint _e40 = v_6.y;
+    uint _e42 = v_6.z;
+    v_6.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_6.y;
+    uint _e48 = v_6.z;
+    uint _e50 = v_6.x;
+    v_6.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_6.z;
+    uint _e56 = v_6.x;
+    uint _e58 = v_6.y;
+    v_6.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_6;
     return _e61;
+}
+
+metal::float3 unit_of_hash(
+    metal::uint3 hash
+) {
+    return static_cast<metal::float3>(hash >> metal::uint3(8u)) * 0.000000059604645;
 }
 
 metal::uint3 lattice_hash(
@@ -595,13 +621,13 @@ metal::uint3 lattice_hash(
 }
 
 float gradient_dot(
-    metal::uint3 hash,
+    metal::uint3 hash_1,
     metal::float3 d
 ) {
-    uint axis = naga_mod(hash.x >> 8u, 3u);
+    uint axis = naga_mod(hash_1.x >> 8u, 3u);
     float a_1 = (axis == 0u) ? d.y : d.x;
     float b = (axis == 2u) ? d.y : d.z;
-    return (((hash.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash.z >> 31u) == 0u) ? b : -(b));
+    return (((hash_1.y >> 31u) == 0u) ? a_1 : -(a_1)) + (((hash_1.z >> 31u) == 0u) ? b : -(b));
 }
 
 metal::float3 fade_quintic(
@@ -668,11 +694,11 @@ Cell nearest_cell(
     metal::float3 p_1,
     uint seed_3
 ) {
-    int i_2 = 0;
-    metal::uint3 hash_1 = metal::uint3(0u);
     metal::float3 nearest = metal::float3(4.0);
+    metal::uint3 hash_2 = metal::uint3(0u);
+    int i_2 = 0;
     float border = {};
-    int i_2_ = 0;
+    int i_3 = 0;
     metal::float3 corner_1 = metal::floor(p_1);
     metal::float3 d_4 = p_1 - corner_1;
     metal::int3 cell_2 = naga_f2i32(corner_1);
@@ -682,29 +708,33 @@ Cell nearest_cell(
         if (metal::all(loop_bound_2 == uint2(0u))) { break; }
         loop_bound_2 -= uint2(loop_bound_2.y == 0u, 1u);
         if (!loop_init_2) {
-            int _e62 = i_2;
-            i_2 = as_type<int>(as_type<uint>(_e62) + as_type<uint>(1));
+            int _e51 = i_2;
+            i_2 = as_type<int>(as_type<uint>(_e51) + as_type<uint>(1));
         }
         loop_init_2 = false;
         int _e13 = i_2;
-        if (!((_e13 < 27))) {
+        if (_e13 < 27) {
+        } else {
             break;
         }
-        int _e17 = i_2;
-        int _e22 = i_2;
-        int _e29 = i_2;
-        metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e17, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e22, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e29, 9)) - as_type<uint>(1)));
-        metal::uint3 _e42 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_1))) + metal::uint3(2027808484u, 397355436u, 181057748u));
-        metal::float3 offset = ((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * (static_cast<metal::float3>(_e42 >> metal::uint3(8u)) * 0.000000059604645))) - d_4;
-        metal::float3 _e58 = nearest;
-        metal::float3 _e59 = nearest;
-        if (metal::dot(offset, offset) < metal::dot(_e58, _e59)) {
-            nearest = offset;
-            hash_1 = _e42;
+        {
+            int _e16 = i_2;
+            int _e21 = i_2;
+            int _e28 = i_2;
+            metal::int3 at_1 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e16, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e21, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e28, 9)) - as_type<uint>(1)));
+            metal::uint3 _e35 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_1)), seed_3);
+            metal::float3 _e40 = unit_of_hash(_e35);
+            metal::float3 offset = ((static_cast<metal::float3>(at_1) + metal::float3(0.25)) + (0.5 * _e40)) - d_4;
+            metal::float3 _e46 = nearest;
+            metal::float3 _e47 = nearest;
+            if (metal::dot(offset, offset) < metal::dot(_e46, _e47)) {
+                nearest = offset;
+                hash_2 = _e35;
+            }
         }
     }
-    metal::float3 _e65 = nearest;
-    float distance = metal::length(_e65);
+    metal::float3 _e53 = nearest;
+    float distance = metal::length(_e53);
     border = metal::max(0.5 * (CELL_REACH - distance), 0.0);
     uint2 loop_bound_3 = uint2(4294967295u);
     bool loop_init_3 = true;
@@ -712,32 +742,37 @@ Cell nearest_cell(
         if (metal::all(loop_bound_3 == uint2(0u))) { break; }
         loop_bound_3 -= uint2(loop_bound_3.y == 0u, 1u);
         if (!loop_init_3) {
-            int _e133 = i_2_;
-            i_2_ = as_type<int>(as_type<uint>(_e133) + as_type<uint>(1));
+            int _e110 = i_3;
+            i_3 = as_type<int>(as_type<uint>(_e110) + as_type<uint>(1));
         }
         loop_init_3 = false;
-        int _e76 = i_2_;
-        if (!((_e76 < 27))) {
+        int _e64 = i_3;
+        if (_e64 < 27) {
+        } else {
             break;
         }
-        int _e80 = i_2_;
-        int _e85 = i_2_;
-        int _e92 = i_2_;
-        metal::int3 at_2_ = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e80, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e85, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e92, 9)) - as_type<uint>(1)));
-        metal::uint3 _e109 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_2_))) + metal::uint3(2027808484u, 397355436u, 181057748u));
-        metal::float3 _e120 = nearest;
-        metal::float3 apart = (((static_cast<metal::float3>(at_2_) + metal::float3(0.25)) + (0.5 * (static_cast<metal::float3>(_e109 >> metal::uint3(8u)) * 0.000000059604645))) - d_4) - _e120;
-        float between = metal::length(apart);
-        if (between > 0.25) {
-            float _e125 = border;
-            metal::float3 _e126 = nearest;
-            border = metal::min(_e125, metal::dot(_e126 + (0.5 * apart), apart) / between);
+        {
+            int _e67 = i_3;
+            int _e72 = i_3;
+            int _e79 = i_3;
+            metal::int3 at_2 = metal::int3(as_type<int>(as_type<uint>(naga_mod(_e67, 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_mod(naga_div(_e72, 3), 3)) - as_type<uint>(1)), as_type<int>(as_type<uint>(naga_div(_e79, 9)) - as_type<uint>(1)));
+            metal::uint3 _e90 = lattice_hash(as_type<metal::int3>(as_type<metal::uint3>(cell_2) + as_type<metal::uint3>(at_2)), seed_3);
+            metal::float3 _e91 = unit_of_hash(_e90);
+            metal::float3 _e96 = nearest;
+            metal::float3 apart = (((static_cast<metal::float3>(at_2) + metal::float3(0.25)) + (0.5 * _e91)) - d_4) - _e96;
+            float between = metal::length(apart);
+            if (between > 0.25) {
+                float _e101 = border;
+                metal::float3 _e102 = nearest;
+                border = metal::min(_e101, metal::dot(_e102 + (0.5 * apart), apart) / between);
+            }
         }
     }
-    float _e136 = border;
-    metal::uint3 _e139 = hash_1;
-    metal::uint3 _e140 = hash_pcg3d(_e139);
-    return Cell {metal::max(_e136, 0.0), (static_cast<metal::float3>(_e140 >> metal::uint3(8u)) * 0.000000059604645).x, distance};
+    float _e112 = border;
+    metal::uint3 _e115 = hash_2;
+    metal::uint3 _e116 = hash_pcg3d(_e115);
+    metal::float3 _e117 = unit_of_hash(_e116);
+    return Cell {metal::max(_e112, 0.0), _e117.x, distance};
 }
 
 float fractal_noise(
@@ -749,7 +784,7 @@ float fractal_noise(
     float w_4
 ) {
     float octave = {};
-    int i_3 = 0;
+    int i_4 = 0;
     float frequency = 1.0;
     float strength = 1.0;
     float total = 0.0;
@@ -760,22 +795,23 @@ float fractal_noise(
         if (metal::all(loop_bound_4 == uint2(0u))) { break; }
         loop_bound_4 -= uint2(loop_bound_4.y == 0u, 1u);
         if (!loop_init_4) {
-            int _e67 = i_3;
-            i_3 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e67 = i_4;
+            i_4 = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
         }
         loop_init_4 = false;
-        int _e17 = i_3;
+        int _e17 = i_4;
         if (!((_e17 < 2))) {
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_4 * _e21);
+        float _e25 = eased(w_4 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
-            int _e33 = i_3;
+            int _e33 = i_4;
             metal::float3 place = metal::clamp((p_2 * _e31) + (static_cast<float>(_e33) * metal::float3(17.31, 5.17, 11.73)), metal::float3(-4194304.0), metal::float3(4194304.0));
-            int _e47 = i_3;
+            int _e47 = i_4;
             float _e50 = perlin_noise(place, 0u + static_cast<uint>(_e47));
             octave = metal::mix(0.5, _e50, visible);
         }
@@ -802,7 +838,7 @@ Cells cells(
 ) {
     metal::float3 p_3 = metal::clamp(position_1 * scale_1, metal::float3(-4194304.0), metal::float3(4194304.0));
     Cell _e10 = nearest_cell(p_3, 4u);
-    float _e11 = footprint_of_vec3_(p_3);
+    float _e11 = footprint_of_vec3_2_(p_3);
     float visible_1 = 1.0 - metal::smoothstep(0.5, 1.0, _e11);
     metal::float3 average = metal::float3(0.1301, 0.5, 0.491);
     metal::float3 seen = metal::mix(average, metal::float3(_e10.border, _e10.random, _e10.distance), visible_1);
@@ -816,10 +852,10 @@ float noise_perlin(
     float roughness_1,
     int seed_6
 ) {
-    metal::float3 p_4 = position_2 * 5.0;
-    float _e11 = footprint_of_vec3_(p_4);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_4, 2, 0.5, 0, _e11);
-    return _e12;
+    metal::float3 p_4 = position_2 * scale_2;
+    float _e7 = footprint_of_vec3_(p_4);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_4, octaves_1, roughness_1, seed_6, _e7);
+    return _e8;
 }
 
 metal::float4 shade(

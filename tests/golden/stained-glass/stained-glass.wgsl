@@ -153,14 +153,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -227,6 +227,13 @@ fn bounded(x: f32) -> f32 {
     return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
 }
 
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 /// The length of v, also where its square would over- or underflow.
 fn length_of(v: vec3f) -> f32 {
     let largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
@@ -245,6 +252,14 @@ fn footprint_of(x: f32) -> f32 {
 /// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
 /// in uniform control flow.
 fn footprint_of_vec3(v: vec3f) -> f32 {
+    let dx = dpdx(v);
+    let dy = dpdy(v);
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
+}
+
+/// Distance that a point moves over one pixel: the longer of its two derivatives, finite. Call it
+/// in uniform control flow.
+fn footprint_of_vec3_2(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
     return sqrt(max(dot(dx, dx), dot(dy, dy)));
@@ -486,6 +501,11 @@ fn hash_pcg3d(seed: vec3u) -> vec3u {
     return v;
 }
 
+/// A random number in [0, 1) from the upper 24 bits of a hash, exactly.
+fn unit_of_hash(hash: vec3u) -> vec3f {
+    return vec3f(hash >> vec3u(8u)) * 5.9604644775390625e-8;
+}
+
 /// The hash of a lattice point.
 fn lattice_hash(cell: vec3i, seed: u32) -> vec3u {
     return hash_pcg3d(bitcast<vec3u>(cell) + seed * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u));
@@ -543,46 +563,32 @@ fn nearest_cell(p: vec3f, seed: u32) -> Cell {
     let corner = floor(p);
     let d = p - corner;
     let cell = vec3i(corner);
-    var i = 0;
-    var hash = vec3u(0u);
     var nearest = vec3f(4.0);
-    loop {
-        if !(i < 27) {
-            break;
-        }
-        let at = vec3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        let own = hash_pcg3d(bitcast<vec3u>(cell + at) + 4u * vec3u(0x9e3779b9u, 0x85ebca6bu,
-            0xc2b2ae35u));
-        let offset = vec3f(at) + 0.25 + 0.5 * (vec3f(own >> vec3u(8u)) * 5.9604644775390625e-8) - d;
+    var hash = vec3u(0u);
+    for (var i = 0; i < 27; i++) {
+        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
+        let own = lattice_hash(cell + at, seed);
+        let offset = vec3f(at) + 0.25 + 0.5 * unit_of_hash(own) - d;
         if dot(offset, offset) < dot(nearest, nearest) {
             nearest = offset;
             hash = own;
         }
-        continuing {
-            i = i + 1;
-        }
     }
     let distance = length(nearest);
     var border = max(0.5 * (CELL_REACH - distance), 0.0);
-    var i_2 = 0;
-    loop {
-        if !(i_2 < 27) {
-            break;
-        }
-        let at_2 = vec3i(i_2 % 3 - 1, i_2 / 3 % 3 - 1, i_2 / 9 - 1);
-        let apart = vec3f(at_2) + 0.25 + 0.5 * (vec3f(hash_pcg3d(bitcast<vec3u>(cell + at_2) + 4u
-            * vec3u(0x9e3779b9u, 0x85ebca6bu, 0xc2b2ae35u)) >> vec3u(8u)) * 5.9604644775390625e-8)
-            - d - nearest;
+    for (var i = 0; i < 27; i++) {
+        let at = vec3i(i % 3 - 1, (i / 3) % 3 - 1, i / 9 - 1);
+        let apart = vec3f(at) + 0.25 + 0.5 * unit_of_hash(lattice_hash(cell + at, seed)) - d
+            - nearest;
         let between = length(apart);
+        // Points are half a cell apart at least; a nearer one is the cell's own.
         if between > 0.25 {
             border = min(border, dot(nearest + 0.5 * apart, apart) / between);
         }
-        continuing {
-            i_2 = i_2 + 1;
-        }
     }
-    return Cell(max(border, 0.0), (vec3f(hash_pcg3d(hash) >> vec3u(8u)) * 5.9604644775390625e-8).x,
-        distance);
+    // The number has a hash other than that of the point's place, or it would tell where in its
+    // cell the point lies.
+    return Cell(max(border, 0.0), unit_of_hash(hash_pcg3d(hash)).x, distance);
 }
 
 /// Sum of 1 to 8 octaves of noise, each twice as fine as the one before and `roughness` times as
@@ -599,7 +605,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         if !(i < 2i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -625,7 +631,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
 fn cells(position: vec3f, scale: f32, seed: i32) -> Cells {
     let p = clamp(position * scale, vec3f(-4194304.0), vec3f(4194304.0));
     let cell = nearest_cell(p, 4u);
-    let visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3(p));
+    let visible = 1.0 - smoothstep(0.5, 1.0, footprint_of_vec3_2(p));
     let average = vec3f(0.1301, 0.5, 0.491);
     let seen = mix(average, vec3f(cell.border, cell.random, cell.distance), visible);
     return Cells(seen.x, seen.y, seen.z);
@@ -641,8 +647,8 @@ struct Cells {
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = position * 5.0;
-    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 0i, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 const colors = Ramp(array(vec4f(0.0706, 0.1882, 0.4784, 1.0), vec4f(0.1216, 0.4784, 0.6902, 1.0), vec4f(0.1137, 0.5412, 0.3529, 1.0), vec4f(0.9098, 0.6902, 0.1255, 1.0), vec4f(0.8471, 0.3255, 0.1098, 1.0), vec4f(0.6902, 0.0706, 0.2196, 1.0), vec4f(0.3529, 0.102, 0.4784, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.22, 0.4, 0.58), vec4f(0.75, 0.9, 1.0, 0.0), vec4f(0.0), vec4f(0.0)), 7u, 2u);

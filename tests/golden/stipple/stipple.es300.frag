@@ -301,8 +301,8 @@ MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_2);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_3 = (_e15 / vec2(size));
-    StretchedPlace _e29 = mark_place_of(place_3, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), 0.0);
-    return MarkPlace(_e29.place, _e29.stretch);
+    StretchedPlace _e28 = mark_place_of(place_3, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 vec4 shade(Surface surface_1) {

@@ -414,8 +414,8 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_3 = (_e15 / (size).xx);
-    const StretchedPlace _e29 = mark_place_of(place_3, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), 0.0);
-    const MarkPlace markplace = ConstructMarkPlace(_e29.place, _e29.stretch);
+    const StretchedPlace _e28 = mark_place_of(place_3, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
 

@@ -396,8 +396,8 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_3 = _e15 / metal::float2(size);
-    StretchedPlace _e29 = mark_place_of(place_3, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
-    return MarkPlace {_e29.place, {}, _e29.stretch};
+    StretchedPlace _e28 = mark_place_of(place_3, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 metal::float4 shade(

@@ -201,15 +201,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise)
     return ((square > 1e-30) ? (v_1 * rsqrt(max(square, 1e-30))) : otherwise);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_1)
+float3 normalize_seen(float3 v_2)
 {
-    float square_1 = dot(v_2, v_2);
-    return ((square_1 > 1e-30) ? (v_2 * rsqrt(max(square_1, 1e-30))) : float3(0.0, 0.0, 1.0));
-}
-
-float3 normalize_seen(float3 v_3)
-{
-    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -296,7 +290,7 @@ float4 straight(float4 composite)
 
 float4 curvature_color(float convexity, float4 convex, float4 concave)
 {
-    return (concave + (convexity * ((1.0).xxxx - concave)));
+    return (concave + (convexity * (convex - concave)));
 }
 
 float curvature_signed(float kappa, float slope)
@@ -369,7 +363,7 @@ Angle parametrization_specular(Light light_2, float3 normal, float3 view)
 Angle parametrization_screen_aligned(Light light_3, float3 normal_1, float3x3 camera_from_world)
 {
     float3 n = mul(normal_1, camera_from_world);
-    const float3 _e8 = normalize_moderate_2_(n, float3(0.0, 0.0, 1.0));
+    const float3 _e8 = normalize_moderate(n, float3(0.0, 0.0, 1.0));
     const Angle angle_4 = ConstructAngle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
     return angle_4;
 }
@@ -512,20 +506,20 @@ Shaded shade(Surface surface_1)
     const float _e125 = profile_2_(_e110, contour_warp, contour_tone_shape);
     Light _e128 = look.eye;
     const LitLayer _e131 = light_apply_2_(_e128, (1.0).xxxx, _e125);
-    float4 contour_blend = clamp(float4((_e102.xyz + ((_e102.xyz * (_e131.tone * _e131.color.xyz)) - _e102.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float4 contour_blend = clamp(float4((_e102.xyz * (_e131.tone * _e131.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
     float3 place = surface_1.position_object;
     VectorParts parts = ConstructVectorParts(place.x, place.y, place.z);
     float into_the_corner = min(parts.x, parts.z);
-    const float _e158 = footprint_of(into_the_corner);
-    const float _e164 = step_filtered(into_the_corner, -0.012, length(float2(min(_e158, 1000000000000000.0), 0.0)));
-    float4 section_line = clamp(float4((contour_blend.xyz + (_e164 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float _e182 = footprint_of(into_the_corner);
-    const float _e188 = step_filtered(into_the_corner, 0.02, length(float2(min(_e182, 1000000000000000.0), 0.0)));
-    float kept = (1.0 - _e188);
+    const float _e154 = footprint_of(into_the_corner);
+    const float _e160 = step_filtered(into_the_corner, -0.012, length(float2(min(_e154, 1000000000000000.0), 0.0)));
+    float4 section_line = clamp(float4((contour_blend.xyz + (_e160 * (float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float _e178 = footprint_of(into_the_corner);
+    const float _e184 = step_filtered(into_the_corner, 0.02, length(float2(min(_e178, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - _e184);
     float4 cut = float4(section_line.xyz, kept);
-    const float4 _e193 = premultiplied(cut);
-    const float4 _e194 = output(_e193);
-    const Shaded shaded = ConstructShaded(_e194, _e194, 0.5);
+    const float4 _e189 = premultiplied(cut);
+    const float4 _e190 = output(_e189);
+    const Shaded shaded = ConstructShaded(_e190, _e190, 0.5);
     return shaded;
 }
 

@@ -158,13 +158,8 @@ vec3 normalize_moderate(vec3 v_2, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_2 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_3, vec3 otherwise_2) {
-    float square_2 = dot(v_3, v_3);
-    return ((square_2 > 1e-30) ? (v_3 * inversesqrt(max(square_2, 1e-30))) : vec3(0.0, 0.0, 1.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_3) {
+    vec3 _e5 = normalize_moderate(v_3, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -234,7 +229,7 @@ vec4 straight(vec4 composite) {
 }
 
 vec4 curvature_color(float convexity, vec4 convex, vec4 concave) {
-    return (concave + (convexity * (vec4(1.0) - concave)));
+    return (concave + (convexity * (convex - concave)));
 }
 
 vec2 slope_of(vec3 normal) {
@@ -298,7 +293,7 @@ Angle parametrization_specular(Light light_2, vec3 normal_2, vec3 view) {
 
 Angle parametrization_screen_aligned(Light light_3, vec3 normal_3, mat3x3 camera_from_world) {
     vec3 n = (camera_from_world * normal_3);
-    vec3 _e8 = normalize_moderate_2_(n, vec3(0.0, 0.0, 1.0));
+    vec3 _e8 = normalize_moderate(n, vec3(0.0, 0.0, 1.0));
     return Angle((0.5 * length((_e8 - light_3.own_direction))), (0.5 * length((_e8 + light_3.own_direction))));
 }
 
@@ -414,20 +409,20 @@ Shaded shade(Surface surface_1) {
     float _e125 = profile_2_(_e110, contour_warp, contour_tone_shape);
     Light _e128 = u_look.eye;
     LitLayer _e131 = light_apply_2_(_e128, vec4(1.0), _e125);
-    vec4 contour_blend = clamp(vec4((_e102.xyz + ((_e102.xyz * (_e131.tone * _e131.color.xyz)) - _e102.xyz)), 1.0), vec4(0.0), vec4(1.0));
+    vec4 contour_blend = clamp(vec4((_e102.xyz * (_e131.tone * _e131.color.xyz)), 1.0), vec4(0.0), vec4(1.0));
     vec3 place = surface_1.position_object;
     VectorParts parts = VectorParts(place.x, place.y, place.z);
     float into_the_corner = min(parts.x, parts.z);
-    float _e158 = footprint_of(into_the_corner);
-    float _e164 = step_filtered(into_the_corner, -0.012, length(vec2(min(_e158, 1000000000000000.0), 0.0)));
-    vec4 section_line = clamp(vec4((contour_blend.xyz + (_e164 * (vec3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
-    float _e182 = footprint_of(into_the_corner);
-    float _e188 = step_filtered(into_the_corner, 0.02, length(vec2(min(_e182, 1000000000000000.0), 0.0)));
-    float kept = (1.0 - _e188);
+    float _e154 = footprint_of(into_the_corner);
+    float _e160 = step_filtered(into_the_corner, -0.012, length(vec2(min(_e154, 1000000000000000.0), 0.0)));
+    vec4 section_line = clamp(vec4((contour_blend.xyz + (_e160 * (vec3(0.8471, 0.1569, 0.1098) - contour_blend.xyz))), 1.0), vec4(0.0), vec4(1.0));
+    float _e178 = footprint_of(into_the_corner);
+    float _e184 = step_filtered(into_the_corner, 0.02, length(vec2(min(_e178, 1000000000000000.0), 0.0)));
+    float kept = (1.0 - _e184);
     vec4 cut = vec4(section_line.xyz, kept);
-    vec4 _e193 = premultiplied(cut);
-    vec4 _e194 = output_(_e193);
-    return Shaded(surface_1.normal, _e194, 0.5);
+    vec4 _e189 = premultiplied(cut);
+    vec4 _e190 = output_(_e189);
+    return Shaded(surface_1.normal, _e190, 0.5);
 }
 
 void main() {

@@ -185,18 +185,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_3,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_3, v_3);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(0.0, 0.0, 1.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -290,7 +282,7 @@ Color curvature_color(
     Color convex,
     Color concave
 ) {
-    return concave + (convexity * (metal::float4(1.0) - concave));
+    return concave + (convexity * (convex - concave));
 }
 
 metal::float2 slope_of(
@@ -390,7 +382,7 @@ Angle parametrization_screen_aligned(
     metal::float3x3 camera_from_world
 ) {
     metal::float3 n = camera_from_world * normal_3;
-    metal::float3 _e8 = normalize_moderate_2_(n, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e8 = normalize_moderate(n, metal::float3(0.0, 0.0, 1.0));
     return Angle {0.5 * metal::length(_e8 - light_3.own_direction), 0.5 * metal::length(_e8 + light_3.own_direction)};
 }
 
@@ -542,20 +534,20 @@ Shaded shade(
     float _e125 = profile_2_(_e110, contour_warp, contour_tone_shape);
     Light _e128 = look.eye;
     LitLayer _e131 = light_apply_2_(_e128, metal::float4(1.0), _e125);
-    metal::float4 contour_blend = metal::clamp(metal::float4(_e102.xyz + ((_e102.xyz * (_e131.tone * _e131.color.xyz)) - _e102.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float4 contour_blend = metal::clamp(metal::float4(_e102.xyz * (_e131.tone * _e131.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
     metal::float3 place = surface_1.position_object;
     VectorParts parts = VectorParts {surface_1.position_object[0], surface_1.position_object[1], surface_1.position_object[2]};
     float into_the_corner = metal::min(parts.x, parts.z);
-    float _e158 = footprint_of(into_the_corner);
-    float _e164 = step_filtered(into_the_corner, -0.012, metal::length(metal::float2(metal::min(_e158, 1000000000000000.0), 0.0)));
-    metal::float4 section_line = metal::clamp(metal::float4(contour_blend.xyz + (_e164 * (metal::float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
-    float _e182 = footprint_of(into_the_corner);
-    float _e188 = step_filtered(into_the_corner, 0.02, metal::length(metal::float2(metal::min(_e182, 1000000000000000.0), 0.0)));
-    float kept = 1.0 - _e188;
+    float _e154 = footprint_of(into_the_corner);
+    float _e160 = step_filtered(into_the_corner, -0.012, metal::length(metal::float2(metal::min(_e154, 1000000000000000.0), 0.0)));
+    metal::float4 section_line = metal::clamp(metal::float4(contour_blend.xyz + (_e160 * (metal::float3(0.8471, 0.1569, 0.1098) - contour_blend.xyz)), 1.0), metal::float4(0.0), metal::float4(1.0));
+    float _e178 = footprint_of(into_the_corner);
+    float _e184 = step_filtered(into_the_corner, 0.02, metal::length(metal::float2(metal::min(_e178, 1000000000000000.0), 0.0)));
+    float kept = 1.0 - _e184;
     metal::float4 cut = metal::float4(section_line.xyz, kept);
-    Composite _e193 = premultiplied(cut);
-    Color _e194 = output(_e193);
-    return Shaded {surface_1.normal, _e194, 0.5};
+    Composite _e189 = premultiplied(cut);
+    Color _e190 = output(_e189);
+    return Shaded {surface_1.normal, _e190, 0.5};
 }
 
 struct vs_mainInput {

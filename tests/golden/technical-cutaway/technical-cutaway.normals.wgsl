@@ -158,21 +158,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0, 0.0, 1.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -262,7 +255,7 @@ fn straight(composite: Composite) -> Color {
 ///
 /// One color for what bulges, another for what is hollow. Flat surfaces have the mean of both.
 fn curvature_color(convexity: f32, convex: Color, concave: Color) -> Color {
-    return concave + convexity * (1.0 - concave);
+    return concave + convexity * (convex - concave);
 }
 
 /// The least n.z that divides: beyond it every rim would saturate to convex.
@@ -357,7 +350,7 @@ fn parametrization_specular(light: Light, normal: vec3f, view: vec3f) -> Angle {
 fn parametrization_screen_aligned(light: Light, normal: vec3f, camera_from_world: mat3x3f)
     -> Angle {
     let n = camera_from_world * normal;
-    let d = normalize_moderate_2(n, vec3f(0.0, 0.0, 1.0));
+    let d = normalize_moderate(n, vec3f(0.0, 0.0, 1.0));
     return Angle(0.5 * length(d - light.own_direction), 0.5 * length(d + light.own_direction));
 }
 
@@ -516,7 +509,7 @@ fn shade(surface: Surface) -> Shaded {
     let contour_warp = (2.0 * contour_convexity - 1.0) * 0.25;
     let contour_tone = profile_2(contour_angle, contour_warp, contour_tone_shape);
     let contour_lit = light_apply_2(look.eye, vec4f(1.0), contour_tone);
-    let contour_blend = clamp(vec4f(metal_blend.xyz + (metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz) - metal_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let contour_blend = clamp(vec4f(metal_blend.xyz * (contour_lit.tone * contour_lit.color.xyz), 1.0), vec4f(0.0), vec4f(1.0));
     let place = surface.position_object;
     let parts = VectorParts(place.x, place.y, place.z);
     let into_the_corner = min(parts.x, parts.z);

@@ -150,9 +150,9 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x)
 {
-    float clamped_1 = clamp(x, -126.0, 127.99999);
-    float whole = round(clamped_1);
-    float f = (clamped_1 - whole);
+    float clamped = clamp(x, -126.0, 127.99999);
+    float whole = round(clamped);
+    float f = (clamped - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
@@ -167,9 +167,9 @@ float exp2_stable_2_(float x_1)
 
 float exp2_stable_3_(float x_2)
 {
-    float clamped_2 = max(x_2, -126.0);
-    float whole_2 = round(clamped_2);
-    float f_2 = (clamped_2 - whole_2);
+    float clamped_1 = max(x_2, -126.0);
+    float whole_2 = round(clamped_1);
+    float f_2 = (clamped_1 - whole_2);
     float twice_2 = (2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724))))))))))));
     return (twice_2 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
 }
@@ -265,9 +265,9 @@ float footprint_of(float x_5)
 
 float stairs_integral(float x_6, float count)
 {
-    float inside = min(x_6, 7.0);
+    float inside = min(x_6, count);
     float stair = min(floor(inside), 6.0);
-    float beyond = max((x_6 - 7.0), 0.0);
+    float beyond = max((x_6 - count), 0.0);
     return ((stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0));
 }
 
@@ -285,9 +285,9 @@ float stairs_filtered(float x_8, float count_2, float w)
         return ((edge - 1.0) + clamp((0.5 + ((x_8 - edge) / w)), 0.0, 1.0));
     }
     float half_1 = (0.5 * w);
-    const float _e23 = stairs_integral((x_8 + half_1), 7.0);
-    const float _e26 = stairs_integral_2_((x_8 - half_1), 7.0);
-    return ((_e23 - _e26) / (2.0 * half_1));
+    const float _e22 = stairs_integral((x_8 + half_1), count_2);
+    const float _e24 = stairs_integral_2_((x_8 - half_1), count_2);
+    return ((_e22 - _e24) / (2.0 * half_1));
 }
 
 float linear_of_srgb(float coded)
@@ -430,11 +430,6 @@ float curvature_signed(float kappa, float slope)
     return ((a >= 0.0) ? t_2 : -(t_2));
 }
 
-float4 blend_add(float4 below, float4 color_1, float tone, float opacity, bool clamped)
-{
-    return clamp(float4((below.xyz + ((below.xyz + (tone * color_1.xyz)) - below.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-}
-
 LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     LitLayer ret = (LitLayer)0;
     ret.color = arg0;
@@ -442,10 +437,10 @@ LitLayer ConstructLitLayer(float4 arg0, float arg1) {
     return ret;
 }
 
-LitLayer light_apply(Light light_1, float4 color_2, float tone_1)
+LitLayer light_apply(Light light_1, float4 color_1, float tone)
 {
     float2 split = float2(min(light_1.intensity, 1.0), max(light_1.intensity, 1.0));
-    const LitLayer litlayer = ConstructLitLayer(float4(((color_2.xyz * light_1.color) * split.y), 1.0), (tone_1 * split.x));
+    const LitLayer litlayer = ConstructLitLayer(float4(((color_1.xyz * light_1.color) * split.y), 1.0), (tone * split.x));
     return litlayer;
 }
 
@@ -584,23 +579,23 @@ float4 shade(Surface surface_1)
     const float _e45 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     Light _e48 = look.key;
     const LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    const float4 _e59 = blend_add(float4(0.07, 0.1, 0.22, 1.0), _e49.color, _e49.tone, 1.0, true);
-    float3 _e64 = look.sky.direction;
-    float3 _e73 = look.sky.direction;
-    Angle sky_angle = ConstructAngle((0.5 * length((surface_1.normal - _e64))), (0.5 * length((surface_1.normal + _e73))));
-    const float _e81 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e84 = look.sky;
-    const LitLayer _e90 = light_apply(_e84, float4(0.02, 0.24, 0.3, 1.0), _e81);
-    float4 sky_blend = clamp(float4((_e59.xyz + ((_e59.xyz + (_e90.tone * _e90.color.xyz)) - _e59.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    Light _e110 = look.key;
-    const Angle _e113 = parametrization_specular(_e110, surface_1.normal, surface_1.view);
-    const float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
-    Light _e119 = look.key;
-    const LitLayer _e125 = light_apply(_e119, float4(0.42, 0.38, 0.24, 1.0), _e116);
-    float4 glow_blend = clamp(float4((sky_blend.xyz + ((sky_blend.xyz + (_e125.tone * _e125.color.xyz)) - sky_blend.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
-    const float4 _e145 = posterize_lightness(glow_blend, int(7), 0.02);
-    const float3 _e149 = palette_blend(seven_inks, _e145.xyz, 0.0);
-    float4 output = float4(_e149, 1.0);
+    float4 evening_sun_blend = clamp(float4((float3(0.07, 0.1, 0.22) + (_e49.tone * _e49.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    float3 _e70 = look.sky.direction;
+    float3 _e79 = look.sky.direction;
+    Angle sky_angle = ConstructAngle((0.5 * length((surface_1.normal - _e70))), (0.5 * length((surface_1.normal + _e79))));
+    const float _e87 = profile_2_(sky_angle, 0.0, sky_tone_shape);
+    Light _e90 = look.sky;
+    const LitLayer _e96 = light_apply(_e90, float4(0.02, 0.24, 0.3, 1.0), _e87);
+    float4 sky_blend = clamp(float4((evening_sun_blend.xyz + (_e96.tone * _e96.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    Light _e112 = look.key;
+    const Angle _e115 = parametrization_specular(_e112, surface_1.normal, surface_1.view);
+    const float _e118 = profile_3_(_e115, 0.0, glow_tone_shape);
+    Light _e121 = look.key;
+    const LitLayer _e127 = light_apply(_e121, float4(0.42, 0.38, 0.24, 1.0), _e118);
+    float4 glow_blend = clamp(float4((sky_blend.xyz + (_e127.tone * _e127.color.xyz)), 1.0), (0.0).xxxx, (1.0).xxxx);
+    const float4 _e143 = posterize_lightness(glow_blend, int(7), 0.02);
+    const float3 _e147 = palette_blend(seven_inks, _e143.xyz, 0.0);
+    float4 output = float4(_e147, 1.0);
     return output;
 }
 

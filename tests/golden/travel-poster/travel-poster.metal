@@ -38,7 +38,6 @@ struct Surface {
     float kappa;
 };
 typedef metal::float4 Color;
-typedef metal::float4 Composite;
 struct Angle {
     float half_sin;
     float half_cos;
@@ -94,9 +93,9 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x
 ) {
-    float clamped_1 = metal::clamp(x, -126.0, 127.99999);
-    float whole = metal::rint(clamped_1);
-    float f = clamped_1 - whole;
+    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float whole = metal::rint(clamped);
+    float f = clamped - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
@@ -113,9 +112,9 @@ float exp2_stable_2_(
 float exp2_stable_3_(
     float x_2
 ) {
-    float clamped_2 = metal::max(x_2, -126.0);
-    float whole_2 = metal::rint(clamped_2);
-    float f_2 = clamped_2 - whole_2;
+    float clamped_1 = metal::max(x_2, -126.0);
+    float whole_2 = metal::rint(clamped_1);
+    float f_2 = clamped_1 - whole_2;
     float twice_2 = 2.0 + (f_2 * (1.3862944 + (f_2 * (0.48045295 + (f_2 * (0.11100665 + (f_2 * (0.019236874 + (f_2 * (0.002679775 + (f_2 * 0.00030706724)))))))))));
     return twice_2 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
@@ -218,9 +217,9 @@ float stairs_integral(
     float x_6,
     float count
 ) {
-    float inside = metal::min(x_6, 7.0);
+    float inside = metal::min(x_6, count);
     float stair = metal::min(metal::floor(inside), 6.0);
-    float beyond = metal::max(x_6 - 7.0, 0.0);
+    float beyond = metal::max(x_6 - count, 0.0);
     return (stair * (((0.5 * (stair - 1.0)) + inside) - stair)) + (beyond * 6.0);
 }
 
@@ -243,9 +242,9 @@ float stairs_filtered(
         return (edge - 1.0) + metal::clamp(0.5 + ((x_8 - edge) / w), 0.0, 1.0);
     }
     float half_1 = 0.5 * w;
-    float _e23 = stairs_integral(x_8 + half_1, 7.0);
-    float _e26 = stairs_integral_2_(x_8 - half_1, 7.0);
-    return (_e23 - _e26) / (2.0 * half_1);
+    float _e22 = stairs_integral(x_8 + half_1, count_2);
+    float _e24 = stairs_integral_2_(x_8 - half_1, count_2);
+    return (_e22 - _e24) / (2.0 * half_1);
 }
 
 float linear_of_srgb(
@@ -405,23 +404,13 @@ float curvature_signed(
     return (a >= 0.0) ? t_2 : -(t_2);
 }
 
-Composite blend_add(
-    Composite below,
-    Color color_1,
-    float tone,
-    float opacity,
-    bool clamped
-) {
-    return metal::clamp(metal::float4(below.xyz + ((below.xyz + (tone * color_1.xyz)) - below.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-}
-
 LitLayer light_apply(
     Light light_1,
-    Color color_2,
-    float tone_1
+    Color color_1,
+    float tone
 ) {
     metal::float2 split = metal::float2(metal::min(light_1.intensity, 1.0), metal::max(light_1.intensity, 1.0));
-    return LitLayer {metal::float4((color_2.xyz * light_1.color) * split.y, 1.0), tone_1 * split.x};
+    return LitLayer {metal::float4((color_1.xyz * light_1.color) * split.y, 1.0), tone * split.x};
 }
 
 Angle parametrization_specular(
@@ -584,23 +573,23 @@ metal::float4 shade(
     float _e45 = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     Light _e48 = look.key;
     LitLayer _e49 = light_apply(_e48, _e18, _e45);
-    Composite _e59 = blend_add(metal::float4(0.07, 0.1, 0.22, 1.0), _e49.color, _e49.tone, 1.0, true);
-    metal::float3 _e64 = look.sky.direction;
-    metal::float3 _e73 = look.sky.direction;
-    Angle sky_angle = Angle {0.5 * metal::length(surface_1.normal - _e64), 0.5 * metal::length(surface_1.normal + _e73)};
-    float _e81 = profile_2_(sky_angle, 0.0, sky_tone_shape);
-    Light _e84 = look.sky;
-    LitLayer _e90 = light_apply(_e84, metal::float4(0.02, 0.24, 0.3, 1.0), _e81);
-    metal::float4 sky_blend = metal::clamp(metal::float4(_e59.xyz + ((_e59.xyz + (_e90.tone * _e90.color.xyz)) - _e59.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Light _e110 = look.key;
-    Angle _e113 = parametrization_specular(_e110, surface_1.normal, surface_1.view);
-    float _e116 = profile_3_(_e113, 0.0, glow_tone_shape);
-    Light _e119 = look.key;
-    LitLayer _e125 = light_apply(_e119, metal::float4(0.42, 0.38, 0.24, 1.0), _e116);
-    metal::float4 glow_blend = metal::clamp(metal::float4(sky_blend.xyz + ((sky_blend.xyz + (_e125.tone * _e125.color.xyz)) - sky_blend.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
-    Color _e145 = posterize_lightness(glow_blend, 7, 0.02);
-    metal::float3 _e149 = palette_blend(seven_inks, _e145.xyz, 0.0);
-    metal::float4 output = metal::float4(_e149, 1.0);
+    metal::float4 evening_sun_blend = metal::clamp(metal::float4(metal::float3(0.07, 0.1, 0.22) + (_e49.tone * _e49.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    metal::float3 _e70 = look.sky.direction;
+    metal::float3 _e79 = look.sky.direction;
+    Angle sky_angle = Angle {0.5 * metal::length(surface_1.normal - _e70), 0.5 * metal::length(surface_1.normal + _e79)};
+    float _e87 = profile_2_(sky_angle, 0.0, sky_tone_shape);
+    Light _e90 = look.sky;
+    LitLayer _e96 = light_apply(_e90, metal::float4(0.02, 0.24, 0.3, 1.0), _e87);
+    metal::float4 sky_blend = metal::clamp(metal::float4(evening_sun_blend.xyz + (_e96.tone * _e96.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Light _e112 = look.key;
+    Angle _e115 = parametrization_specular(_e112, surface_1.normal, surface_1.view);
+    float _e118 = profile_3_(_e115, 0.0, glow_tone_shape);
+    Light _e121 = look.key;
+    LitLayer _e127 = light_apply(_e121, metal::float4(0.42, 0.38, 0.24, 1.0), _e118);
+    metal::float4 glow_blend = metal::clamp(metal::float4(sky_blend.xyz + (_e127.tone * _e127.color.xyz), 1.0), metal::float4(0.0), metal::float4(1.0));
+    Color _e143 = posterize_lightness(glow_blend, 7, 0.02);
+    metal::float3 _e147 = palette_blend(seven_inks, _e143.xyz, 0.0);
+    metal::float4 output = metal::float4(_e147, 1.0);
     return output;
 }
 

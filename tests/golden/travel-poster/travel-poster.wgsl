@@ -40,9 +40,6 @@ struct Surface {
 /// Straight RGBA.
 alias Color = vec4f;
 
-/// Premultiplied RGBA: the stack of layers below, as blends pass it on.
-alias Composite = vec4f;
-
 /// An angle u in [0, pi] by the sine and cosine of its half, so that nothing is lost near 0 and
 /// near pi.
 struct Angle {
@@ -141,14 +138,14 @@ fn sin_cos_tiny(x: f32) -> vec2f {
     return vec2f(s, c);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -208,14 +205,14 @@ fn stairs_filtered(x: f32, count: f32, w: f32) -> f32 {
         return edge - 1.0 + clamp(0.5 + (x - edge) / w, 0.0, 1.0);
     }
     let half = 0.5 * w;
-    return (stairs_integral(x + half, 7.0) - stairs_integral_2(x - half, 7.0)) / (2.0 * half);
+    return (stairs_integral(x + half, count) - stairs_integral_2(x - half, count)) / (2.0 * half);
 }
 
 /// The integral of the stairs from 0 to x; they are 0 below 0 and `count` - 1 above `count`.
 fn stairs_integral(x: f32, count: f32) -> f32 {
-    let inside = min(x, 7.0);
+    let inside = min(x, count);
     let stair = min(floor(inside), 6.0);
-    let beyond = max(x - 7.0, 0.0);
+    let beyond = max(x - count, 0.0);
     return stair * (0.5 * (stair - 1.0) + inside - stair) + beyond * 6.0;
 }
 
@@ -355,14 +352,6 @@ fn curvature_signed(kappa: f32, slope: f32) -> f32 {
     let z = exp2_stable(-2.8853900817779268 * magnitude);
     let t = (1.0 - z) / (1.0 + z);
     return select(-t, t, a >= 0.0);
-}
-
-/// Blend
-///
-/// Lays a color, where the tone is, over what is below: one step of a layered look.
-fn blend_add(below: Composite, color: Color, tone: f32, opacity: f32, clamped: bool) -> Composite {
-    return clamp(vec4f(below.xyz + (below.xyz + tone * color.xyz - below.xyz), 1.0), vec4f(0.0),
-        vec4f(1.0));
 }
 
 /// Light on a layer
@@ -533,15 +522,15 @@ fn shade(surface: Surface) -> vec4f {
     let evening_sun_warp = (2.0 * evening_sun_convexity - 1.0) * 0.1;
     let evening_sun_tone = profile(evening_sun_angle, evening_sun_warp, evening_sun_tone_shape);
     let evening_sun_lit = light_apply(look.key, evening_sun_color, evening_sun_tone);
-    let evening_sun_blend = blend_add(vec4f(0.07, 0.1, 0.22, 1.0), evening_sun_lit.color, evening_sun_lit.tone, 1.0, true);
+    let evening_sun_blend = clamp(vec4f(vec4f(0.07, 0.1, 0.22, 1.0).xyz + evening_sun_lit.tone * evening_sun_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let sky_angle = Angle(0.5 * length(surface.normal - look.sky.direction), 0.5 * length(surface.normal + look.sky.direction));
     let sky_tone = profile_2(sky_angle, 0.0, sky_tone_shape);
     let sky_lit = light_apply(look.sky, vec4f(0.02, 0.24, 0.3, 1.0), sky_tone);
-    let sky_blend = clamp(vec4f(evening_sun_blend.xyz + (evening_sun_blend.xyz + sky_lit.tone * sky_lit.color.xyz - evening_sun_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let sky_blend = clamp(vec4f(evening_sun_blend.xyz + sky_lit.tone * sky_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let glow_angle = parametrization_specular(look.key, surface.normal, surface.view);
     let glow_tone = profile_3(glow_angle, 0.0, glow_tone_shape);
     let glow_lit = light_apply(look.key, vec4f(0.42, 0.38, 0.24, 1.0), glow_tone);
-    let glow_blend = clamp(vec4f(sky_blend.xyz + (sky_blend.xyz + glow_lit.tone * glow_lit.color.xyz - sky_blend.xyz), 1.0), vec4f(0.0), vec4f(1.0));
+    let glow_blend = clamp(vec4f(sky_blend.xyz + glow_lit.tone * glow_lit.color.xyz, 1.0), vec4f(0.0), vec4f(1.0));
     let seven_lightnesses = posterize_lightness(glow_blend, 7i, 0.02);
     let seven_inks_2 = vec4f(palette_blend(seven_inks, seven_lightnesses.xyz, 0.0), 1.0);
     let output = seven_inks_2;

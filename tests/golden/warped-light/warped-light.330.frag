@@ -108,18 +108,8 @@ vec3 normalize_moderate(vec3 v_1, vec3 otherwise_1) {
     return ((square_1 > 1e-30) ? (v_1 * inversesqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-vec3 normalize_moderate_2_(vec3 v_2, vec3 otherwise_2) {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * inversesqrt(max(square_2, 1e-30))) : vec3(1.0, 0.0, 0.0));
-}
-
-vec3 normalize_moderate_3_(vec3 v_3, vec3 otherwise_3) {
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * inversesqrt(max(square_3, 1e-30))) : vec3(0.0));
-}
-
-vec3 normalize_seen(vec3 v_4) {
-    vec3 _e5 = normalize_moderate(v_4, vec3(0.0, 0.0, 1.0));
+vec3 normalize_seen(vec3 v_2) {
+    vec3 _e5 = normalize_moderate(v_2, vec3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -342,7 +332,7 @@ float rim(Light light_3, vec3 normal_2, vec3 view_2, float width_1, float softne
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     vec3 across_1 = (light_3.direction - (dot(light_3.direction, view_2) * view_2));
-    vec3 _e43 = normalize_moderate_3_(across_1, vec3(0.0));
+    vec3 _e43 = normalize_moderate(across_1, vec3(0.0));
     float side = dot((normal_2 - (dot(normal_2, view_2) * view_2)), _e43);
     return (inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -361,15 +351,15 @@ vec2 warped_place(vec3 tensor_2, vec2 place, float amount, float slope_1) {
 
 vec3 warped_light(vec3 light_4, vec3 n, vec3 view_3, mat3x3 camera_from_world, vec3 tensor_3, float amount_1, float slope_2) {
     vec3 right = (vec3(1.0, 0.0, 0.0) * camera_from_world);
-    vec3 _e19 = normalize_moderate_2_((right - (dot(right, view_3) * view_3)), vec3(1.0, 0.0, 0.0));
+    vec3 _e19 = normalize_moderate((right - (dot(right, view_3) * view_3)), vec3(1.0, 0.0, 0.0));
     vec3 y = cross(view_3, _e19);
     vec3 between = ((view_3 + n) / vec3(max((1.0 + dot(view_3, n)), 0.01)));
     vec3 along_x = (_e19 - (dot(n, _e19) * between));
     vec3 along_y = (y - (dot(n, y) * between));
     vec2 place_2 = (vec2(dot(light_4, along_x), dot(light_4, along_y)) / vec2(max((1.0 + dot(light_4, n)), 0.0001)));
     vec2 _e45 = warped_place(tensor_3, place_2, amount_1, slope_2);
-    float square_4 = dot(_e45, _e45);
-    vec3 _e60 = normalize_or(((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_4) * n)), light_4);
+    float square_2 = dot(_e45, _e45);
+    vec3 _e60 = normalize_or(((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_2) * n)), light_4);
     return _e60;
 }
 

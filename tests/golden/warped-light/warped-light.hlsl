@@ -181,21 +181,9 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_2)
+float3 normalize_seen(float3 v_2)
 {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_moderate_3_(float3 v_3, float3 otherwise_3)
-{
-    float square_3 = dot(v_3, v_3);
-    return ((square_3 > 1e-30) ? (v_3 * rsqrt(max(square_3, 1e-30))) : (0.0).xxx);
-}
-
-float3 normalize_seen(float3 v_4)
-{
-    const float3 _e5 = normalize_moderate(v_4, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -474,7 +462,7 @@ float rim(Light light_3, float3 normal_2, float3 view_2, float width_1, float so
     float within = ((further / edge) + 0.0);
     float inside = clamp(within, 0.0, 1.0);
     float3 across_1 = (light_3.direction - (dot(light_3.direction, view_2) * view_2));
-    const float3 _e43 = normalize_moderate_3_(across_1, (0.0).xxx);
+    const float3 _e43 = normalize_moderate(across_1, (0.0).xxx);
     float side = dot((normal_2 - (dot(normal_2, view_2) * view_2)), _e43);
     return (inside * lerp(1.0, smoothstep(0.0, 0.5, side), 1.0));
 }
@@ -495,15 +483,15 @@ float2 warped_place(float3 tensor_2, float2 place, float amount, float slope_1)
 float3 warped_light(float3 light_4, float3 n, float3 view_3, float3x3 camera_from_world, float3 tensor_3, float amount_1, float slope_2)
 {
     float3 right = mul(camera_from_world, float3(1.0, 0.0, 0.0));
-    const float3 _e19 = normalize_moderate_2_((right - (dot(right, view_3) * view_3)), float3(1.0, 0.0, 0.0));
+    const float3 _e19 = normalize_moderate((right - (dot(right, view_3) * view_3)), float3(1.0, 0.0, 0.0));
     float3 y = cross(view_3, _e19);
     float3 between = ((view_3 + n) / (max((1.0 + dot(view_3, n)), 0.01)).xxx);
     float3 along_x = (_e19 - (dot(n, _e19) * between));
     float3 along_y = (y - (dot(n, y) * between));
     float2 place_2 = (float2(dot(light_4, along_x), dot(light_4, along_y)) / (max((1.0 + dot(light_4, n)), 0.0001)).xx);
     const float2 _e45 = warped_place(tensor_3, place_2, amount_1, slope_2);
-    float square_4 = dot(_e45, _e45);
-    const float3 _e60 = normalize_or(((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_4) * n)), light_4);
+    float square_2 = dot(_e45, _e45);
+    const float3 _e60 = normalize_or(((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_2) * n)), light_4);
     return _e60;
 }
 

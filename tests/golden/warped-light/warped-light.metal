@@ -142,26 +142,10 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
-metal::float3 normalize_moderate_3_(
-    metal::float3 v_3,
-    metal::float3 otherwise_3
-) {
-    float square_3 = metal::dot(v_3, v_3);
-    return (square_3 > 0.000000000000000000000000000001) ? (v_3 * metal::rsqrt(metal::max(square_3, 0.000000000000000000000000000001))) : metal::float3(0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_4
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_4, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
@@ -465,7 +449,7 @@ float rim(
     float within = (further / edge) + 0.0;
     float inside = metal::clamp(within, 0.0, 1.0);
     metal::float3 across_1 = light_3.direction - (metal::dot(light_3.direction, view_2) * view_2);
-    metal::float3 _e43 = normalize_moderate_3_(across_1, metal::float3(0.0));
+    metal::float3 _e43 = normalize_moderate(across_1, metal::float3(0.0));
     float side = metal::dot(normal_2 - (metal::dot(normal_2, view_2) * view_2), _e43);
     return inside * metal::mix(1.0, metal::smoothstep(0.0, 0.5, side), 1.0);
 }
@@ -497,15 +481,15 @@ metal::float3 warped_light(
     float slope_2
 ) {
     metal::float3 right = metal::float3(1.0, 0.0, 0.0) * camera_from_world;
-    metal::float3 _e19 = normalize_moderate_2_(right - (metal::dot(right, view_3) * view_3), metal::float3(1.0, 0.0, 0.0));
+    metal::float3 _e19 = normalize_moderate(right - (metal::dot(right, view_3) * view_3), metal::float3(1.0, 0.0, 0.0));
     metal::float3 y = metal::cross(view_3, _e19);
     metal::float3 between = (view_3 + n) / metal::float3(metal::max(1.0 + metal::dot(view_3, n), 0.01));
     metal::float3 along_x = _e19 - (metal::dot(n, _e19) * between);
     metal::float3 along_y = y - (metal::dot(n, y) * between);
     metal::float2 place_2 = metal::float2(metal::dot(light_4, along_x), metal::dot(light_4, along_y)) / metal::float2(metal::max(1.0 + metal::dot(light_4, n), 0.0001));
     metal::float2 _e45 = warped_place(tensor_3, place_2, amount_1, slope_2);
-    float square_4 = metal::dot(_e45, _e45);
-    metal::float3 _e60 = normalize_or((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_4) * n), light_4);
+    float square_2 = metal::dot(_e45, _e45);
+    metal::float3 _e60 = normalize_or((((2.0 * _e45.x) * along_x) + ((2.0 * _e45.y) * along_y)) + ((1.0 - square_2) * n), light_4);
     return _e60;
 }
 

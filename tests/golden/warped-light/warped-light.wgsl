@@ -125,28 +125,14 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_2(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(1.0, 0.0, 0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
-/// counts as having no direction.
-fn normalize_moderate_3(v: vec3f, otherwise: vec3f) -> vec3f {
-    let square = dot(v, v);
-    return select(vec3f(0.0), v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
-}
-
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -387,7 +373,7 @@ fn rim(light: Light, normal: vec3f, view: vec3f, width: f32, softness: f32, foll
     let within = further / edge + 0.0;
     let inside = clamp(within, 0.0, 1.0);
     let across = light.direction - dot(light.direction, view) * view;
-    let side = dot(normal - dot(normal, view) * view, normalize_moderate_3(across, vec3f(0.0)));
+    let side = dot(normal - dot(normal, view) * view, normalize_moderate(across, vec3f(0.0)));
     return inside * mix(1.0, smoothstep(0.0, 0.5, side), 1.0);
 }
 
@@ -408,7 +394,7 @@ fn warped_place(tensor: vec3f, place: vec2f, amount: f32, slope: f32) -> vec2f {
 fn warped_light(light: vec3f, n: vec3f, view: vec3f, camera_from_world: mat3x3f, tensor: vec3f,
     amount: f32, slope: f32) -> vec3f {
     let right = vec3f(1.0, 0.0, 0.0) * camera_from_world;
-    let x = normalize_moderate_2(right - dot(right, view) * view, vec3f(1.0, 0.0, 0.0));
+    let x = normalize_moderate(right - dot(right, view) * view, vec3f(1.0, 0.0, 0.0));
     let y = cross(view, x);
     let between = (view + n) / max(1.0 + dot(view, n), 0.01);
     let along_x = x - dot(n, x) * between;

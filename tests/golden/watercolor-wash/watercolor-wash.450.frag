@@ -157,13 +157,20 @@ vec4 mixed_vec4_(vec4 a_3, vec4 b_3, float t_2) {
 }
 
 float eased(float x_2, float low, float high) {
-    float t_5 = clamp(((x_2 - low) / (high - low)), 0.0, 1.0);
+    float _e3 = bounded(x_2);
+    float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_5 = clamp(_e8, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
-float footprint_of(float x_3) {
-    float _e1 = dFdx(x_3);
-    float _e2 = dFdy(x_3);
+float eased_2_(float x_3, float low_1, float high_1) {
+    float t_6 = clamp(((x_3 - low_1) / (high_1 - low_1)), 0.0, 1.0);
+    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
+}
+
+float footprint_of(float x_4) {
+    float _e1 = dFdx(x_4);
+    float _e2 = dFdy(x_4);
     vec2 d_2 = vec2(_e1, _e2);
     return sqrt(dot(d_2, d_2));
 }
@@ -171,7 +178,8 @@ float footprint_of(float x_3) {
 float footprint_of_vec3_(vec3 v_6) {
     vec3 dx = dFdx(v_6);
     vec3 dy = dFdy(v_6);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
+    return _e7;
 }
 
 vec4 color_mixed(vec4 a_4, vec3 blended, float factor) {
@@ -213,7 +221,7 @@ vec4 ramp_slope(vec4 rise_before, float span_before_1, vec4 rise_after, float sp
     return vec4(_e8, _e13, _e18, _e23);
 }
 
-vec4 ramp_at(Ramp ramp, float x_4, float w) {
+vec4 ramp_at(Ramp ramp, float x_5, float w) {
     vec4 colors[16] = vec4[16](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     vec4 places[4] = vec4[4](vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0));
     uint i_2_ = 1u;
@@ -237,12 +245,12 @@ vec4 ramp_at(Ramp ramp, float x_4, float w) {
         uint _e16 = i_2_;
         uint _e18 = i_2_;
         float _e22 = places[0][(_e18 % 4u)];
-        at = ((_e22 <= x_4) ? _e16 : _e15);
+        at = ((_e22 <= x_5) ? _e16 : _e15);
     }
     uint _e29 = at;
     float place_4 = places[0][(_e29 % 4u)];
     uint _e34 = at;
-    if ((((_e34 + 1u) >= 4u) || (x_4 <= place_4))) {
+    if ((((_e34 + 1u) >= 4u) || (x_5 <= place_4))) {
         uint _e41 = at;
         vec4 _e43 = colors[_e41];
         return _e43;
@@ -251,8 +259,8 @@ vec4 ramp_at(Ramp ramp, float x_4, float w) {
     uint after_1 = (_e44 + 1u);
     float _e53 = places[(after_1 / 4u)][(after_1 % 4u)];
     float span = (_e53 - place_4);
-    float _e56 = divided((x_4 - place_4), span);
-    float t_6 = clamp(_e56, 0.0, 1.0);
+    float _e56 = divided((x_5 - place_4), span);
+    float t_7 = clamp(_e56, 0.0, 1.0);
     uint _e63 = at;
     if ((_e63 > 0u)) {
         uint _e66 = at;
@@ -284,7 +292,7 @@ vec4 ramp_at(Ramp ramp, float x_4, float w) {
     vec4 _e134 = colors[after_1];
     vec4 _e135 = from_a_1;
     vec4 _e137 = to_b_1;
-    vec4 _e139 = hermite(_e132, _e134, (span * _e135), (span * _e137), t_6);
+    vec4 _e139 = hermite(_e132, _e134, (span * _e135), (span * _e137), t_7);
     vec4 _e140 = bounded_vec4_(_e139);
     return _e140;
 }
@@ -438,7 +446,8 @@ float fractal_noise(uint kind, vec3 p_2, int octaves, float roughness, int seed_
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_1 * _e21)));
+        float _e25 = eased((w_1 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -483,7 +492,8 @@ float fractal_noise_2_(uint kind_1, vec3 p_3, int octaves_1, float roughness_1, 
             break;
         }
         float _e21 = frequency_1;
-        float visible_1 = (1.0 - smoothstep(0.5, 1.0, (w_2 * _e21)));
+        float _e25 = eased((w_2 * _e21), 0.5, 1.0);
+        float visible_1 = (1.0 - _e25);
         octave_1 = 0.5;
         if ((visible_1 > 0.0)) {
             float _e31 = frequency_1;
@@ -529,11 +539,11 @@ vec2 place_in_picture(vec2 pixel, vec2 viewport) {
 
 StretchedPlace mark_place_of(vec2 place, vec3 along, vec3 across, float angle) {
     vec2 turn = vec2(0.0, 1.0);
-    vec3 x_5 = ((turn.y * along) + (turn.x * across));
+    vec3 x_6 = ((turn.y * along) + (turn.x * across));
     vec3 y = ((turn.y * across) - (turn.x * along));
     vec2 _e17 = bounded_vec2_(place);
     vec2 turned = vec2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    vec3 stretch_3 = vec3(dot(x_5, x_5), dot(x_5, y), dot(y, y));
+    vec3 stretch_3 = vec3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
     vec2 _e37 = bounded_vec2_(turned);
     return StretchedPlace(_e37, stretch_3);
 }
@@ -558,19 +568,19 @@ MarkPlace mark_place_object(float angle_1, vec3 anchor, vec2 pixel_1, vec2 viewp
     vec2 _e9 = place_in_picture(pixel_1, viewport_2);
     vec2 _e15 = bounded_vec2_((_e9 - vec2(anchor.x, -(anchor.y))));
     vec2 place_7 = (_e15 / vec2(size));
-    StretchedPlace _e29 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), 0.0);
-    return MarkPlace(_e29.place, _e29.stretch);
+    StretchedPlace _e28 = mark_place_of(place_7, vec3((1.0 / size), 0.0, 0.0), vec3(0.0, (1.0 / size), 0.0), angle_1);
+    return MarkPlace(_e28.place, _e28.stretch);
 }
 
 float paper_octave(vec2 place_2, int zoom, float w_3, float fiber, uint seed_6) {
     float scale_5 = uintBitsToFloat((uint((zoom + 127)) << 23u));
     vec2 p_5 = clamp((place_2 * scale_5), vec2(-4194304.0), vec2(4194304.0));
-    uint own = (0u + (7u * uint(zoom)));
-    float _e24 = perlin_noise_2_(vec3(p_5, 0.5), own);
-    float grain = (_e24 - 0.5);
+    uint own = (seed_6 + (7u * uint(zoom)));
+    float _e23 = perlin_noise_2_(vec3(p_5, 0.5), own);
+    float grain = (_e23 - 0.5);
     vec2 q = clamp((2.7 * vec2(((0.8 * p_5.x) - (0.6 * p_5.y)), ((0.6 * p_5.x) + (0.8 * p_5.y)))), vec2(-4194304.0), vec2(4194304.0));
-    float _e53 = perlin_noise_2_(vec3(q, 0.5), (own + 1u));
-    float felt = (_e53 - 0.5);
+    float _e52 = perlin_noise_2_(vec3(q, 0.5), (own + 1u));
+    float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
@@ -578,30 +588,30 @@ float paper_octave(vec2 place_2, int zoom, float w_3, float fiber, uint seed_6) 
 
 float paper_height(SpacedPlace at_1, float fiber_1, uint seed_7) {
     float height = 0.0;
-    vec2 x_6 = dFdx(at_1.place);
+    vec2 x_7 = dFdx(at_1.place);
     vec2 y_1 = dFdy(at_1.place);
-    float w_4 = sqrt(max(dot(x_6, x_6), dot(y_1, y_1)));
+    float w_4 = sqrt(max(dot(x_7, x_7), dot(y_1, y_1)));
     float _e12 = area_square(at_1.stretch);
     float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
     float zoom_1 = floor(level);
     float f_1 = (level - zoom_1);
-    float _e27 = paper_octave(at_1.place, int(zoom_1), w_4, fiber_1, 0u);
-    height = _e27;
+    float _e26 = paper_octave(at_1.place, int(zoom_1), w_4, fiber_1, seed_7);
+    height = _e26;
     if ((f_1 > 0.0)) {
-        float _e31 = height;
-        float _e37 = paper_octave(at_1.place, (int(zoom_1) + 1), w_4, fiber_1, 0u);
-        float both = mix(_e31, _e37, f_1);
+        float _e30 = height;
+        float _e35 = paper_octave(at_1.place, (int(zoom_1) + 1), w_4, fiber_1, seed_7);
+        float both = mix(_e30, _e35, f_1);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain paper_grain(float value, vec2 place_3, vec3 stretch_2, float count_1, float tooth, float fiber_2, int seed_8, vec2 viewport_3) {
-    SpacedPlace _e9 = spaced(place_3, stretch_2, viewport_3, 240.0);
-    float _e11 = paper_height(_e9, fiber_2, 0u);
-    return PaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
+    float _e10 = paper_height(_e8, fiber_2, 0u);
+    return PaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
 }
 
 float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport_4) {
@@ -614,17 +624,17 @@ float outer_contour(float width, vec3 normal, vec3 view, vec2 viewport_4) {
 }
 
 float noise_perlin(vec3 position, float scale_2, int octaves_2, float roughness_2, int seed_9) {
-    vec3 p_6 = (position * 1.5);
-    float _e11 = footprint_of_vec3_(p_6);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_6, 2, 0.5, 11, _e11);
-    return _e12;
+    vec3 p_6 = (position * scale_2);
+    float _e7 = footprint_of_vec3_(p_6);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_6, octaves_2, roughness_2, seed_9, _e7);
+    return _e8;
 }
 
 float noise_perlin_2_(vec3 position_1, float scale_3, int octaves_3, float roughness_3, int seed_10) {
     vec3 p_7 = (position_1 * scale_3);
-    float _e9 = footprint_of_vec3_(p_7);
-    float _e10 = fractal_noise_2_(NOISE_PERLIN, p_7, 4, roughness_3, 0, _e9);
-    return _e10;
+    float _e7 = footprint_of_vec3_(p_7);
+    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_7, octaves_3, roughness_3, seed_10, _e7);
+    return _e8;
 }
 
 vec4 shade(Surface surface_1) {
@@ -638,11 +648,11 @@ vec4 shade(Surface surface_1) {
     float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, 4, 0.55, 0);
     float how_far_it_runs = mix(-0.24, 0.24, (_e40 - 0.0));
     float wet_tone = (tone + how_far_it_runs);
-    float _e49 = eased(wet_tone, 0.82, 0.7);
+    float _e49 = eased_2_(wet_tone, 0.82, 0.7);
     float k1_ = (_e49 * 0.62);
     vec4 _e57 = mix_colors_multiply(vec4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
     vec4 _e64 = mix_colors_multiply_2_(_e16, vec4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    float _e67 = eased(wet_tone, 0.42, 0.34);
+    float _e67 = eased_2_(wet_tone, 0.42, 0.34);
     float k2_ = (_e67 * 0.6);
     vec3 _e71 = bounded_vec3_(_e57.xyz);
     vec3 _e75 = bounded_vec3_((_e57.xyz * _e64.xyz));

@@ -240,14 +240,22 @@ float4 mixed_vec4_(float4 a_3, float4 b_3, float t_2)
 
 float eased(float x_2, float low, float high)
 {
-    float t_5 = clamp(((x_2 - low) / (high - low)), 0.0, 1.0);
+    const float _e3 = bounded(x_2);
+    const float _e8 = bounded(((_e3 - 0.5) / 0.5));
+    float t_5 = clamp(_e8, 0.0, 1.0);
     return ((t_5 * t_5) * (3.0 - (2.0 * t_5)));
 }
 
-float footprint_of(float x_3)
+float eased_2_(float x_3, float low_1, float high_1)
 {
-    float _e1 = ddx(x_3);
-    float _e2 = ddy(x_3);
+    float t_6 = clamp(((x_3 - low_1) / (high_1 - low_1)), 0.0, 1.0);
+    return ((t_6 * t_6) * (3.0 - (2.0 * t_6)));
+}
+
+float footprint_of(float x_4)
+{
+    float _e1 = ddx(x_4);
+    float _e2 = ddy(x_4);
     float2 d_2 = float2(_e1, _e2);
     return sqrt(dot(d_2, d_2));
 }
@@ -256,7 +264,8 @@ float footprint_of_vec3_(float3 v_6)
 {
     float3 dx = ddx(v_6);
     float3 dy = ddy(v_6);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    const float _e7 = bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
+    return _e7;
 }
 
 float4 color_mixed(float4 a_4, float3 blended, float factor)
@@ -310,7 +319,7 @@ uint naga_div(uint lhs, uint rhs) {
     return lhs / (rhs == 0u ? 1u : rhs);
 }
 
-float4 ramp_at(Ramp ramp, float x_4, float w)
+float4 ramp_at(Ramp ramp, float x_5, float w)
 {
     float4 colors[16] = (float4[16])0;
     float4 places[4] = (float4[4])0;
@@ -339,12 +348,12 @@ float4 ramp_at(Ramp ramp, float x_4, float w)
         uint _e16 = i_2_;
         uint _e18 = i_2_;
         float _e22 = places[0][min(uint(naga_mod(_e18, 4u)), 3u)];
-        at = ((_e22 <= x_4) ? _e16 : _e15);
+        at = ((_e22 <= x_5) ? _e16 : _e15);
     }
     uint _e29 = at;
     float place_4 = places[0][min(uint(naga_mod(_e29, 4u)), 3u)];
     uint _e34 = at;
-    if ((((_e34 + 1u) >= 4u) | (x_4 <= place_4))) {
+    if ((((_e34 + 1u) >= 4u) | (x_5 <= place_4))) {
         uint _e41 = at;
         float4 _e43 = colors[min(uint(_e41), 15u)];
         return _e43;
@@ -353,8 +362,8 @@ float4 ramp_at(Ramp ramp, float x_4, float w)
     uint after_1 = (_e44 + 1u);
     float _e53 = places[min(uint(naga_div(after_1, 4u)), 3u)][min(uint(naga_mod(after_1, 4u)), 3u)];
     float span = (_e53 - place_4);
-    const float _e56 = divided((x_4 - place_4), span);
-    float t_6 = clamp(_e56, 0.0, 1.0);
+    const float _e56 = divided((x_5 - place_4), span);
+    float t_7 = clamp(_e56, 0.0, 1.0);
     uint _e63 = at;
     if ((_e63 > 0u)) {
         uint _e66 = at;
@@ -386,7 +395,7 @@ float4 ramp_at(Ramp ramp, float x_4, float w)
     float4 _e134 = colors[min(uint(after_1), 15u)];
     float4 _e135 = from_a_1;
     float4 _e137 = to_b_1;
-    const float4 _e139 = hermite(_e132, _e134, (span * _e135), (span * _e137), t_6);
+    const float4 _e139 = hermite(_e132, _e134, (span * _e135), (span * _e137), t_7);
     const float4 _e140 = bounded_vec4_(_e139);
     return _e140;
 }
@@ -566,7 +575,8 @@ float fractal_noise(uint kind, float3 p_2, int octaves, float roughness, int see
             break;
         }
         float _e21 = frequency;
-        float visible = (1.0 - smoothstep(0.5, 1.0, (w_1 * _e21)));
+        const float _e25 = eased((w_1 * _e21), 0.5, 1.0);
+        float visible = (1.0 - _e25);
         octave = 0.5;
         if ((visible > 0.0)) {
             float _e31 = frequency;
@@ -616,7 +626,8 @@ float fractal_noise_2_(uint kind_1, float3 p_3, int octaves_1, float roughness_1
             break;
         }
         float _e21 = frequency_1;
-        float visible_1 = (1.0 - smoothstep(0.5, 1.0, (w_2 * _e21)));
+        const float _e25 = eased((w_2 * _e21), 0.5, 1.0);
+        float visible_1 = (1.0 - _e25);
         octave_1 = 0.5;
         if ((visible_1 > 0.0)) {
             float _e31 = frequency_1;
@@ -673,11 +684,11 @@ StretchedPlace ConstructStretchedPlace(float2 arg0, float3 arg1) {
 StretchedPlace mark_place_of(float2 place, float3 along, float3 across, float angle)
 {
     float2 turn = float2(0.0, 1.0);
-    float3 x_5 = ((turn.y * along) + (turn.x * across));
+    float3 x_6 = ((turn.y * along) + (turn.x * across));
     float3 y = ((turn.y * across) - (turn.x * along));
     const float2 _e17 = bounded_vec2_(place);
     float2 turned = float2(((turn.y * _e17.x) + (turn.x * _e17.y)), ((turn.y * _e17.y) - (turn.x * _e17.x)));
-    float3 stretch_3 = float3(dot(x_5, x_5), dot(x_5, y), dot(y, y));
+    float3 stretch_3 = float3(dot(x_6, x_6), dot(x_6, y), dot(y, y));
     const float2 _e37 = bounded_vec2_(turned);
     const StretchedPlace stretchedplace = ConstructStretchedPlace(_e37, stretch_3);
     return stretchedplace;
@@ -721,8 +732,8 @@ MarkPlace mark_place_object(float angle_1, float3 anchor, float2 pixel_1, float2
     const float2 _e9 = place_in_picture(pixel_1, viewport_2);
     const float2 _e15 = bounded_vec2_((_e9 - float2(anchor.x, -(anchor.y))));
     float2 place_7 = (_e15 / (size).xx);
-    const StretchedPlace _e29 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), 0.0);
-    const MarkPlace markplace = ConstructMarkPlace(_e29.place, _e29.stretch);
+    const StretchedPlace _e28 = mark_place_of(place_7, float3((1.0 / size), 0.0, 0.0), float3(0.0, (1.0 / size), 0.0), angle_1);
+    const MarkPlace markplace = ConstructMarkPlace(_e28.place, _e28.stretch);
     return markplace;
 }
 
@@ -730,12 +741,12 @@ float paper_octave(float2 place_2, int zoom, float w_3, float fiber, uint seed_6
 {
     float scale_5 = asfloat((uint(asint(asuint(zoom) + asuint(int(127)))) << 23u));
     float2 p_5 = clamp((place_2 * scale_5), (-4194304.0).xx, (4194304.0).xx);
-    uint own = (0u + (7u * asuint(zoom)));
-    const float _e24 = perlin_noise_2_(float3(p_5, 0.5), own);
-    float grain = (_e24 - 0.5);
+    uint own = (seed_6 + (7u * asuint(zoom)));
+    const float _e23 = perlin_noise_2_(float3(p_5, 0.5), own);
+    float grain = (_e23 - 0.5);
     float2 q = clamp((2.7 * float2(((0.8 * p_5.x) - (0.6 * p_5.y)), ((0.6 * p_5.x) + (0.8 * p_5.y)))), (-4194304.0).xx, (4194304.0).xx);
-    const float _e53 = perlin_noise_2_(float3(q, 0.5), (own + 1u));
-    float felt = (_e53 - 0.5);
+    const float _e52 = perlin_noise_2_(float3(q, 0.5), (own + 1u));
+    float felt = (_e52 - 0.5);
     float coarse_seen = (1.0 - smoothstep(0.5, 1.0, (w_3 * scale_5)));
     float felt_seen = (1.0 - smoothstep(0.5, 1.0, ((2.7 * w_3) * scale_5)));
     return clamp((0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt)))), 0.0, 1.0);
@@ -749,24 +760,24 @@ float paper_height(SpacedPlace at_1, float fiber_1, uint seed_7)
 {
     float height = (float)0;
 
-    float2 x_6 = ddx(at_1.place);
+    float2 x_7 = ddx(at_1.place);
     float2 y_1 = ddy(at_1.place);
-    float w_4 = sqrt(max(dot(x_6, x_6), dot(y_1, y_1)));
+    float w_4 = sqrt(max(dot(x_7, x_7), dot(y_1, y_1)));
     const float _e12 = area_square(at_1.stretch);
     const float _e16 = log2_stable(max(sqrt(_e12), 1e-30));
     float level = clamp((-0.5 * _e16), -16.0, 16.0);
     float zoom_1 = floor(level);
     float f_1 = (level - zoom_1);
-    const float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, 0u);
-    height = _e27;
+    const float _e26 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, seed_7);
+    height = _e26;
     if ((f_1 > 0.0)) {
-        float _e31 = height;
-        const float _e37 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_4, fiber_1, 0u);
-        float both = lerp(_e31, _e37, f_1);
+        float _e30 = height;
+        const float _e35 = paper_octave(at_1.place, asint(asuint(naga_f2i32(zoom_1)) + asuint(int(1))), w_4, fiber_1, seed_7);
+        float both = lerp(_e30, _e35, f_1);
         height = clamp((0.5 + ((both - 0.5) / sqrt(((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain ConstructPaperGrain(float arg0, float arg1) {
@@ -778,9 +789,9 @@ PaperGrain ConstructPaperGrain(float arg0, float arg1) {
 
 PaperGrain paper_grain(float value, float2 place_3, float3 stretch_2, float count_1, float tooth, float fiber_2, int seed_8, float2 viewport_3)
 {
-    const SpacedPlace _e9 = spaced(place_3, stretch_2, viewport_3, 240.0);
-    const float _e11 = paper_height(_e9, fiber_2, 0u);
-    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (_e11 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e11);
+    const SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
+    const float _e10 = paper_height(_e8, fiber_2, 0u);
+    const PaperGrain papergrain = ConstructPaperGrain((1.0 - clamp((0.5 + ((((8.0 * tooth) * (_e10 - 0.5)) * 0.5) * 0.5)), 0.0, 1.0)), _e10);
     return papergrain;
 }
 
@@ -796,18 +807,18 @@ float outer_contour(float width, float3 normal, float3 view, float2 viewport_4)
 
 float noise_perlin(float3 position, float scale_2, int octaves_2, float roughness_2, int seed_9)
 {
-    float3 p_6 = (position * 1.5);
-    const float _e11 = footprint_of_vec3_(p_6);
-    const float _e12 = fractal_noise(NOISE_PERLIN, p_6, int(2), 0.5, int(11), _e11);
-    return _e12;
+    float3 p_6 = (position * scale_2);
+    const float _e7 = footprint_of_vec3_(p_6);
+    const float _e8 = fractal_noise(NOISE_PERLIN, p_6, octaves_2, roughness_2, seed_9, _e7);
+    return _e8;
 }
 
 float noise_perlin_2_(float3 position_1, float scale_3, int octaves_3, float roughness_3, int seed_10)
 {
     float3 p_7 = (position_1 * scale_3);
-    const float _e9 = footprint_of_vec3_(p_7);
-    const float _e10 = fractal_noise_2_(NOISE_PERLIN, p_7, int(4), roughness_3, int(0), _e9);
-    return _e10;
+    const float _e7 = footprint_of_vec3_(p_7);
+    const float _e8 = fractal_noise_2_(NOISE_PERLIN, p_7, octaves_3, roughness_3, seed_10, _e7);
+    return _e8;
 }
 
 float4 shade(Surface surface_1)
@@ -822,11 +833,11 @@ float4 shade(Surface surface_1)
     const float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, int(4), 0.55, int(0));
     float how_far_it_runs = lerp(-0.24, 0.24, (_e40 - 0.0));
     float wet_tone = (tone + how_far_it_runs);
-    const float _e49 = eased(wet_tone, 0.82, 0.7);
+    const float _e49 = eased_2_(wet_tone, 0.82, 0.7);
     float k1_ = (_e49 * 0.62);
     const float4 _e57 = mix_colors_multiply(float4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
     const float4 _e64 = mix_colors_multiply_2_(_e16, float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    const float _e67 = eased(wet_tone, 0.42, 0.34);
+    const float _e67 = eased_2_(wet_tone, 0.42, 0.34);
     float k2_ = (_e67 * 0.6);
     const float3 _e71 = bounded_vec3_(_e57.xyz);
     const float3 _e75 = bounded_vec3_((_e57.xyz * _e64.xyz));

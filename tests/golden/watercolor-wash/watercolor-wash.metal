@@ -207,15 +207,26 @@ float eased(
     float low,
     float high
 ) {
-    float t_5 = metal::clamp((x_2 - low) / (high - low), 0.0, 1.0);
+    float _e3 = bounded(x_2);
+    float _e8 = bounded((_e3 - 0.5) / 0.5);
+    float t_5 = metal::clamp(_e8, 0.0, 1.0);
     return (t_5 * t_5) * (3.0 - (2.0 * t_5));
 }
 
-float footprint_of(
-    float x_3
+float eased_2_(
+    float x_3,
+    float low_1,
+    float high_1
 ) {
-    float _e1 = metal::dfdx(x_3);
-    float _e2 = metal::dfdy(x_3);
+    float t_6 = metal::clamp((x_3 - low_1) / (high_1 - low_1), 0.0, 1.0);
+    return (t_6 * t_6) * (3.0 - (2.0 * t_6));
+}
+
+float footprint_of(
+    float x_4
+) {
+    float _e1 = metal::dfdx(x_4);
+    float _e2 = metal::dfdy(x_4);
     metal::float2 d_2 = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d_2, d_2));
 }
@@ -225,7 +236,8 @@ float footprint_of_vec3_(
 ) {
     metal::float3 dx = metal::dfdx(v_6);
     metal::float3 dy = metal::dfdy(v_6);
-    return metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy)));
+    float _e7 = bounded(metal::sqrt(metal::max(metal::dot(dx, dx), metal::dot(dy, dy))));
+    return _e7;
 }
 
 metal::float4 color_mixed(
@@ -297,7 +309,7 @@ uint naga_div(uint lhs, uint rhs) {
 
 Color ramp_at(
     Ramp ramp,
-    float x_4,
+    float x_5,
     float w
 ) {
     type_6 colors = {};
@@ -326,12 +338,12 @@ Color ramp_at(
         uint _e16 = i_2_;
         uint _e18 = i_2_;
         float _e22 = places.inner[0][naga_mod(_e18, 4u)];
-        at = (_e22 <= x_4) ? _e16 : _e15;
+        at = (_e22 <= x_5) ? _e16 : _e15;
     }
     uint _e29 = at;
     float place_4 = places.inner[0][naga_mod(_e29, 4u)];
     uint _e34 = at;
-    if (((_e34 + 1u) >= 4u) | (x_4 <= place_4)) {
+    if (((_e34 + 1u) >= 4u) | (x_5 <= place_4)) {
         uint _e41 = at;
         metal::float4 _e43 = colors.inner[_e41];
         return _e43;
@@ -340,8 +352,8 @@ Color ramp_at(
     uint after_1 = _e44 + 1u;
     float _e53 = places.inner[naga_div(after_1, 4u)][naga_mod(after_1, 4u)];
     float span = _e53 - place_4;
-    float _e56 = divided(x_4 - place_4, span);
-    float t_6 = metal::clamp(_e56, 0.0, 1.0);
+    float _e56 = divided(x_5 - place_4, span);
+    float t_7 = metal::clamp(_e56, 0.0, 1.0);
     uint _e63 = at;
     if (_e63 > 0u) {
         uint _e66 = at;
@@ -373,7 +385,7 @@ Color ramp_at(
     metal::float4 _e134 = colors.inner[after_1];
     metal::float4 _e135 = from_a_1;
     metal::float4 _e137 = to_b_1;
-    metal::float4 _e139 = hermite(_e132, _e134, span * _e135, span * _e137, t_6);
+    metal::float4 _e139 = hermite(_e132, _e134, span * _e135, span * _e137, t_7);
     metal::float4 _e140 = bounded_vec4_(_e139);
     return _e140;
 }
@@ -571,7 +583,8 @@ float fractal_noise(
             break;
         }
         float _e21 = frequency;
-        float visible = 1.0 - metal::smoothstep(0.5, 1.0, w_1 * _e21);
+        float _e25 = eased(w_1 * _e21, 0.5, 1.0);
+        float visible = 1.0 - _e25;
         octave = 0.5;
         if (visible > 0.0) {
             float _e31 = frequency;
@@ -626,7 +639,8 @@ float fractal_noise_2_(
             break;
         }
         float _e21 = frequency_1;
-        float visible_1 = 1.0 - metal::smoothstep(0.5, 1.0, w_2 * _e21);
+        float _e25 = eased(w_2 * _e21, 0.5, 1.0);
+        float visible_1 = 1.0 - _e25;
         octave_1 = 0.5;
         if (visible_1 > 0.0) {
             float _e31 = frequency_1;
@@ -688,11 +702,11 @@ StretchedPlace mark_place_of(
     float angle
 ) {
     metal::float2 turn = metal::float2(0.0, 1.0);
-    metal::float3 x_5 = (turn.y * along) + (turn.x * across);
+    metal::float3 x_6 = (turn.y * along) + (turn.x * across);
     metal::float3 y = (turn.y * across) - (turn.x * along);
     metal::float2 _e17 = bounded_vec2_(place);
     metal::float2 turned = metal::float2((turn.y * _e17.x) + (turn.x * _e17.y), (turn.y * _e17.y) - (turn.x * _e17.x));
-    metal::float3 stretch_3 = metal::float3(metal::dot(x_5, x_5), metal::dot(x_5, y), metal::dot(y, y));
+    metal::float3 stretch_3 = metal::float3(metal::dot(x_6, x_6), metal::dot(x_6, y), metal::dot(y, y));
     metal::float2 _e37 = bounded_vec2_(turned);
     return StretchedPlace {_e37, {}, stretch_3};
 }
@@ -729,8 +743,8 @@ MarkPlace mark_place_object(
     metal::float2 _e9 = place_in_picture(pixel_1, viewport_2);
     metal::float2 _e15 = bounded_vec2_(_e9 - metal::float2(anchor.x, -(anchor.y)));
     metal::float2 place_7 = _e15 / metal::float2(size);
-    StretchedPlace _e29 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), 0.0);
-    return MarkPlace {_e29.place, {}, _e29.stretch};
+    StretchedPlace _e28 = mark_place_of(place_7, metal::float3(1.0 / size, 0.0, 0.0), metal::float3(0.0, 1.0 / size, 0.0), angle_1);
+    return MarkPlace {_e28.place, {}, _e28.stretch};
 }
 
 float paper_octave(
@@ -742,12 +756,12 @@ float paper_octave(
 ) {
     float scale_5 = as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom) + as_type<uint>(127))) << 23u);
     metal::float2 p_5 = metal::clamp(place_2 * scale_5, metal::float2(-4194304.0), metal::float2(4194304.0));
-    uint own = 0u + (7u * as_type<uint>(zoom));
-    float _e24 = perlin_noise_2_(metal::float3(p_5, 0.5), own);
-    float grain = _e24 - 0.5;
+    uint own = seed_6 + (7u * as_type<uint>(zoom));
+    float _e23 = perlin_noise_2_(metal::float3(p_5, 0.5), own);
+    float grain = _e23 - 0.5;
     metal::float2 q = metal::clamp(2.7 * metal::float2((0.8 * p_5.x) - (0.6 * p_5.y), (0.6 * p_5.x) + (0.8 * p_5.y)), metal::float2(-4194304.0), metal::float2(4194304.0));
-    float _e53 = perlin_noise_2_(metal::float3(q, 0.5), own + 1u);
-    float felt = _e53 - 0.5;
+    float _e52 = perlin_noise_2_(metal::float3(q, 0.5), own + 1u);
+    float felt = _e52 - 0.5;
     float coarse_seen = 1.0 - metal::smoothstep(0.5, 1.0, w_3 * scale_5);
     float felt_seen = 1.0 - metal::smoothstep(0.5, 1.0, (2.7 * w_3) * scale_5);
     return metal::clamp(0.5 + (1.4 * ((coarse_seen * grain) + ((fiber * felt_seen) * felt))), 0.0, 1.0);
@@ -763,24 +777,24 @@ float paper_height(
     uint seed_7
 ) {
     float height = {};
-    metal::float2 x_6 = metal::dfdx(at_1.place);
+    metal::float2 x_7 = metal::dfdx(at_1.place);
     metal::float2 y_1 = metal::dfdy(at_1.place);
-    float w_4 = metal::sqrt(metal::max(metal::dot(x_6, x_6), metal::dot(y_1, y_1)));
+    float w_4 = metal::sqrt(metal::max(metal::dot(x_7, x_7), metal::dot(y_1, y_1)));
     float _e12 = area_square(at_1.stretch);
     float _e16 = log2_stable(metal::max(metal::sqrt(_e12), 0.000000000000000000000000000001));
     float level = metal::clamp(-0.5 * _e16, -16.0, 16.0);
     float zoom_1 = metal::floor(level);
     float f_1 = level - zoom_1;
-    float _e27 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, 0u);
-    height = _e27;
+    float _e26 = paper_octave(at_1.place, naga_f2i32(zoom_1), w_4, fiber_1, seed_7);
+    height = _e26;
     if (f_1 > 0.0) {
-        float _e31 = height;
-        float _e37 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_4, fiber_1, 0u);
-        float both = metal::mix(_e31, _e37, f_1);
+        float _e30 = height;
+        float _e35 = paper_octave(at_1.place, as_type<int>(as_type<uint>(naga_f2i32(zoom_1)) + as_type<uint>(1)), w_4, fiber_1, seed_7);
+        float both = metal::mix(_e30, _e35, f_1);
         height = metal::clamp(0.5 + ((both - 0.5) / metal::sqrt((f_1 * f_1) + ((1.0 - f_1) * (1.0 - f_1)))), 0.0, 1.0);
     }
-    float _e55 = height;
-    return _e55;
+    float _e53 = height;
+    return _e53;
 }
 
 PaperGrain paper_grain(
@@ -793,9 +807,9 @@ PaperGrain paper_grain(
     int seed_8,
     metal::float2 viewport_3
 ) {
-    SpacedPlace _e9 = spaced(place_3, stretch_2, viewport_3, 240.0);
-    float _e11 = paper_height(_e9, fiber_2, 0u);
-    return PaperGrain {1.0 - metal::clamp(0.5 + ((((8.0 * tooth) * (_e11 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e11};
+    SpacedPlace _e8 = spaced(place_3, stretch_2, viewport_3, count_1);
+    float _e10 = paper_height(_e8, fiber_2, 0u);
+    return PaperGrain {1.0 - metal::clamp(0.5 + ((((8.0 * tooth) * (_e10 - 0.5)) * 0.5) * 0.5), 0.0, 1.0), _e10};
 }
 
 float outer_contour(
@@ -819,10 +833,10 @@ float noise_perlin(
     float roughness_2,
     int seed_9
 ) {
-    metal::float3 p_6 = position * 1.5;
-    float _e11 = footprint_of_vec3_(p_6);
-    float _e12 = fractal_noise(NOISE_PERLIN, p_6, 2, 0.5, 11, _e11);
-    return _e12;
+    metal::float3 p_6 = position * scale_2;
+    float _e7 = footprint_of_vec3_(p_6);
+    float _e8 = fractal_noise(NOISE_PERLIN, p_6, octaves_2, roughness_2, seed_9, _e7);
+    return _e8;
 }
 
 float noise_perlin_2_(
@@ -833,9 +847,9 @@ float noise_perlin_2_(
     int seed_10
 ) {
     metal::float3 p_7 = position_1 * scale_3;
-    float _e9 = footprint_of_vec3_(p_7);
-    float _e10 = fractal_noise_2_(NOISE_PERLIN, p_7, 4, roughness_3, 0, _e9);
-    return _e10;
+    float _e7 = footprint_of_vec3_(p_7);
+    float _e8 = fractal_noise_2_(NOISE_PERLIN, p_7, octaves_3, roughness_3, seed_10, _e7);
+    return _e8;
 }
 
 metal::float4 shade(
@@ -852,11 +866,11 @@ metal::float4 shade(
     float _e40 = noise_perlin_2_(surface_1.position_object, 2.2, 4, 0.55, 0);
     float how_far_it_runs = metal::mix(-0.24, 0.24, _e40 - 0.0);
     float wet_tone = tone + how_far_it_runs;
-    float _e49 = eased(wet_tone, 0.82, 0.7);
+    float _e49 = eased_2_(wet_tone, 0.82, 0.7);
     float k1_ = _e49 * 0.62;
     Color _e57 = mix_colors_multiply(metal::float4(0.9843, 0.9686, 0.9255, 1.0), _e16, k1_);
     Color _e64 = mix_colors_multiply_2_(_e16, metal::float4(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    float _e67 = eased(wet_tone, 0.42, 0.34);
+    float _e67 = eased_2_(wet_tone, 0.42, 0.34);
     float k2_ = _e67 * 0.6;
     metal::float3 _e71 = bounded_vec3_(_e57.xyz);
     metal::float3 _e75 = bounded_vec3_(_e57.xyz * _e64.xyz);

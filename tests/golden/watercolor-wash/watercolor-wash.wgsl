@@ -88,14 +88,14 @@ fn log2_stable(x: f32) -> f32 {
         + z2 * (0.5767143098091317 + z2 * 0.43173790132006157)));
 }
 
-/// [`normalize_or`] for vectors that are known to be no longer than 1e15: one shorter than 1e-15
+/// [`normalize_or`] for vectors that are known to be no longer than 1e18: one shorter than 1e-15
 /// counts as having no direction.
 fn normalize_moderate(v: vec3f, otherwise: vec3f) -> vec3f {
     let square = dot(v, v);
     return select(otherwise, v * inverseSqrt(max(square, 1e-30)), square > 1e-30);
 }
 
-/// v at length 1, for vectors that are seldom 0 and no longer than 1e15: normals, and directions
+/// v at length 1, for vectors that are seldom 0 and no longer than 1e18: normals, and directions
 /// toward the eye. One shorter than 1e-15 points along z.
 fn normalize_seen(v: vec3f) -> vec3f {
     return normalize_moderate(v, vec3f(0.0, 0.0, 1.0));
@@ -167,6 +167,13 @@ fn mixed_vec4(a: vec4f, b: vec4f, t: f32) -> vec4f {
 /// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
 /// high, a step where they are equal.
 fn eased(x: f32, low: f32, high: f32) -> f32 {
+    let t = clamp(bounded((bounded(x) - 0.5) / 0.5), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
+/// Smooth step: 0 up to low and 1 from high on, t^2 (3 - 2t) between; falling where low is above
+/// high, a step where they are equal.
+fn eased_2(x: f32, low: f32, high: f32) -> f32 {
     let t = clamp((x - low) / (high - low), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
 }
@@ -182,7 +189,7 @@ fn footprint_of(x: f32) -> f32 {
 fn footprint_of_vec3(v: vec3f) -> f32 {
     let dx = dpdx(v);
     let dy = dpdy(v);
-    return sqrt(max(dot(dx, dx), dot(dy, dy)));
+    return bounded(sqrt(max(dot(dx, dx), dot(dy, dy))));
 }
 
 /// Mix from the color a to the blended numbers by a factor in [0, 1], with the alpha of a.
@@ -358,7 +365,7 @@ fn fractal_noise(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32, w
         if !(i < 2i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -390,7 +397,7 @@ fn fractal_noise_2(kind: u32, p: vec3f, octaves: i32, roughness: f32, seed: i32,
         if !(i < 4i) {
             break;
         }
-        let visible = 1.0 - smoothstep(0.5, 1.0, w * frequency);
+        let visible = 1.0 - eased(w * frequency, 0.5, 1.0);
         octave = 0.5;
         if visible > 0.0 {
             let place = clamp(p * frequency + f32(i) * vec3f(17.31, 5.17, 11.73), vec3f(-4194304.0),
@@ -476,7 +483,7 @@ fn area_square(stretch: vec3f) -> f32 {
 fn mark_place_object(angle: f32, anchor: vec3f, pixel: vec2f, viewport: vec2f) -> MarkPlace {
     let size = clamp(bounded(anchor.z), 1e-6, 1e6);
     let place = bounded_vec2(place_in_picture(pixel, viewport) - vec2f(anchor.x, -anchor.y)) / size;
-    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), 0.0);
+    let m = mark_place_of(place, vec3f(1.0 / size, 0.0, 0.0), vec3f(0.0, 1.0 / size, 0.0), angle);
     return MarkPlace(m.place, m.stretch);
 }
 
@@ -496,9 +503,9 @@ fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
     let level = clamp(-0.5 * log2_stable(max(sqrt(area_square(at.stretch)), 1e-30)), -16.0, 16.0);
     let zoom = floor(level);
     let f = level - zoom;
-    var height = paper_octave(at.place, i32(zoom), w, fiber, 0u);
+    var height = paper_octave(at.place, i32(zoom), w, fiber, seed);
     if f > 0.0 {
-        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fiber, 0u), f);
+        let both = mix(height, paper_octave(at.place, i32(zoom) + 1, w, fiber, seed), f);
         height = clamp(0.5 + (both - 0.5) / sqrt(f * f + (1.0 - f) * (1.0 - f)), 0.0, 1.0);
     }
     return height;
@@ -508,7 +515,7 @@ fn paper_height(at: SpacedPlace, fiber: f32, seed: u32) -> f32 {
 fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
     let scale = bitcast<f32>(u32(zoom + 127) << 23u);
     let p = clamp(place * scale, vec2f(-4194304.0), vec2f(4194304.0));
-    let own = 0u + 7u * bitcast<u32>(zoom);
+    let own = seed + 7u * bitcast<u32>(zoom);
     let grain = perlin_noise_2(vec3f(p, 0.5), own) - 0.5;
     let q = clamp(2.7 * vec2f(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y), vec2f(-4194304.0),
         vec2f(4194304.0));
@@ -525,7 +532,7 @@ fn paper_octave(place: vec2f, zoom: i32, w: f32, fiber: f32, seed: u32) -> f32 {
 /// an object and does not swim through it.
 fn paper_grain(value: f32, place: vec2f, stretch: vec3f, count: f32, tooth: f32, fiber: f32,
     seed: i32, viewport: vec2f) -> PaperGrain {
-    let height = paper_height(spaced(place, stretch, viewport, 240.0), fiber, 0u);
+    let height = paper_height(spaced(place, stretch, viewport, count), fiber, 0u);
     return PaperGrain(1.0 - clamp(0.5 + 8.0 * tooth * (height - 0.5) * 0.5 * 0.5, 0.0, 1.0),
         height);
 }
@@ -550,13 +557,13 @@ fn outer_contour(width: f32, normal: vec3f, view: vec3f, viewport: vec2f) -> f32
 }
 
 fn noise_perlin(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
-    let p = position * 1.5;
-    return fractal_noise(NOISE_PERLIN, p, 2i, 0.5, 11i, footprint_of_vec3(p));
+    let p = position * scale;
+    return fractal_noise(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 fn noise_perlin_2(position: vec3f, scale: f32, octaves: i32, roughness: f32, seed: i32) -> f32 {
     let p = position * scale;
-    return fractal_noise_2(NOISE_PERLIN, p, 4i, roughness, 0i, footprint_of_vec3(p));
+    return fractal_noise_2(NOISE_PERLIN, p, octaves, roughness, seed, footprint_of_vec3(p));
 }
 
 const two_pigments = Ramp(array(vec4f(0.1843, 0.4353, 0.5608, 1.0), vec4f(0.2471, 0.6039, 0.5255, 1.0), vec4f(0.7882, 0.6353, 0.2353, 1.0), vec4f(0.8471, 0.451, 0.3529, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), array(vec4f(0.0, 0.45, 0.75, 1.0), vec4f(0.0), vec4f(0.0), vec4f(0.0)), 4u, 1u);
@@ -571,11 +578,11 @@ fn shade(surface: Surface) -> vec4f {
     let water = noise_perlin_2(surface.position_object, 2.2, 4i, 0.55, 0i);
     let how_far_it_runs = mix(-0.24, 0.24, water - 0.0);
     let wet_tone = tone + how_far_it_runs;
-    let first_wash = eased(wet_tone, 0.82, 0.7);
+    let first_wash = eased_2(wet_tone, 0.82, 0.7);
     let k1 = first_wash * 0.62;
     let wash_on_paper = mix_colors_multiply(vec4f(0.9843, 0.9686, 0.9255, 1.0), two_pigments_2, k1);
     let deeper = mix_colors_multiply_2(two_pigments_2, vec4f(0.3529, 0.3098, 0.5255, 1.0), 0.75);
-    let second_wash = eased(wet_tone, 0.42, 0.34);
+    let second_wash = eased_2(wet_tone, 0.42, 0.34);
     let k2 = second_wash * 0.6;
     let second_on_the_first = vec4f(mixed_vec3(bounded_vec3(wash_on_paper.xyz), bounded_vec3(wash_on_paper.xyz * deeper.xyz), k2), 1.0);
     let rim1a = smoothstep(0.66, 0.72, wet_tone);

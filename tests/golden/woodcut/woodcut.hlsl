@@ -124,41 +124,50 @@ struct FragmentInput_fs_main {
     bool is_front_1 : SV_IsFrontFace;
 };
 
+bool is_finite(float x)
+{
+    return ((asuint(x) & 2139095040u) != 2139095040u);
+}
+
 float3 normalize_or(float3 v, float3 otherwise)
 {
     float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(((largest > 1e-30) & (largest < 1e30)))) {
-        return float3(0.0, 0.0, 1.0);
+        return otherwise;
     }
     float3 scaled = (v * (1.0 / largest));
     float square = dot(scaled, scaled);
-    return (((asuint(square) & 2139095040u) == 2139095040u) ? float3(0.0, 0.0, 1.0) : (scaled * (1.0 / sqrt(square))));
+    const bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
+    }
+    return (scaled * (1.0 / sqrt(square)));
 }
 
 int naga_f2i32(float value) {
     return int(clamp(value, -2147483600.0, 2147483500.0));
 }
 
-float exp2_stable(float x)
+float exp2_stable(float x_1)
 {
-    float clamped = clamp(x, -126.0, 127.99999);
+    float clamped = clamp(x_1, -126.0, 127.99999);
     float whole_1 = round(clamped);
     float f = (clamped - whole_1);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
 }
 
-float exp2_stable_2_(float x_1)
+float exp2_stable_2_(float x_2)
 {
-    float whole_2 = round(x_1);
-    float f_1 = (x_1 - whole_2);
+    float whole_2 = round(x_2);
+    float f_1 = (x_2 - whole_2);
     float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
     return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_2)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_2)
+float log2_stable(float x_3)
 {
-    uint bits = asuint(x_2);
+    uint bits = asuint(x_3);
     int exponent_1 = (asint((bits - 1060439283u)) >> 23u);
     float mantissa = asfloat((bits - (asuint(exponent_1) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -172,33 +181,27 @@ float3 normalize_moderate(float3 v_1, float3 otherwise_1)
     return ((square_1 > 1e-30) ? (v_1 * rsqrt(max(square_1, 1e-30))) : otherwise_1);
 }
 
-float3 normalize_moderate_2_(float3 v_2, float3 otherwise_2)
+float3 normalize_seen(float3 v_2)
 {
-    float square_2 = dot(v_2, v_2);
-    return ((square_2 > 1e-30) ? (v_2 * rsqrt(max(square_2, 1e-30))) : float3(1.0, 0.0, 0.0));
-}
-
-float3 normalize_seen(float3 v_3)
-{
-    const float3 _e5 = normalize_moderate(v_3, float3(0.0, 0.0, 1.0));
+    const float3 _e5 = normalize_moderate(v_2, float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
-float bounded(float x_3)
+float bounded(float x_4)
 {
-    uint bits_1 = asuint(x_3);
+    uint bits_1 = asuint(x_4);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
-float3 bounded_vec3_(float3 v_4)
+float3 bounded_vec3_(float3 v_3)
 {
-    uint3 bits_2 = asuint(v_4);
+    uint3 bits_2 = asuint(v_3);
     uint3 magnitude_1 = (bits_2 & (2147483647u).xxx);
     float3 largest_2 = asfloat(((bits_2 & (2147483648u).xxx) | (2139095039u).xxx));
     float3 numbers = ((magnitude_1 == (2139095040u).xxx) ? largest_2 : (0.0).xxx);
-    return ((magnitude_1 < (2139095040u).xxx) ? v_4 : numbers);
+    return ((magnitude_1 < (2139095040u).xxx) ? v_3 : numbers);
 }
 
 float powered(float base, float exponent)
@@ -209,17 +212,17 @@ float powered(float base, float exponent)
     return ((magnitude_2 < SMALLEST_NORMAL) ? 0.0 : _e7);
 }
 
-float footprint_of(float x_4)
+float footprint_of(float x_5)
 {
-    float _e1 = ddx(x_4);
-    float _e2 = ddy(x_4);
+    float _e1 = ddx(x_5);
+    float _e2 = ddy(x_5);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
 
-float step_filtered(float x_5, float edge, float w)
+float step_filtered(float x_6, float edge, float w)
 {
-    float d_1 = (x_5 - edge);
+    float d_1 = (x_6 - edge);
     return ((w < 1e-30) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : clamp((0.5 + (d_1 / w)), 0.0, 1.0));
 }
 
@@ -239,48 +242,47 @@ float curvature_signed(float kappa, float slope)
 float3x3 axes_around(float3 toward, float3 up)
 {
     const float3 _e6 = normalize_or(toward, float3(0.0, 0.0, 1.0));
-    float3 y = float3(0.0, 1.0, 0.0);
-    float3 leaning = cross(y, _e6);
-    float square_3 = dot(leaning, leaning);
+    float3 leaning = cross(up, _e6);
+    float square_2 = dot(leaning, leaning);
     float3 aside = ((abs(_e6.x) > 0.7) ? float3(0.0, 0.0, 1.0) : float3(1.0, 0.0, 0.0));
-    float3 across_2 = ((square_3 > 1e-8) ? leaning : cross(aside, _e6));
-    const float3 _e37 = normalize_moderate_2_((across_2 - (dot(across_2, _e6) * _e6)), float3(1.0, 0.0, 0.0));
-    return float3x3(_e37, cross(_e6, _e37), _e6);
+    float3 across_2 = ((square_2 > 1e-8) ? leaning : cross(aside, _e6));
+    const float3 _e33 = normalize_moderate((across_2 - (dot(across_2, _e6) * _e6)), float3(1.0, 0.0, 0.0));
+    return float3x3(_e33, cross(_e6, _e33), _e6);
 }
 
 uint3 hash_pcg3d(uint3 seed)
 {
-    uint3 v_5 = (uint3)0;
+    uint3 v_4 = (uint3)0;
 
-    v_5 = ((seed * 1664525u) + (1013904223u).xxx);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = (_e8 + (_e10 * _e12));
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = (_e16 + (_e18 * _e20));
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = (_e24 + (_e26 * _e28));
-    uint3 _e31 = v_5;
-    uint3 _e32 = v_5;
-    v_5 = (_e31 ^ (_e32 >> (16u).xxx));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = (_e38 + (_e40 * _e42));
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = (_e46 + (_e48 * _e50));
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = (_e54 + (_e56 * _e58));
-    uint3 _e61 = v_5;
+    v_4 = ((seed * 1664525u) + (1013904223u).xxx);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = (_e8 + (_e10 * _e12));
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = (_e16 + (_e18 * _e20));
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = (_e24 + (_e26 * _e28));
+    uint3 _e31 = v_4;
+    uint3 _e32 = v_4;
+    v_4 = (_e31 ^ (_e32 >> (16u).xxx));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = (_e38 + (_e40 * _e42));
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = (_e46 + (_e48 * _e50));
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = (_e54 + (_e56 * _e58));
+    uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -303,8 +305,8 @@ float value_noise(float3 p, uint seed_1)
         if (all(loop_bound == uint2(0u, 0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e67 = i;
-            i = asint(asuint(_e67) + asuint(int(1)));
+            int _e68 = i;
+            i = asint(asuint(_e68) + asuint(int(1)));
         }
         loop_init = false;
         int _e21 = i;
@@ -317,11 +319,11 @@ float value_noise(float3 p, uint seed_1)
         int3 at_1 = int3((_e25 & int(1)), ((_e28 >> 1u) & int(1)), (_e33 >> 2u));
         float3 weight = ((at_1 == (int(1)).xxx) ? f_2 : ((1.0).xxx - f_2));
         float _e44 = sum;
-        const uint3 _e57 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_1))) + uint3(1401181199u, 2842855661u, 1390592883u)));
-        sum = (_e44 + (((weight.x * weight.y) * 0.5) * (float3((_e57 >> (8u).xxx)) * 5.9604645e-8).x));
+        const uint3 _e58 = hash_pcg3d((asuint(asint(asuint(cell) + asuint(at_1))) + (seed_1 * uint3(2654435769u, 2246822507u, 3266489909u))));
+        sum = (_e44 + (((weight.x * weight.y) * 0.5) * (float3((_e58 >> (8u).xxx)) * 5.9604645e-8).x));
     }
-    float _e70 = sum;
-    return _e70;
+    float _e71 = sum;
+    return _e71;
 }
 
 float size_on_screen(float depth, float perspective, float scale)
@@ -363,8 +365,8 @@ StretchedPlace place_on_surface(float2 place_1, float3 along_1, float3 across_1,
     const float3 _e15 = bounded_vec3_((_e13 * height));
     const float3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
     const float3 _e18 = bounded_vec3_((_e16 * height));
-    const StretchedPlace _e20 = mark_place_of(place_1, _e15, _e18, 0.0);
-    const StretchedPlace stretchedplace_1 = _e20;
+    const StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
+    const StretchedPlace stretchedplace_1 = _e19;
     return stretchedplace_1;
 }
 
@@ -374,8 +376,8 @@ StretchedPlace place_across(float3 axis, float3 position, float3x3 world_from_no
     float2 place_5 = float2(dot(position, _e11[0]), dot(position, _e11[2]));
     const float3 _e19 = bounded_vec3_(mul(_e11[0], world_from_normal));
     const float3 _e22 = bounded_vec3_(mul(_e11[2], world_from_normal));
-    const StretchedPlace _e24 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    const StretchedPlace stretchedplace_2 = _e24;
+    const StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
+    const StretchedPlace stretchedplace_2 = _e23;
     return stretchedplace_2;
 }
 
@@ -404,7 +406,7 @@ Stroke ConstructStroke(float arg0, float arg1) {
     return ret;
 }
 
-Stroke stroke_at(int2 line_, float x_6, int zoom, Strokes style)
+Stroke stroke_at(int2 line_, float x_7, int zoom, Strokes style)
 {
     const uint3 _e12 = hash_pcg3d((asuint(int3(line_, int(1048576))) + uint3(1401181199u, 2842855661u, 1390592883u)));
     float3 own_1 = (float3((_e12 >> (8u).xxx)) * 5.9604645e-8);
@@ -412,11 +414,11 @@ Stroke stroke_at(int2 line_, float x_6, int zoom, Strokes style)
     return stroke;
 }
 
-Stroke stroke_between(int2 line_1, float x_7, float level, Strokes style_1)
+Stroke stroke_between(int2 line_1, float x_8, float level, Strokes style_1)
 {
     float zoom_2 = floor(level);
-    const Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
-    const Stroke _e10 = stroke_at(line_1, x_7, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
+    const Stroke _e6 = stroke_at(line_1, x_8, naga_f2i32(zoom_2), style_1);
+    const Stroke _e10 = stroke_at(line_1, x_8, asint(asuint(naga_f2i32(zoom_2)) + asuint(int(1))), style_1);
     float f_3 = (level - zoom_2);
     const Stroke stroke_1 = ConstructStroke(lerp(_e6.turn, _e10.turn, f_3), lerp(1.0, 1.0, f_3));
     return stroke_1;
@@ -429,8 +431,8 @@ int naga_neg(int val) {
 float stray_at(float2 place_3, int zoom_1, uint seed_2)
 {
     float2 p_2 = (place_3 * asfloat((uint(asint(asuint(zoom_1) + asuint(int(127)))) << 23u)));
-    const float _e19 = value_noise(float3((0.11 * p_2.x), (0.45 * p_2.y), 0.5), 7u);
-    return (((_e19 - 0.5) * 2.0) * asfloat((uint(asint(asuint(naga_neg(zoom_1)) + asuint(int(127)))) << 23u)));
+    const float _e18 = value_noise(float3((0.11 * p_2.x), (0.45 * p_2.y), 0.5), seed_2);
+    return (((_e18 - 0.5) * 2.0) * asfloat((uint(asint(asuint(naga_neg(zoom_1)) + asuint(int(127)))) << 23u)));
 }
 
 float band_filtered(float t, float half_, float w_1)
@@ -493,8 +495,8 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
     int i_1 = int(0);
     float free = 1.0;
 
-    float2 x_8 = ddx(at.place);
-    float2 y_1 = ddy(at.place);
+    float2 x_9 = ddx(at.place);
+    float2 y = ddy(at.place);
     uint2 loop_bound_1 = uint2(4294967295u, 4294967295u);
     bool loop_init_1 = true;
     while(true) {
@@ -514,9 +516,9 @@ float cross_hatched(SpacedPlace at, float ink_1, int layers, float cross_, Strok
             float2 turn_1 = float2(0.0, 1.0);
             float2 along_2 = float2(turn_1.y, turn_1.x);
             float2 across_4 = float2(-(turn_1.x), turn_1.y);
-            float w_3 = length(float2(dot(across_4, x_8), dot(across_4, y_1)));
-            float square_4 = dot(float3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
-            const float _e59 = log2_stable(max(max(square_4, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
+            float w_3 = length(float2(dot(across_4, x_9), dot(across_4, y)));
+            float square_3 = dot(float3((across_4.x * across_4.x), ((2.0 * across_4.x) * across_4.y), (across_4.y * across_4.y)), at.stretch);
+            const float _e59 = log2_stable(max(max(square_3, ((at.stretch.x + at.stretch.z) / 65.0)), 1e-30));
             float level_2 = clamp((-0.5 * _e59), -16.0, 16.0);
             float2 place_6 = float2(dot(along_2, at.place), dot(across_4, at.place));
             own = style_3;
@@ -540,8 +542,8 @@ MarkPlace ConstructMarkPlace(float2 arg0, float3 arg1) {
 MarkPlace mark_place_light(Light light, float3 normal_3, float angle_3, float3 view_3, float3 position_object, float3x3 world_from_normal_1, float magnification_2)
 {
     float3 toward_1 = mul(world_from_normal_1, light.direction);
-    const StretchedPlace _e10 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    const MarkPlace markplace = ConstructMarkPlace(_e10.place, _e10.stretch);
+    const StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    const MarkPlace markplace = ConstructMarkPlace(_e9.place, _e9.stretch);
     return markplace;
 }
 

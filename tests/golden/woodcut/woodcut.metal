@@ -82,17 +82,27 @@ struct Varyings {
 };
 constant float SMALLEST_NORMAL = 0.000000000000000000000000000000000000011754944;
 
+bool is_finite(
+    float x
+) {
+    return (as_type<uint>(x) & 2139095040u) != 2139095040u;
+}
+
 metal::float3 normalize_or(
     metal::float3 v,
     metal::float3 otherwise
 ) {
     float largest = metal::max(metal::max(metal::abs(v.x), metal::abs(v.y)), metal::abs(v.z));
     if (!(((largest > 0.000000000000000000000000000001) & (largest < 1000000000000000000000000000000.0)))) {
-        return metal::float3(0.0, 0.0, 1.0);
+        return otherwise;
     }
     metal::float3 scaled = v * (1.0 / largest);
     float square = metal::dot(scaled, scaled);
-    return ((as_type<uint>(square) & 2139095040u) == 2139095040u) ? metal::float3(0.0, 0.0, 1.0) : (scaled * (1.0 / metal::sqrt(square)));
+    bool _e20 = is_finite(square);
+    if (!(_e20)) {
+        return otherwise;
+    }
+    return scaled * (1.0 / metal::sqrt(square));
 }
 
 int naga_f2i32(float value) {
@@ -100,9 +110,9 @@ int naga_f2i32(float value) {
 }
 
 float exp2_stable(
-    float x
+    float x_1
 ) {
-    float clamped = metal::clamp(x, -126.0, 127.99999);
+    float clamped = metal::clamp(x_1, -126.0, 127.99999);
     float whole_1 = metal::rint(clamped);
     float f = clamped - whole_1;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
@@ -110,18 +120,18 @@ float exp2_stable(
 }
 
 float exp2_stable_2_(
-    float x_1
+    float x_2
 ) {
-    float whole_2 = metal::rint(x_1);
-    float f_1 = x_1 - whole_2;
+    float whole_2 = metal::rint(x_2);
+    float f_1 = x_2 - whole_2;
     float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
     return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_2)) + as_type<uint>(126))) << 23u);
 }
 
 float log2_stable(
-    float x_2
+    float x_3
 ) {
-    uint bits = as_type<uint>(x_2);
+    uint bits = as_type<uint>(x_3);
     int exponent_1 = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent_1) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -137,38 +147,30 @@ metal::float3 normalize_moderate(
     return (square_1 > 0.000000000000000000000000000001) ? (v_1 * metal::rsqrt(metal::max(square_1, 0.000000000000000000000000000001))) : otherwise_1;
 }
 
-metal::float3 normalize_moderate_2_(
-    metal::float3 v_2,
-    metal::float3 otherwise_2
-) {
-    float square_2 = metal::dot(v_2, v_2);
-    return (square_2 > 0.000000000000000000000000000001) ? (v_2 * metal::rsqrt(metal::max(square_2, 0.000000000000000000000000000001))) : metal::float3(1.0, 0.0, 0.0);
-}
-
 metal::float3 normalize_seen(
-    metal::float3 v_3
+    metal::float3 v_2
 ) {
-    metal::float3 _e5 = normalize_moderate(v_3, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e5 = normalize_moderate(v_2, metal::float3(0.0, 0.0, 1.0));
     return _e5;
 }
 
 float bounded(
-    float x_3
+    float x_4
 ) {
-    uint bits_1 = as_type<uint>(x_3);
+    uint bits_1 = as_type<uint>(x_4);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_3 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_4 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float3 bounded_vec3_(
-    metal::float3 v_4
+    metal::float3 v_3
 ) {
-    metal::uint3 bits_2 = as_type<metal::uint3>(v_4);
+    metal::uint3 bits_2 = as_type<metal::uint3>(v_3);
     metal::uint3 magnitude_1 = bits_2 & metal::uint3(2147483647u);
     metal::float3 largest_2 = as_type<metal::float3>((bits_2 & metal::uint3(2147483648u)) | metal::uint3(2139095039u));
     metal::float3 numbers = metal::select(metal::float3(0.0), largest_2, magnitude_1 == metal::uint3(2139095040u));
-    return metal::select(numbers, v_4, magnitude_1 < metal::uint3(2139095040u));
+    return metal::select(numbers, v_3, magnitude_1 < metal::uint3(2139095040u));
 }
 
 float powered(
@@ -182,20 +184,20 @@ float powered(
 }
 
 float footprint_of(
-    float x_4
+    float x_5
 ) {
-    float _e1 = metal::dfdx(x_4);
-    float _e2 = metal::dfdy(x_4);
+    float _e1 = metal::dfdx(x_5);
+    float _e2 = metal::dfdy(x_5);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
 
 float step_filtered(
-    float x_5,
+    float x_6,
     float edge,
     float w
 ) {
-    float d_1 = x_5 - edge;
+    float d_1 = x_6 - edge;
     return (w < 0.000000000000000000000000000001) ? ((d_1 >= 0.0) ? 1.0 : 0.0) : metal::clamp(0.5 + (d_1 / w), 0.0, 1.0);
 }
 
@@ -219,48 +221,47 @@ metal::float3x3 axes_around(
     metal::float3 up
 ) {
     metal::float3 _e6 = normalize_or(toward, metal::float3(0.0, 0.0, 1.0));
-    metal::float3 y = metal::float3(0.0, 1.0, 0.0);
-    metal::float3 leaning = metal::cross(y, _e6);
-    float square_3 = metal::dot(leaning, leaning);
+    metal::float3 leaning = metal::cross(up, _e6);
+    float square_2 = metal::dot(leaning, leaning);
     metal::float3 aside = (metal::abs(_e6.x) > 0.7) ? metal::float3(0.0, 0.0, 1.0) : metal::float3(1.0, 0.0, 0.0);
-    metal::float3 across_2 = (square_3 > 0.00000001) ? leaning : metal::cross(aside, _e6);
-    metal::float3 _e37 = normalize_moderate_2_(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
-    return metal::float3x3(_e37, metal::cross(_e6, _e37), _e6);
+    metal::float3 across_2 = (square_2 > 0.00000001) ? leaning : metal::cross(aside, _e6);
+    metal::float3 _e33 = normalize_moderate(across_2 - (metal::dot(across_2, _e6) * _e6), metal::float3(1.0, 0.0, 0.0));
+    return metal::float3x3(_e33, metal::cross(_e6, _e33), _e6);
 }
 
 metal::uint3 hash_pcg3d(
     metal::uint3 seed
 ) {
-    metal::uint3 v_5 = {};
-    v_5 = (seed * 1664525u) + metal::uint3(1013904223u);
-    uint _e8 = v_5.x;
-    uint _e10 = v_5.y;
-    uint _e12 = v_5.z;
-    v_5.x = _e8 + (_e10 * _e12);
-    uint _e16 = v_5.y;
-    uint _e18 = v_5.z;
-    uint _e20 = v_5.x;
-    v_5.y = _e16 + (_e18 * _e20);
-    uint _e24 = v_5.z;
-    uint _e26 = v_5.x;
-    uint _e28 = v_5.y;
-    v_5.z = _e24 + (_e26 * _e28);
-    metal::uint3 _e31 = v_5;
-    metal::uint3 _e32 = v_5;
-    v_5 = _e31 ^ (_e32 >> metal::uint3(16u));
-    uint _e38 = v_5.x;
-    uint _e40 = v_5.y;
-    uint _e42 = v_5.z;
-    v_5.x = _e38 + (_e40 * _e42);
-    uint _e46 = v_5.y;
-    uint _e48 = v_5.z;
-    uint _e50 = v_5.x;
-    v_5.y = _e46 + (_e48 * _e50);
-    uint _e54 = v_5.z;
-    uint _e56 = v_5.x;
-    uint _e58 = v_5.y;
-    v_5.z = _e54 + (_e56 * _e58);
-    metal::uint3 _e61 = v_5;
+    metal::uint3 v_4 = {};
+    v_4 = (seed * 1664525u) + metal::uint3(1013904223u);
+    uint _e8 = v_4.x;
+    uint _e10 = v_4.y;
+    uint _e12 = v_4.z;
+    v_4.x = _e8 + (_e10 * _e12);
+    uint _e16 = v_4.y;
+    uint _e18 = v_4.z;
+    uint _e20 = v_4.x;
+    v_4.y = _e16 + (_e18 * _e20);
+    uint _e24 = v_4.z;
+    uint _e26 = v_4.x;
+    uint _e28 = v_4.y;
+    v_4.z = _e24 + (_e26 * _e28);
+    metal::uint3 _e31 = v_4;
+    metal::uint3 _e32 = v_4;
+    v_4 = _e31 ^ (_e32 >> metal::uint3(16u));
+    uint _e38 = v_4.x;
+    uint _e40 = v_4.y;
+    uint _e42 = v_4.z;
+    v_4.x = _e38 + (_e40 * _e42);
+    uint _e46 = v_4.y;
+    uint _e48 = v_4.z;
+    uint _e50 = v_4.x;
+    v_4.y = _e46 + (_e48 * _e50);
+    uint _e54 = v_4.z;
+    uint _e56 = v_4.x;
+    uint _e58 = v_4.y;
+    v_4.z = _e54 + (_e56 * _e58);
+    metal::uint3 _e61 = v_4;
     return _e61;
 }
 
@@ -284,8 +285,8 @@ float value_noise(
         if (metal::all(loop_bound == uint2(0u))) { break; }
         loop_bound -= uint2(loop_bound.y == 0u, 1u);
         if (!loop_init) {
-            int _e67 = i;
-            i = as_type<int>(as_type<uint>(_e67) + as_type<uint>(1));
+            int _e68 = i;
+            i = as_type<int>(as_type<uint>(_e68) + as_type<uint>(1));
         }
         loop_init = false;
         int _e21 = i;
@@ -298,11 +299,11 @@ float value_noise(
         metal::int3 at_1 = metal::int3(_e25 & 1, (_e28 >> 1u) & 1, _e33 >> 2u);
         metal::float3 weight = metal::select(metal::float3(1.0) - f_2, f_2, at_1 == metal::int3(1));
         float _e44 = sum;
-        metal::uint3 _e57 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1))) + metal::uint3(1401181199u, 2842855661u, 1390592883u));
-        sum = _e44 + (((weight.x * weight.y) * 0.5) * (static_cast<metal::float3>(_e57 >> metal::uint3(8u)) * 0.000000059604645).x);
+        metal::uint3 _e58 = hash_pcg3d(as_type<metal::uint3>(as_type<metal::int3>(as_type<metal::uint3>(cell) + as_type<metal::uint3>(at_1))) + (seed_1 * metal::uint3(2654435769u, 2246822507u, 3266489909u)));
+        sum = _e44 + (((weight.x * weight.y) * 0.5) * (static_cast<metal::float3>(_e58 >> metal::uint3(8u)) * 0.000000059604645).x);
     }
-    float _e70 = sum;
-    return _e70;
+    float _e71 = sum;
+    return _e71;
 }
 
 float size_on_screen(
@@ -353,8 +354,8 @@ StretchedPlace place_on_surface(
     metal::float3 _e15 = bounded_vec3_(_e13 * height);
     metal::float3 _e16 = gradient_on_picture(across_1, normal_1, view_1);
     metal::float3 _e18 = bounded_vec3_(_e16 * height);
-    StretchedPlace _e20 = mark_place_of(place_1, _e15, _e18, 0.0);
-    return _e20;
+    StretchedPlace _e19 = mark_place_of(place_1, _e15, _e18, angle_1);
+    return _e19;
 }
 
 StretchedPlace place_across(
@@ -370,8 +371,8 @@ StretchedPlace place_across(
     metal::float2 place_5 = metal::float2(metal::dot(position, _e11[0]), metal::dot(position, _e11[2]));
     metal::float3 _e19 = bounded_vec3_(world_from_normal * _e11[0]);
     metal::float3 _e22 = bounded_vec3_(world_from_normal * _e11[2]);
-    StretchedPlace _e24 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, 0.0);
-    return _e24;
+    StretchedPlace _e23 = place_on_surface(place_5, _e19, _e22, normal_2, view_2, magnification_1, angle_2);
+    return _e23;
 }
 
 SpacedPlace spaced(
@@ -390,7 +391,7 @@ SpacedPlace spaced(
 
 Stroke stroke_at(
     metal::int2 line,
-    float x_6,
+    float x_7,
     int zoom,
     Strokes style
 ) {
@@ -401,13 +402,13 @@ Stroke stroke_at(
 
 Stroke stroke_between(
     metal::int2 line_1,
-    float x_7,
+    float x_8,
     float level,
     Strokes style_1
 ) {
     float zoom_2 = metal::floor(level);
-    Stroke _e6 = stroke_at(line_1, x_7, naga_f2i32(zoom_2), style_1);
-    Stroke _e10 = stroke_at(line_1, x_7, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
+    Stroke _e6 = stroke_at(line_1, x_8, naga_f2i32(zoom_2), style_1);
+    Stroke _e10 = stroke_at(line_1, x_8, as_type<int>(as_type<uint>(naga_f2i32(zoom_2)) + as_type<uint>(1)), style_1);
     float f_3 = level - zoom_2;
     return Stroke {metal::mix(_e6.turn, _e10.turn, f_3), metal::mix(1.0, 1.0, f_3)};
 }
@@ -422,8 +423,8 @@ float stray_at(
     uint seed_2
 ) {
     metal::float2 p_2 = place_3 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(zoom_1) + as_type<uint>(127))) << 23u);
-    float _e19 = value_noise(metal::float3(0.11 * p_2.x, 0.45 * p_2.y, 0.5), 7u);
-    return ((_e19 - 0.5) * 2.0) * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_neg(zoom_1)) + as_type<uint>(127))) << 23u);
+    float _e18 = value_noise(metal::float3(0.11 * p_2.x, 0.45 * p_2.y, 0.5), seed_2);
+    return ((_e18 - 0.5) * 2.0) * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_neg(zoom_1)) + as_type<uint>(127))) << 23u);
 }
 
 float band_filtered(
@@ -500,8 +501,8 @@ float cross_hatched(
     Strokes own = {};
     int i_1 = 0;
     float free = 1.0;
-    metal::float2 x_8 = metal::dfdx(at.place);
-    metal::float2 y_1 = metal::dfdy(at.place);
+    metal::float2 x_9 = metal::dfdx(at.place);
+    metal::float2 y = metal::dfdy(at.place);
     uint2 loop_bound_1 = uint2(4294967295u);
     bool loop_init_1 = true;
     while(true) {
@@ -521,9 +522,9 @@ float cross_hatched(
             metal::float2 turn_1 = metal::float2(0.0, 1.0);
             metal::float2 along_2 = metal::float2(turn_1.y, turn_1.x);
             metal::float2 across_4 = metal::float2(-(turn_1.x), turn_1.y);
-            float w_3 = metal::length(metal::float2(metal::dot(across_4, x_8), metal::dot(across_4, y_1)));
-            float square_4 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
-            float _e59 = log2_stable(metal::max(metal::max(square_4, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
+            float w_3 = metal::length(metal::float2(metal::dot(across_4, x_9), metal::dot(across_4, y)));
+            float square_3 = metal::dot(metal::float3(across_4.x * across_4.x, (2.0 * across_4.x) * across_4.y, across_4.y * across_4.y), at.stretch);
+            float _e59 = log2_stable(metal::max(metal::max(square_3, (at.stretch.x + at.stretch.z) / 65.0), 0.000000000000000000000000000001));
             float level_2 = metal::clamp(-0.5 * _e59, -16.0, 16.0);
             metal::float2 place_6 = metal::float2(metal::dot(along_2, at.place), metal::dot(across_4, at.place));
             own = style_3;
@@ -547,8 +548,8 @@ MarkPlace mark_place_light(
     float magnification_2
 ) {
     metal::float3 toward_1 = light.direction * world_from_normal_1;
-    StretchedPlace _e10 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, 0.0);
-    return MarkPlace {_e10.place, {}, _e10.stretch};
+    StretchedPlace _e9 = place_across(toward_1, position_object, world_from_normal_1, normal_3, view_3, magnification_2, angle_3);
+    return MarkPlace {_e9.place, {}, _e9.stretch};
 }
 
 metal::float4 shade(

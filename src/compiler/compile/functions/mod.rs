@@ -21,7 +21,7 @@ mod reshape;
 #[cfg(test)]
 mod tests;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -73,6 +73,29 @@ pub(super) struct MadeFunction {
     pub(super) body: Body,
 }
 
+/// Names that a part of a module declares.
+#[derive(Debug)]
+struct DeclaredNames {
+    functions: HashMap<String, Handle<naga::Function>>,
+    constants: HashSet<String>,
+}
+
+impl DeclaredNames {
+    fn of(module: &naga::Module) -> Self {
+        let functions = module.functions.iter();
+        Self {
+            functions: functions
+                .filter_map(|(handle, function)| Some((function.name.clone()?, handle)))
+                .collect(),
+            constants: module.constants.iter().filter_map(|(_, c)| c.name.clone()).collect(),
+        }
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.functions.contains_key(name) || self.constants.contains(name)
+    }
+}
+
 type CallKey = (usize, Rc<str>, Tier, Vec<u64>);
 
 /// All functions that a module needs, each written once.
@@ -81,7 +104,8 @@ pub(super) struct SpecializedFunctions {
     pub(super) made: Vec<MadeFunction>,
     by_body: HashMap<(usize, Rc<str>, Body), usize>,
     by_call: HashMap<CallKey, CallForm>,
-    handles: HashMap<usize, HashMap<String, Handle<naga::Function>>>,
+    /// By address of the part of a module.
+    declared: HashMap<usize, Rc<DeclaredNames>>,
     depth: usize,
 }
 
@@ -139,16 +163,13 @@ impl SpecializedFunctions {
         let rules = scope.module.rules(name);
         let rule = rules.iter().find(|rule| facts::all_hold(&rule.facts, tier, arguments));
         let wanted = rule.map_or(name, |rule| &rule.function);
-        let handles = self.handles.entry(std::ptr::from_ref(scope.valid) as usize);
-        let handles = handles.or_insert_with(|| {
-            let functions = scope.valid.module.functions.iter();
-            functions
-                .filter_map(|(handle, function)| Some((function.name.clone()?, handle)))
-                .collect()
-        });
-        let handle = *handles.get(wanted)?;
+        let declared = self.declared.entry(std::ptr::from_ref(scope.valid) as usize);
+        let declared =
+            declared.or_insert_with(|| Rc::new(DeclaredNames::of(&scope.valid.module))).clone();
+        let handle = *declared.functions.get(wanted)?;
         let trace = intervals::trace(scope.module, scope.valid, handle, arguments)?;
-        let (body, is_changed) = lower::lower(self, scope, handle, tier, arguments, trace).ok()?;
+        let (body, is_changed) =
+            lower::lower(self, (scope, declared), handle, tier, arguments, trace).ok()?;
         let is_changed = is_changed || rule.is_some();
         if let [Line::Return(code)] = body.lines.as_slice()
             && code.size() <= MOST_INLINED

@@ -174,7 +174,7 @@ fn finish(soup: TriangleSoup, report: &mut ImportReport) -> Mesh {
             .add(Diagnostic::error("mesh-scale", message).hint("scale the mesh where it was made"));
     }
     let far = mesh.positions.iter().flatten().fold(0.0_f32, |far, x| far.max(x.abs()));
-    if far > FARTHEST {
+    if far > FARTHEST && RADII.contains(&radius) {
         let message = format!(
             "the mesh reaches to the coordinate {far:e}; only those up to {FARTHEST:e} can be drawn"
         );

@@ -20,12 +20,13 @@ mod operators;
 mod types;
 
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use naga::{Block, Expression, Handle, LocalVariable, Statement, TypeInner};
 
 use super::code::{Callee, Code, Line};
 use super::reshape::reshaped;
-use super::{CallForm, Scope, SpecializedFunctions};
+use super::{CallForm, DeclaredNames, Scope, SpecializedFunctions};
 use crate::compile::intervals::{self, Ranges, Trace};
 use crate::document::Tier;
 
@@ -59,18 +60,15 @@ type WriteResult<T> = Result<T, NotWritten>;
 /// changed.
 pub(super) fn lower(
     functions: &mut SpecializedFunctions,
-    scope: Scope<'_>,
+    (scope, declared): (Scope<'_>, Rc<DeclaredNames>),
     handle: Handle<naga::Function>,
     tier: Tier,
     arguments: &[Ranges],
     trace: Trace,
 ) -> WriteResult<(Body, bool)> {
     let function = &scope.valid.module.functions[handle];
-    let mut taken: HashSet<String> =
+    let taken: HashSet<String> =
         function.arguments.iter().filter_map(|argument| argument.name.clone()).collect();
-    let declared = scope.valid.module.functions.iter().filter_map(|(_, f)| f.name.clone());
-    let constants = scope.valid.module.constants.iter().filter_map(|(_, c)| c.name.clone());
-    taken.extend(declared.chain(constants));
     let mut lowering = FunctionWriter {
         functions,
         scope,
@@ -79,6 +77,7 @@ pub(super) fn lower(
         tier,
         arguments,
         trace,
+        declared,
         taken,
         locals: Vec::new(),
         variables: HashMap::new(),
@@ -108,6 +107,8 @@ struct FunctionWriter<'a> {
     tier: Tier,
     arguments: &'a [Ranges],
     trace: Trace,
+    declared: Rc<DeclaredNames>,
+    /// Names of parameters and locals.
     taken: HashSet<String>,
     locals: Vec<String>,
     /// The locals that are variables of the text.
@@ -125,7 +126,7 @@ impl FunctionWriter<'_> {
     fn local(&mut self, wanted: &str) -> usize {
         let mut name = wanted.to_owned();
         let mut count = 2;
-        while !self.taken.insert(name.clone()) {
+        while self.declared.has(&name) || !self.taken.insert(name.clone()) {
             name = format!("{wanted}_{count}");
             count += 1;
         }
