@@ -21,7 +21,7 @@ use std::sync::Arc;
 
 use super::CompileOptions;
 use super::check::TypedGraph;
-use super::functions::{CallForm, SpecializedFunctions};
+use super::functions::{CallForm, Code, SpecializedFunctions};
 use super::host::{
     Callee, HostDriver, HostProgram, ProgramStep, UniformMember, conversion_program,
 };
@@ -298,7 +298,9 @@ impl<'a> Emitter<'a> {
                 code.reads(index) > 1
                     && matches!(argument, Argument::Value(id) if !self.is_short(*id))
             };
-            if arguments.iter().enumerate().any(is_repeated) {
+            let is_refused =
+                code.with_arguments(&self.constant_arguments(arguments)).may_be_refused();
+            if is_refused || arguments.iter().enumerate().any(is_repeated) {
                 form = if *is_changed {
                     self.functions.function_of(&function.module, &function.name, code)
                 } else {
@@ -316,6 +318,20 @@ impl<'a> Emitter<'a> {
         let known = self.shortened.entry(special.values[id].node).or_default();
         *known = [known[0] + whole, known[1] + left.min(whole)];
         self.specialized.insert(id, form);
+    }
+
+    /// Arguments as parts of an expression, as far as they are constants; others are parameters.
+    fn constant_arguments(&self, arguments: &[Argument]) -> Vec<Code> {
+        let argument = |(index, argument): (usize, &Argument)| match argument {
+            Argument::Value(id) => match &self.special.values[*id].operation {
+                Operation::Constant(value) if value.parts().is_none() => {
+                    Code::Argument(self.expression(*id).into(), 0)
+                }
+                _ => Code::Parameter(index),
+            },
+            _ => Code::Parameter(index),
+        };
+        arguments.iter().enumerate().map(argument).collect()
     }
 
     /// Nodes whose functions take shorter forms, with what these leave out.

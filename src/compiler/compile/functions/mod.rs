@@ -8,11 +8,13 @@
 //!
 //! - `code`: statements and expressions.
 //! - `print`: their WGSL.
+//! - `constant`: expressions that WGSL computes when a shader is made.
 //! - `facts`: what ranges prove about arguments, for the rules that stand in the library's files.
 //! - `lower`: from naga's IR to statements, by the record that `intervals` keeps.
 //! - `reshape`: statements in the form in which people would write them.
 
 mod code;
+mod constant;
 mod facts;
 mod lower;
 mod print;
@@ -170,6 +172,11 @@ impl SpecializedFunctions {
         let trace = intervals::trace(scope.module, scope.valid, handle, arguments)?;
         let (body, is_changed) =
             lower::lower(self, (scope, declared), handle, tier, arguments, trace).ok()?;
+        let mut is_refused = false;
+        each_code(&body.lines, &mut |code| is_refused |= code.may_be_refused());
+        if is_refused {
+            return None;
+        }
         let is_changed = is_changed || rule.is_some();
         if let [Line::Return(code)] = body.lines.as_slice()
             && code.size() <= MOST_INLINED

@@ -1,0 +1,84 @@
+//! Expressions that WGSL computes when a shader is made, where a result that is no number is an
+//! error: `1.0 / 0.0` refuses the module, though the same of two parameters is infinite.
+
+use super::code::Code;
+
+/// Functions that give a number for every number.
+const TOTAL: [&str; 13] = [
+    "abs", "bool", "ceil", "clamp", "f32", "floor", "fract", "max", "min", "round", "select",
+    "sign", "trunc",
+];
+
+impl Code {
+    /// True if a part of it is computed when the shader is made, and may be refused there.
+    pub(in crate::compile) fn may_be_refused(&self) -> bool {
+        let mut found = false;
+        self.each(&mut |code| found |= code.is_constant() && !code.is_number_for_sure());
+        found
+    }
+
+    /// True if WGSL counts it as a constant expression.
+    fn is_constant(&self) -> bool {
+        match self {
+            Self::Text(..) | Self::Constant(_) => true,
+            Self::Argument(text, _) => number(text).is_some() || text.starts_with("vec"),
+            Self::Unary(_, of) | Self::Member(of, ..) => of.is_constant(),
+            Self::Binary(_, a, b) => a.is_constant() && b.is_constant(),
+            Self::BuiltIn(_, parts) => parts.iter().all(Self::is_constant),
+            _ => false,
+        }
+    }
+
+    /// True for a constant expression of which it is clear that it has a value.
+    fn is_number_for_sure(&self) -> bool {
+        match self {
+            Self::Binary(..) => self.value().is_some(),
+            Self::BuiltIn(name, _) => {
+                name.starts_with("vec") || name.starts_with("mat") || TOTAL.contains(&&**name)
+            }
+            _ => true,
+        }
+    }
+
+    /// The value of a constant expression of numbers, where f32 holds it.
+    fn value(&self) -> Option<f32> {
+        let found = match self {
+            Self::Text(text, _) | Self::Argument(text, _) => number(text)?,
+            Self::Unary("-", of) => -of.value()?,
+            Self::Binary(operator, a, b) => {
+                let (a, b) = (a.value()?, b.value()?);
+                match *operator {
+                    "+" => a + b,
+                    "-" => a - b,
+                    "*" => a * b,
+                    "/" => a / b,
+                    _ => return None,
+                }
+            }
+            _ => return None,
+        };
+        found.is_finite().then_some(found)
+    }
+}
+
+fn number(text: &str) -> Option<f32> {
+    text.trim_end_matches(['i', 'u']).parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_wgsl_would_refuse_is_found() {
+        let number = |text: &str| Box::new(Code::number(text));
+        let by = |a, b| Code::Binary("/", a, b);
+        assert!(by(number("1.0"), number("0.0")).may_be_refused());
+        assert!(!by(number("1.0"), number("3.0")).may_be_refused());
+        assert!(!by(number("1.0"), Box::new(Code::Parameter(0))).may_be_refused());
+        assert!(Code::BuiltIn("log".into(), vec![Code::number("0.0")]).may_be_refused());
+        assert!(!Code::BuiltIn("vec2f".into(), vec![Code::number("0.0")]).may_be_refused());
+        let inner = by(number("1.0"), number("0.0"));
+        assert!(Code::BuiltIn("min".into(), vec![inner, Code::Parameter(0)]).may_be_refused());
+    }
+}
