@@ -164,16 +164,25 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x_1)
 {
-    float clamped_1 = max(x_1, -126.0);
+    float clamped_1 = clamp(x_1, -126.0, 127.99999);
     float whole = round(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
     return (twice * asfloat((uint(asint(asuint(naga_f2i32(whole)) + asuint(int(126)))) << 23u)));
 }
 
-float log2_stable(float x_2)
+float exp2_stable_2_(float x_2)
 {
-    uint bits = asuint(x_2);
+    float clamped_2 = max(x_2, -126.0);
+    float whole_1 = round(clamped_2);
+    float f_1 = (clamped_2 - whole_1);
+    float twice_1 = (2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724))))))))))));
+    return (twice_1 * asfloat((uint(asint(asuint(naga_f2i32(whole_1)) + asuint(int(126)))) << 23u)));
+}
+
+float log2_stable(float x_3)
+{
+    uint bits = asuint(x_3);
     int exponent_2 = (asint((bits - 1060439283u)) >> 23u);
     float mantissa = asfloat((bits - (asuint(exponent_2) << 23u)));
     float z = ((mantissa - 1.0) / (mantissa + 1.0));
@@ -181,9 +190,9 @@ float log2_stable(float x_2)
     return (float(exponent_2) + (z * (2.88539 + (z2_ * (0.96179885 + (z2_ * (0.57671434 + (z2_ * 0.4317379))))))));
 }
 
-float log_stable(float x_3)
+float log_stable(float x_4)
 {
-    const float _e2 = log2_stable(x_3);
+    const float _e2 = log2_stable(x_4);
     return (LN_2_ * _e2);
 }
 
@@ -204,9 +213,9 @@ float log1p_negative(float y_1)
     return _e8;
 }
 
-float2 sin_cos_quarter(float x_4)
+float2 sin_cos_quarter(float x_5)
 {
-    float h = (0.5 * x_4);
+    float h = (0.5 * x_5);
     float h2_ = (h * h);
     float s = (h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (2.7557319e-6 + (h2_ * -2.5052108e-8)))))))))));
     float one_minus_c = (h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-2.4801588e-5 + (h2_ * (2.755732e-7 + (h2_ * -2.0876756e-9)))))))))));
@@ -214,18 +223,18 @@ float2 sin_cos_quarter(float x_4)
     return float2(((2.0 * s) * c), (1.0 - ((2.0 * s) * s)));
 }
 
-float2 sin_cos_tiny(float x_5)
+float2 sin_cos_tiny(float x_6)
 {
-    float y_5 = (x_5 * x_5);
-    float s_1 = (x_5 * (1.0 + (y_5 * (-0.16666667 + (y_5 * 0.008333334)))));
+    float y_5 = (x_6 * x_6);
+    float s_1 = (x_6 * (1.0 + (y_5 * (-0.16666667 + (y_5 * 0.008333334)))));
     float c_1 = (1.0 - (y_5 * (0.5 + (y_5 * (-0.041666668 + (y_5 * 0.0013888889))))));
     return float2(s_1, c_1);
 }
 
-float2 sin_cos(float x_6)
+float2 sin_cos(float x_7)
 {
-    float turns = round((x_6 * 0.31830987));
-    float r = (((x_6 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
+    float turns = round((x_7 * 0.31830987));
+    float r = (((x_7 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 6.2783295e-7));
     float sign_ = (1.0 - (2.0 * abs((turns - (2.0 * trunc((turns * 0.5)))))));
     const float2 _e27 = sin_cos_quarter(clamp(r, -1.5707964, HALF_PI));
     return (sign_ * _e27);
@@ -243,10 +252,10 @@ float3 normalize_seen(float3 v_3)
     return _e5;
 }
 
-float atan2_positive(float y_2, float x_7)
+float atan2_positive(float y_2, float x_8)
 {
-    float small = min(y_2, x_7);
-    float large = max(y_2, x_7);
+    float small = min(y_2, x_8);
+    float large = max(y_2, x_8);
     if ((large <= 0.0)) {
         return 0.0;
     }
@@ -256,7 +265,7 @@ float atan2_positive(float y_2, float x_7)
     float r2_ = (r_1 * r_1);
     float series = (r_1 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353)))))))))))))))));
     float a = (is_wide ? (series + 0.7853982) : series);
-    return ((y_2 > x_7) ? (HALF_PI - a) : a);
+    return ((y_2 > x_8) ? (HALF_PI - a) : a);
 }
 
 float angle_footprint(Angle u)
@@ -295,12 +304,12 @@ Angle angle_turned_2_(Angle u_2, float2 t_1)
     return angle_4;
 }
 
-float bounded(float x_8)
+float bounded(float x_9)
 {
-    uint bits_1 = asuint(x_8);
+    uint bits_1 = asuint(x_9);
     uint magnitude = (bits_1 & 2147483647u);
     float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
-    return ((magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+    return ((magnitude < 2139095040u) ? x_9 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
 }
 
 float3 bounded_vec3_(float3 v_4)
@@ -312,10 +321,10 @@ float3 bounded_vec3_(float3 v_4)
     return ((magnitude_1 < (2139095040u).xxx) ? v_4 : numbers);
 }
 
-float footprint_of(float x_9)
+float footprint_of(float x_10)
 {
-    float _e1 = ddx(x_9);
-    float _e2 = ddy(x_9);
+    float _e1 = ddx(x_10);
+    float _e2 = ddy(x_10);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -338,9 +347,18 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
+    const float3 _e7 = normalize_or(direction, float3(0.0, 0.0, 1.0));
+    const float3 _e10 = normalize_or(x_axis, (0.0).xxx);
+    const float3 _e13 = normalize_or(y_axis, (0.0).xxx);
+    const DirectionParts directionparts = ConstructDirectionParts(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
     return directionparts;
+}
+
+DirectionParts direction_within_2_(float3 direction_1, float3 x_axis_1, float3 y_axis_1)
+{
+    const float3 _e5 = normalize_moderate(y_axis_1, (0.0).xxx);
+    const DirectionParts directionparts_1 = ConstructDirectionParts(direction_1, x_axis_1, _e5, float2(dot(direction_1, x_axis_1), dot(direction_1, _e5)));
+    return directionparts_1;
 }
 
 float3 direction_moved(DirectionParts parts, float2 by)
@@ -369,9 +387,9 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_1, float3 up_1)
+AxesAround axes(float3 direction_2, float3 up_1)
 {
-    const float3x3 _e2 = axes_around(direction_1, up_1);
+    const float3x3 _e2 = axes_around(direction_2, up_1);
     const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
@@ -384,31 +402,41 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_10, float y_3)
+float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_11, float y_3)
 {
-    const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    const DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_10, y_3), (0.0).xx)) * side));
+    const float3 _e21 = direction_moved(_e5, (-(max(float2(x_11, y_3), (0.0).xx)) * side));
     return _e21;
 }
 
-float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
+float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float amount, float sharpness)
 {
-    const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    bool local = (bool)0;
+
+    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
-    const float _e23 = log1p_negative(aside_1);
-    const float _e25 = exp2_stable((5.77078 * _e23));
-    float corner = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e25 : 0.0);
-    const float3 _e40 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
-    return _e40;
+    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
+    const float _e23 = bounded(sharpness);
+    float sharp = clamp(_e23, 1.0, 1024.0);
+    const float _e29 = log1p_negative(aside_1);
+    const float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
+    if ((square_3 > 1e-20)) {
+        local = (aside_1 < 1.0);
+    } else {
+        local = false;
+    }
+    bool _e39 = local;
+    float corner = (_e39 ? _e31 : 0.0);
+    const float3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner) * _e5.place));
+    return _e49;
 }
 
-float3 stretch_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float x_11, float y_4)
+float3 stretch_direction(float3 direction_5, float3 x_axis_4, float3 y_axis_4, float x_12, float y_4)
 {
-    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
-    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_11, y_4), (1.0).xx)) * _e5.place));
+    const DirectionParts _e5 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
+    const float3 _e13 = direction_moved(_e5, (-(min(float2(x_12, y_4), (1.0).xx)) * _e5.place));
     return _e13;
 }
 
@@ -433,7 +461,7 @@ float profile_power(float q, float exponent)
         log_base = _e18;
     }
     float _e19 = log_base;
-    const float _e21 = exp2_stable((exponent * _e19));
+    const float _e21 = exp2_stable_2_((exponent * _e19));
     return min(_e21, 1.0);
 }
 
@@ -545,7 +573,7 @@ float4 shade(Surface surface_1)
     float _e69 = look.turn_angle;
     const float3 _e70 = rotate_vector(float3(0.0, 1.0, 0.0), _e62, _e69);
     const AxesAround _e71 = axes(_e62, _e70);
-    const DirectionParts _e74 = direction_within(normal_3, _e71.x_axis, _e71.y_axis);
+    const DirectionParts _e74 = direction_within_2_(normal_3, _e71.x_axis, _e71.y_axis);
     float _e77 = look.move_x;
     float _e80 = look.move_y;
     const float3 _e82 = direction_moved(_e74, float2(_e77, _e80));

@@ -124,17 +124,27 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x_1
 ) {
-    float clamped_1 = metal::max(x_1, -126.0);
+    float clamped_1 = metal::clamp(x_1, -126.0, 127.99999);
     float whole = metal::rint(clamped_1);
     float f = clamped_1 - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
     return twice * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole)) + as_type<uint>(126))) << 23u);
 }
 
-float log2_stable(
+float exp2_stable_2_(
     float x_2
 ) {
-    uint bits = as_type<uint>(x_2);
+    float clamped_2 = metal::max(x_2, -126.0);
+    float whole_1 = metal::rint(clamped_2);
+    float f_1 = clamped_2 - whole_1;
+    float twice_1 = 2.0 + (f_1 * (1.3862944 + (f_1 * (0.48045295 + (f_1 * (0.11100665 + (f_1 * (0.019236874 + (f_1 * (0.002679775 + (f_1 * 0.00030706724)))))))))));
+    return twice_1 * as_type<float>(static_cast<uint>(as_type<int>(as_type<uint>(naga_f2i32(whole_1)) + as_type<uint>(126))) << 23u);
+}
+
+float log2_stable(
+    float x_3
+) {
+    uint bits = as_type<uint>(x_3);
     int exponent_2 = as_type<int>(bits - 1060439283u) >> 23u;
     float mantissa = as_type<float>(bits - (as_type<uint>(exponent_2) << 23u));
     float z = (mantissa - 1.0) / (mantissa + 1.0);
@@ -143,9 +153,9 @@ float log2_stable(
 }
 
 float log_stable(
-    float x_3
+    float x_4
 ) {
-    float _e2 = log2_stable(x_3);
+    float _e2 = log2_stable(x_4);
     return LN_2_ * _e2;
 }
 
@@ -169,9 +179,9 @@ float log1p_negative(
 }
 
 metal::float2 sin_cos_quarter(
-    float x_4
+    float x_5
 ) {
-    float h = 0.5 * x_4;
+    float h = 0.5 * x_5;
     float h2_ = h * h;
     float s = h * (1.0 + (h2_ * (-0.16666667 + (h2_ * (0.008333334 + (h2_ * (-0.0001984127 + (h2_ * (0.0000027557319 + (h2_ * -0.000000025052108))))))))));
     float one_minus_c = h2_ * (0.5 + (h2_ * (-0.041666668 + (h2_ * (0.0013888889 + (h2_ * (-0.000024801588 + (h2_ * (0.0000002755732 + (h2_ * -0.0000000020876756))))))))));
@@ -180,19 +190,19 @@ metal::float2 sin_cos_quarter(
 }
 
 metal::float2 sin_cos_tiny(
-    float x_5
+    float x_6
 ) {
-    float y_5 = x_5 * x_5;
-    float s_1 = x_5 * (1.0 + (y_5 * (-0.16666667 + (y_5 * 0.008333334))));
+    float y_5 = x_6 * x_6;
+    float s_1 = x_6 * (1.0 + (y_5 * (-0.16666667 + (y_5 * 0.008333334))));
     float c_1 = 1.0 - (y_5 * (0.5 + (y_5 * (-0.041666668 + (y_5 * 0.0013888889)))));
     return metal::float2(s_1, c_1);
 }
 
 metal::float2 sin_cos(
-    float x_6
+    float x_7
 ) {
-    float turns = metal::rint(x_6 * 0.31830987);
-    float r = ((x_6 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
+    float turns = metal::rint(x_7 * 0.31830987);
+    float r = ((x_7 - (turns * 3.140625)) - (turns * 0.00096702576)) - (turns * 0.00000062783295);
     float sign = 1.0 - (2.0 * metal::abs(turns - (2.0 * metal::trunc(turns * 0.5))));
     metal::float2 _e27 = sin_cos_quarter(metal::clamp(r, -1.5707964, HALF_PI));
     return sign * _e27;
@@ -215,10 +225,10 @@ metal::float3 normalize_seen(
 
 float atan2_positive(
     float y_2,
-    float x_7
+    float x_8
 ) {
-    float small = metal::min(y_2, x_7);
-    float large = metal::max(y_2, x_7);
+    float small = metal::min(y_2, x_8);
+    float large = metal::max(y_2, x_8);
     if (large <= 0.0) {
         return 0.0;
     }
@@ -228,7 +238,7 @@ float atan2_positive(
     float r2_ = r_1 * r_1;
     float series = r_1 * (1.0 + (r2_ * (-0.33333334 + (r2_ * (0.2 + (r2_ * (-0.14285715 + (r2_ * (0.11111111 + (r2_ * (-0.09090909 + (r2_ * (0.07692308 + (r2_ * (-0.06666667 + (r2_ * 0.05882353))))))))))))))));
     float a = is_wide ? (series + 0.7853982) : series;
-    return (y_2 > x_7) ? (HALF_PI - a) : a;
+    return (y_2 > x_8) ? (HALF_PI - a) : a;
 }
 
 float angle_footprint(
@@ -264,12 +274,12 @@ Angle angle_turned_2_(
 }
 
 float bounded(
-    float x_8
+    float x_9
 ) {
-    uint bits_1 = as_type<uint>(x_8);
+    uint bits_1 = as_type<uint>(x_9);
     uint magnitude = bits_1 & 2147483647u;
     float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
-    return (magnitude < 2139095040u) ? x_8 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+    return (magnitude < 2139095040u) ? x_9 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
 }
 
 metal::float3 bounded_vec3_(
@@ -283,10 +293,10 @@ metal::float3 bounded_vec3_(
 }
 
 float footprint_of(
-    float x_9
+    float x_10
 ) {
-    float _e1 = metal::dfdx(x_9);
-    float _e2 = metal::dfdy(x_9);
+    float _e1 = metal::dfdx(x_10);
+    float _e2 = metal::dfdy(x_10);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -304,8 +314,19 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
-    return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
+    metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
+    metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
+    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
+}
+
+DirectionParts direction_within_2_(
+    metal::float3 direction_1,
+    metal::float3 x_axis_1,
+    metal::float3 y_axis_1
+) {
+    metal::float3 _e5 = normalize_moderate(y_axis_1, metal::float3(0.0));
+    return DirectionParts {direction_1, x_axis_1, _e5, metal::float2(metal::dot(direction_1, x_axis_1), metal::dot(direction_1, _e5))};
 }
 
 metal::float3 direction_moved(
@@ -332,10 +353,10 @@ metal::float3x3 axes_around(
 }
 
 AxesAround axes(
-    metal::float3 direction_1,
+    metal::float3 direction_2,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e2 = axes_around(direction_1, up_1);
+    metal::float3x3 _e2 = axes_around(direction_2, up_1);
     return AxesAround {_e2[0], _e2[1]};
 }
 
@@ -350,45 +371,54 @@ metal::float3 half_vector(
 }
 
 metal::float3 split_direction(
-    metal::float3 direction_2,
-    metal::float3 x_axis_1,
-    metal::float3 y_axis_1,
-    float x_10,
+    metal::float3 direction_3,
+    metal::float3 x_axis_2,
+    metal::float3 y_axis_2,
+    float x_11,
     float y_3
 ) {
-    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_10, y_3), metal::float2(0.0))) * side);
+    metal::float3 _e21 = direction_moved(_e5, -(metal::max(metal::float2(x_11, y_3), metal::float2(0.0))) * side);
     return _e21;
 }
 
 metal::float3 square_direction(
-    metal::float3 direction_3,
-    metal::float3 x_axis_2,
-    metal::float3 y_axis_2,
-    float amount,
-    float sharpness
-) {
-    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
-    float square_3 = metal::dot(_e5.place, _e5.place);
-    float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
-    float _e23 = log1p_negative(aside_1);
-    float _e25 = exp2_stable(5.77078 * _e23);
-    float corner = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e25 : 0.0;
-    metal::float3 _e40 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner) * _e5.place);
-    return _e40;
-}
-
-metal::float3 stretch_direction(
     metal::float3 direction_4,
     metal::float3 x_axis_3,
     metal::float3 y_axis_3,
-    float x_11,
+    float amount,
+    float sharpness
+) {
+    bool local = {};
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
+    float square_3 = metal::dot(_e5.place, _e5.place);
+    float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
+    float aside_1 = metal::clamp((apart * apart) / metal::max(square_3, 0.00000000000000000001), 0.0, 1.0);
+    float _e23 = bounded(sharpness);
+    float sharp = metal::clamp(_e23, 1.0, 1024.0);
+    float _e29 = log1p_negative(aside_1);
+    float _e31 = exp2_stable((sharp * LOG2_E) * _e29);
+    if (square_3 > 0.00000000000000000001) {
+        local = aside_1 < 1.0;
+    } else {
+        local = false;
+    }
+    bool _e39 = local;
+    float corner = _e39 ? _e31 : 0.0;
+    metal::float3 _e49 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner) * _e5.place);
+    return _e49;
+}
+
+metal::float3 stretch_direction(
+    metal::float3 direction_5,
+    metal::float3 x_axis_4,
+    metal::float3 y_axis_4,
+    float x_12,
     float y_4
 ) {
-    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
-    metal::float3 _e13 = direction_moved(_e5, -(metal::min(metal::float2(x_11, y_4), metal::float2(1.0))) * _e5.place);
+    DirectionParts _e5 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
+    metal::float3 _e13 = direction_moved(_e5, -(metal::min(metal::float2(x_12, y_4), metal::float2(1.0))) * _e5.place);
     return _e13;
 }
 
@@ -419,7 +449,7 @@ float profile_power(
         log_base = _e18;
     }
     float _e19 = log_base;
-    float _e21 = exp2_stable(exponent * _e19);
+    float _e21 = exp2_stable_2_(exponent * _e19);
     return metal::min(_e21, 1.0);
 }
 
@@ -558,7 +588,7 @@ metal::float4 shade(
     float _e69 = look.turn_angle;
     metal::float3 _e70 = rotate_vector(metal::float3(0.0, 1.0, 0.0), _e62, _e69);
     AxesAround _e71 = axes(_e62, _e70);
-    DirectionParts _e74 = direction_within(normal_1, _e71.x_axis, _e71.y_axis);
+    DirectionParts _e74 = direction_within_2_(normal_1, _e71.x_axis, _e71.y_axis);
     float _e77 = look.move_x;
     float _e80 = look.move_y;
     metal::float3 _e82 = direction_moved(_e74, metal::float2(_e77, _e80));

@@ -106,6 +106,18 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
+    let clamped = clamp(x, -126.0, 127.999992);
+    let whole = round(clamped);
+    let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
+    let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
+        + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
+    return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
+}
+
+/// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
+/// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
+fn exp2_stable_2(x: f32) -> f32 {
     let clamped = max(x, -126.0);
     let whole = round(clamped);
     let f = clamped - whole;
@@ -293,6 +305,15 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
+    let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
+    let x = normalize_or(x_axis, vec3f(0.0));
+    let y = normalize_or(y_axis, vec3f(0.0));
+    return DirectionParts(d, x, y, vec2f(dot(d, x), dot(d, y)));
+}
+
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
+fn direction_within_2(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
     let y = normalize_moderate(y_axis, vec3f(0.0));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
@@ -350,7 +371,7 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 /// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
 /// panes in an eye.
 fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
-    let bent = direction_within(direction, x_axis, y_axis);
+    let bent = direction_within_2(direction, x_axis, y_axis);
     let side = select(vec2f(-1.0), vec2f(1.0), bent.place >= vec2f(0.0));
     return direction_moved(bent, -max(vec2f(x, y), vec2f(0.0)) * side);
 }
@@ -358,14 +379,17 @@ fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f3
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32)
-    -> vec3f {
+fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
+    sharpness: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
+    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
+    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
-    let aside = min(apart * apart / max(square, 1e-20), 1.0);
-    let corner = select(0.0, exp2_stable(4.0 * LOG2_E * log1p_negative(aside)), (square > 1e-20)
-        & (aside < 1.0));
+    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
+    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
+    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20
+        && aside < 1.0);
     return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
@@ -374,7 +398,7 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
 /// Makes a highlight longer along an axis (above 0) or shorter (below 0): streaks of silk, hair and
 /// brushed metal.
 fn stretch_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
-    let bent = direction_within(direction, x_axis, y_axis);
+    let bent = direction_within_2(direction, x_axis, y_axis);
     return direction_moved(bent, -min(vec2f(x, y), vec2f(1.0)) * bent.place);
 }
 
@@ -431,7 +455,7 @@ fn profile_power(q: f32, exponent: f32) -> f32 {
     } else {
         log_base = log2_stable((1.0 - q) * (1.0 + q));
     }
-    return min(exp2_stable(exponent * log_base), 1.0);
+    return min(exp2_stable_2(exponent * log_base), 1.0);
 }
 
 /// alpha averaged over a footprint of `w` radians (docs/math.md 2.4): the hard step where w is 0, a
@@ -530,7 +554,7 @@ fn shade(surface: Surface) -> vec4f {
     let half = half_vector(look.key, surface.view);
     let turn = rotate_vector(vec3f(0.0, 1.0, 0.0), half, look.turn_angle);
     let axes_of_the_highlight = axes(half, turn);
-    let move_2 = direction_moved(direction_within(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), vec2f(look.move_x, look.move_y));
+    let move_2 = direction_moved(direction_within_2(normal, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis), vec2f(look.move_x, look.move_y));
     let stretch = stretch_direction(move_2, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.stretch_x, look.stretch_y);
     let split = split_direction(stretch, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.split_x, look.split_y);
     let square = square_direction(split, axes_of_the_highlight.x_axis, axes_of_the_highlight.y_axis, look.square_amount, 4.0);

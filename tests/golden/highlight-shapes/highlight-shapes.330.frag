@@ -87,7 +87,7 @@ vec3 normalize_or(vec3 v, vec3 otherwise) {
 }
 
 float exp2_stable(float x_1) {
-    float clamped_1 = max(x_1, -126.0);
+    float clamped_1 = clamp(x_1, -126.0, 127.99999);
     float whole = roundEven(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
@@ -179,17 +179,24 @@ Angle angle_turned(Angle u_1, vec2 t) {
     return Angle(turned.x, turned.y);
 }
 
-float angle_of_point(float y_3, float x_6) {
-    vec2 p = abs(vec2(x_6, y_3));
+float bounded(float x_6) {
+    uint bits_1 = floatBitsToUint(x_6);
+    uint magnitude = (bits_1 & 2147483647u);
+    float largest_1 = uintBitsToFloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+}
+
+float angle_of_point(float y_3, float x_7) {
+    vec2 p = abs(vec2(x_7, y_3));
     vec2 scaled_1 = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
     float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = ((x_6 < 0.0) ? (PI - _e14) : _e14);
+    float turned_1 = ((x_7 < 0.0) ? (PI - _e14) : _e14);
     return ((y_3 < 0.0) ? -(turned_1) : turned_1);
 }
 
-float footprint_of(float x_7) {
-    float _e1 = dFdx(x_7);
-    float _e2 = dFdy(x_7);
+float footprint_of(float x_8) {
+    float _e1 = dFdx(x_8);
+    float _e2 = dFdy(x_8);
     vec2 d = vec2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -201,14 +208,28 @@ vec3 any_orthogonal(vec3 n) {
 }
 
 DirectionParts direction_within(vec3 direction, vec3 x_axis, vec3 y_axis) {
-    vec3 _e5 = normalize_moderate(y_axis, vec3(0.0));
-    return DirectionParts(direction, x_axis, _e5, vec2(dot(direction, x_axis), dot(direction, _e5)));
+    vec3 _e7 = normalize_or(direction, vec3(0.0, 0.0, 1.0));
+    vec3 _e10 = normalize_or(x_axis, vec3(0.0));
+    vec3 _e13 = normalize_or(y_axis, vec3(0.0));
+    return DirectionParts(_e7, _e10, _e13, vec2(dot(_e7, _e10), dot(_e7, _e13)));
+}
+
+DirectionParts direction_within_2_(vec3 direction_1, vec3 x_axis_1, vec3 y_axis_1) {
+    vec3 _e5 = normalize_moderate(y_axis_1, vec3(0.0));
+    return DirectionParts(direction_1, x_axis_1, _e5, vec2(dot(direction_1, x_axis_1), dot(direction_1, _e5)));
 }
 
 vec3 direction_moved(DirectionParts parts, vec2 by) {
-    vec3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
-    vec3 _e13 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
+    vec2 step_ = clamp(by, vec2(-1000000.0), vec2(1000000.0));
+    vec3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    vec3 _e18 = normalize_or(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+}
+
+vec3 direction_moved_2_(DirectionParts parts_1, vec2 by_1) {
+    vec3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
+    vec3 _e13 = normalize_moderate(moved_1, parts_1.direction);
+    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
 }
 
 mat3x3 axes_around(vec3 toward, vec3 up) {
@@ -231,8 +252,8 @@ float star_reach(float turn, float rays, float inner, float round_) {
     return mix(straight, 1.0, round_);
 }
 
-AxesAround axes(vec3 direction_1, vec3 up_1) {
-    mat3x3 _e2 = axes_around(direction_1, up_1);
+AxesAround axes(vec3 direction_2, vec3 up_1) {
+    mat3x3 _e2 = axes_around(direction_2, up_1);
     return AxesAround(_e2[0], _e2[1]);
 }
 
@@ -243,27 +264,36 @@ vec3 half_vector(Light light, vec3 view) {
     return _e9;
 }
 
-vec3 split_direction(vec3 direction_2, vec3 x_axis_1, vec3 y_axis_1, float x_8, float y_4) {
-    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+vec3 split_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float x_9, float y_4) {
+    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
     vec2 side = mix(vec2(-1.0), vec2(1.0), greaterThanEqual(_e5.place, vec2(0.0)));
-    vec3 _e18 = direction_moved(_e5, (-(vec2(x_8, y_4)) * side));
+    vec3 _e18 = direction_moved_2_(_e5, (-(vec2(x_9, y_4)) * side));
     return _e18;
 }
 
-vec3 square_direction(vec3 direction_3, vec3 x_axis_2, vec3 y_axis_2, float amount, float sharpness) {
-    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+vec3 square_direction(vec3 direction_4, vec3 x_axis_3, vec3 y_axis_3, float amount, float sharpness) {
+    bool local = false;
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
-    float _e23 = log1p_negative(aside_1);
-    float _e25 = exp2_stable((5.77078 * _e23));
-    float corner_1 = (((square_3 > 1e-20) && (aside_1 < 1.0)) ? _e25 : 0.0);
-    vec3 _e37 = direction_moved(_e5, ((-(amount) * corner_1) * _e5.place));
-    return _e37;
+    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
+    float _e23 = bounded(sharpness);
+    float sharp = clamp(_e23, 1.0, 1024.0);
+    float _e29 = log1p_negative(aside_1);
+    float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
+    if ((square_3 > 1e-20)) {
+        local = (aside_1 < 1.0);
+    } else {
+        local = false;
+    }
+    bool _e39 = local;
+    float corner_1 = (_e39 ? _e31 : 0.0);
+    vec3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place));
+    return _e49;
 }
 
-Angle star_angle(vec3 direction_4, vec3 middle, vec3 x_axis_3, vec3 y_axis_3, int rays_1, float inner_1, float round_1, float turn_1) {
-    DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
+Angle star_angle(vec3 direction_5, vec3 middle, vec3 x_axis_4, vec3 y_axis_4, int rays_1, float inner_1, float round_1, float turn_1) {
+    DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
     Angle u_5 = Angle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);

@@ -152,7 +152,7 @@ int naga_f2i32(float value) {
 
 float exp2_stable(float x_1)
 {
-    float clamped_1 = max(x_1, -126.0);
+    float clamped_1 = clamp(x_1, -126.0, 127.99999);
     float whole = round(clamped_1);
     float f = (clamped_1 - whole);
     float twice = (2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724))))))))))));
@@ -264,19 +264,27 @@ Angle angle_turned(Angle u_1, float2 t)
     return angle_3;
 }
 
-float angle_of_point(float y_3, float x_6)
+float bounded(float x_6)
 {
-    float2 p = abs(float2(x_6, y_3));
+    uint bits_1 = asuint(x_6);
+    uint magnitude = (bits_1 & 2147483647u);
+    float largest_1 = asfloat(((bits_1 & 2147483648u) | 2139095039u));
+    return ((magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0));
+}
+
+float angle_of_point(float y_3, float x_7)
+{
+    float2 p = abs(float2(x_7, y_3));
     float2 scaled_1 = ((max(p.x, p.y) > 1.0) ? (0.5 * p) : p);
     const float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = ((x_6 < 0.0) ? (PI - _e14) : _e14);
+    float turned_1 = ((x_7 < 0.0) ? (PI - _e14) : _e14);
     return ((y_3 < 0.0) ? -(turned_1) : turned_1);
 }
 
-float footprint_of(float x_7)
+float footprint_of(float x_8)
 {
-    float _e1 = ddx(x_7);
-    float _e2 = ddy(x_7);
+    float _e1 = ddx(x_8);
+    float _e2 = ddy(x_8);
     float2 d = float2(_e1, _e2);
     return sqrt(dot(d, d));
 }
@@ -299,16 +307,33 @@ DirectionParts ConstructDirectionParts(float3 arg0, float3 arg1, float3 arg2, fl
 
 DirectionParts direction_within(float3 direction, float3 x_axis, float3 y_axis)
 {
-    const float3 _e5 = normalize_moderate(y_axis, (0.0).xxx);
-    const DirectionParts directionparts = ConstructDirectionParts(direction, x_axis, _e5, float2(dot(direction, x_axis), dot(direction, _e5)));
+    const float3 _e7 = normalize_or(direction, float3(0.0, 0.0, 1.0));
+    const float3 _e10 = normalize_or(x_axis, (0.0).xxx);
+    const float3 _e13 = normalize_or(y_axis, (0.0).xxx);
+    const DirectionParts directionparts = ConstructDirectionParts(_e7, _e10, _e13, float2(dot(_e7, _e10), dot(_e7, _e13)));
     return directionparts;
+}
+
+DirectionParts direction_within_2_(float3 direction_1, float3 x_axis_1, float3 y_axis_1)
+{
+    const float3 _e5 = normalize_moderate(y_axis_1, (0.0).xxx);
+    const DirectionParts directionparts_1 = ConstructDirectionParts(direction_1, x_axis_1, _e5, float2(dot(direction_1, x_axis_1), dot(direction_1, _e5)));
+    return directionparts_1;
 }
 
 float3 direction_moved(DirectionParts parts, float2 by)
 {
-    float3 moved = ((parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis));
-    const float3 _e13 = normalize_moderate(moved, parts.direction);
-    return ((dot(moved, moved) > 1e-6) ? _e13 : parts.direction);
+    float2 step_ = clamp(by, (-1000000.0).xx, (1000000.0).xx);
+    float3 moved = ((parts.direction + (step_.x * parts.x_axis)) + (step_.y * parts.y_axis));
+    const float3 _e18 = normalize_or(moved, parts.direction);
+    return ((dot(moved, moved) > 1e-6) ? _e18 : parts.direction);
+}
+
+float3 direction_moved_2_(DirectionParts parts_1, float2 by_1)
+{
+    float3 moved_1 = ((parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis));
+    const float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
+    return ((dot(moved_1, moved_1) > 1e-6) ? _e13 : parts_1.direction);
 }
 
 float3x3 axes_around(float3 toward, float3 up)
@@ -340,9 +365,9 @@ AxesAround ConstructAxesAround(float3 arg0, float3 arg1) {
     return ret;
 }
 
-AxesAround axes(float3 direction_1, float3 up_1)
+AxesAround axes(float3 direction_2, float3 up_1)
 {
-    const float3x3 _e2 = axes_around(direction_1, up_1);
+    const float3x3 _e2 = axes_around(direction_2, up_1);
     const AxesAround axesaround = ConstructAxesAround(_e2[0], _e2[1]);
     return axesaround;
 }
@@ -355,30 +380,40 @@ float3 half_vector(Light light, float3 view)
     return _e9;
 }
 
-float3 split_direction(float3 direction_2, float3 x_axis_1, float3 y_axis_1, float x_8, float y_4)
+float3 split_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float x_9, float y_4)
 {
-    const DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    const DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
     float2 side = ((_e5.place >= (0.0).xx) ? (1.0).xx : (-1.0).xx);
-    const float3 _e18 = direction_moved(_e5, (-(float2(x_8, y_4)) * side));
+    const float3 _e18 = direction_moved_2_(_e5, (-(float2(x_9, y_4)) * side));
     return _e18;
 }
 
-float3 square_direction(float3 direction_3, float3 x_axis_2, float3 y_axis_2, float amount, float sharpness)
+float3 square_direction(float3 direction_4, float3 x_axis_3, float3 y_axis_3, float amount, float sharpness)
 {
-    const DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    bool local = (bool)0;
+
+    const DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_3 = dot(_e5.place, _e5.place);
     float apart = (abs(_e5.place.x) - abs(_e5.place.y));
-    float aside_1 = min(((apart * apart) / max(square_3, 1e-20)), 1.0);
-    const float _e23 = log1p_negative(aside_1);
-    const float _e25 = exp2_stable((5.77078 * _e23));
-    float corner_1 = (((square_3 > 1e-20) & (aside_1 < 1.0)) ? _e25 : 0.0);
-    const float3 _e37 = direction_moved(_e5, ((-(amount) * corner_1) * _e5.place));
-    return _e37;
+    float aside_1 = clamp(((apart * apart) / max(square_3, 1e-20)), 0.0, 1.0);
+    const float _e23 = bounded(sharpness);
+    float sharp = clamp(_e23, 1.0, 1024.0);
+    const float _e29 = log1p_negative(aside_1);
+    const float _e31 = exp2_stable(((sharp * LOG2_E) * _e29));
+    if ((square_3 > 1e-20)) {
+        local = (aside_1 < 1.0);
+    } else {
+        local = false;
+    }
+    bool _e39 = local;
+    float corner_1 = (_e39 ? _e31 : 0.0);
+    const float3 _e49 = direction_moved(_e5, ((-(clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place));
+    return _e49;
 }
 
-Angle star_angle(float3 direction_4, float3 middle, float3 x_axis_3, float3 y_axis_3, int rays_1, float inner_1, float round_1, float turn_1)
+Angle star_angle(float3 direction_5, float3 middle, float3 x_axis_4, float3 y_axis_4, int rays_1, float inner_1, float round_1, float turn_1)
 {
-    const DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
+    const DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
     Angle u_5 = ConstructAngle((0.5 * length((_e8.direction - middle))), (0.5 * length((_e8.direction + middle))));
     const float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = ((_e24 - turn_1) / 6.2831855);

@@ -111,7 +111,7 @@ int naga_f2i32(float value) {
 float exp2_stable(
     float x_1
 ) {
-    float clamped_1 = metal::max(x_1, -126.0);
+    float clamped_1 = metal::clamp(x_1, -126.0, 127.99999);
     float whole = metal::rint(clamped_1);
     float f = clamped_1 - whole;
     float twice = 2.0 + (f * (1.3862944 + (f * (0.48045295 + (f * (0.11100665 + (f * (0.019236874 + (f * (0.002679775 + (f * 0.00030706724)))))))))));
@@ -228,22 +228,31 @@ Angle angle_turned(
     return Angle {turned.x, turned.y};
 }
 
-float angle_of_point(
-    float y_3,
+float bounded(
     float x_6
 ) {
-    metal::float2 p = metal::abs(metal::float2(x_6, y_3));
+    uint bits_1 = as_type<uint>(x_6);
+    uint magnitude = bits_1 & 2147483647u;
+    float largest_1 = as_type<float>((bits_1 & 2147483648u) | 2139095039u);
+    return (magnitude < 2139095040u) ? x_6 : ((magnitude == 2139095040u) ? largest_1 : 0.0);
+}
+
+float angle_of_point(
+    float y_3,
+    float x_7
+) {
+    metal::float2 p = metal::abs(metal::float2(x_7, y_3));
     metal::float2 scaled_1 = (metal::max(p.x, p.y) > 1.0) ? (0.5 * p) : p;
     float _e14 = atan2_positive(scaled_1.y, scaled_1.x);
-    float turned_1 = (x_6 < 0.0) ? (PI - _e14) : _e14;
+    float turned_1 = (x_7 < 0.0) ? (PI - _e14) : _e14;
     return (y_3 < 0.0) ? -(turned_1) : turned_1;
 }
 
 float footprint_of(
-    float x_7
+    float x_8
 ) {
-    float _e1 = metal::dfdx(x_7);
-    float _e2 = metal::dfdy(x_7);
+    float _e1 = metal::dfdx(x_8);
+    float _e2 = metal::dfdy(x_8);
     metal::float2 d = metal::float2(_e1, _e2);
     return metal::sqrt(metal::dot(d, d));
 }
@@ -261,17 +270,38 @@ DirectionParts direction_within(
     metal::float3 x_axis,
     metal::float3 y_axis
 ) {
-    metal::float3 _e5 = normalize_moderate(y_axis, metal::float3(0.0));
-    return DirectionParts {direction, x_axis, _e5, metal::float2(metal::dot(direction, x_axis), metal::dot(direction, _e5))};
+    metal::float3 _e7 = normalize_or(direction, metal::float3(0.0, 0.0, 1.0));
+    metal::float3 _e10 = normalize_or(x_axis, metal::float3(0.0));
+    metal::float3 _e13 = normalize_or(y_axis, metal::float3(0.0));
+    return DirectionParts {_e7, _e10, _e13, metal::float2(metal::dot(_e7, _e10), metal::dot(_e7, _e13))};
+}
+
+DirectionParts direction_within_2_(
+    metal::float3 direction_1,
+    metal::float3 x_axis_1,
+    metal::float3 y_axis_1
+) {
+    metal::float3 _e5 = normalize_moderate(y_axis_1, metal::float3(0.0));
+    return DirectionParts {direction_1, x_axis_1, _e5, metal::float2(metal::dot(direction_1, x_axis_1), metal::dot(direction_1, _e5))};
 }
 
 metal::float3 direction_moved(
     DirectionParts parts,
     metal::float2 by
 ) {
-    metal::float3 moved = (parts.direction + (by.x * parts.x_axis)) + (by.y * parts.y_axis);
-    metal::float3 _e13 = normalize_moderate(moved, parts.direction);
-    return (metal::dot(moved, moved) > 0.000001) ? _e13 : parts.direction;
+    metal::float2 step = metal::clamp(by, metal::float2(-1000000.0), metal::float2(1000000.0));
+    metal::float3 moved = (parts.direction + (step.x * parts.x_axis)) + (step.y * parts.y_axis);
+    metal::float3 _e18 = normalize_or(moved, parts.direction);
+    return (metal::dot(moved, moved) > 0.000001) ? _e18 : parts.direction;
+}
+
+metal::float3 direction_moved_2_(
+    DirectionParts parts_1,
+    metal::float2 by_1
+) {
+    metal::float3 moved_1 = (parts_1.direction + (by_1.x * parts_1.x_axis)) + (by_1.y * parts_1.y_axis);
+    metal::float3 _e13 = normalize_moderate(moved_1, parts_1.direction);
+    return (metal::dot(moved_1, moved_1) > 0.000001) ? _e13 : parts_1.direction;
 }
 
 metal::float3x3 axes_around(
@@ -303,10 +333,10 @@ float star_reach(
 }
 
 AxesAround axes(
-    metal::float3 direction_1,
+    metal::float3 direction_2,
     metal::float3 up_1
 ) {
-    metal::float3x3 _e2 = axes_around(direction_1, up_1);
+    metal::float3x3 _e2 = axes_around(direction_2, up_1);
     return AxesAround {_e2[0], _e2[1]};
 }
 
@@ -321,47 +351,56 @@ metal::float3 half_vector(
 }
 
 metal::float3 split_direction(
-    metal::float3 direction_2,
-    metal::float3 x_axis_1,
-    metal::float3 y_axis_1,
-    float x_8,
+    metal::float3 direction_3,
+    metal::float3 x_axis_2,
+    metal::float3 y_axis_2,
+    float x_9,
     float y_4
 ) {
-    DirectionParts _e5 = direction_within(direction_2, x_axis_1, y_axis_1);
+    DirectionParts _e5 = direction_within_2_(direction_3, x_axis_2, y_axis_2);
     metal::float2 side = metal::select(metal::float2(-1.0), metal::float2(1.0), _e5.place >= metal::float2(0.0));
-    metal::float3 _e18 = direction_moved(_e5, -(metal::float2(x_8, y_4)) * side);
+    metal::float3 _e18 = direction_moved_2_(_e5, -(metal::float2(x_9, y_4)) * side);
     return _e18;
 }
 
 metal::float3 square_direction(
-    metal::float3 direction_3,
-    metal::float3 x_axis_2,
-    metal::float3 y_axis_2,
+    metal::float3 direction_4,
+    metal::float3 x_axis_3,
+    metal::float3 y_axis_3,
     float amount,
     float sharpness
 ) {
-    DirectionParts _e5 = direction_within(direction_3, x_axis_2, y_axis_2);
+    bool local = {};
+    DirectionParts _e5 = direction_within(direction_4, x_axis_3, y_axis_3);
     float square_3 = metal::dot(_e5.place, _e5.place);
     float apart = metal::abs(_e5.place.x) - metal::abs(_e5.place.y);
-    float aside_1 = metal::min((apart * apart) / metal::max(square_3, 0.00000000000000000001), 1.0);
-    float _e23 = log1p_negative(aside_1);
-    float _e25 = exp2_stable(5.77078 * _e23);
-    float corner_1 = ((square_3 > 0.00000000000000000001) & (aside_1 < 1.0)) ? _e25 : 0.0;
-    metal::float3 _e37 = direction_moved(_e5, (-(amount) * corner_1) * _e5.place);
-    return _e37;
+    float aside_1 = metal::clamp((apart * apart) / metal::max(square_3, 0.00000000000000000001), 0.0, 1.0);
+    float _e23 = bounded(sharpness);
+    float sharp = metal::clamp(_e23, 1.0, 1024.0);
+    float _e29 = log1p_negative(aside_1);
+    float _e31 = exp2_stable((sharp * LOG2_E) * _e29);
+    if (square_3 > 0.00000000000000000001) {
+        local = aside_1 < 1.0;
+    } else {
+        local = false;
+    }
+    bool _e39 = local;
+    float corner_1 = _e39 ? _e31 : 0.0;
+    metal::float3 _e49 = direction_moved(_e5, (-(metal::clamp(amount, 0.0, 1.0)) * corner_1) * _e5.place);
+    return _e49;
 }
 
 Angle star_angle(
-    metal::float3 direction_4,
+    metal::float3 direction_5,
     metal::float3 middle,
-    metal::float3 x_axis_3,
-    metal::float3 y_axis_3,
+    metal::float3 x_axis_4,
+    metal::float3 y_axis_4,
     int rays_1,
     float inner_1,
     float round_1,
     float turn_1
 ) {
-    DirectionParts _e8 = direction_within(direction_4, x_axis_3, y_axis_3);
+    DirectionParts _e8 = direction_within_2_(direction_5, x_axis_4, y_axis_4);
     Angle u_5 = Angle {0.5 * metal::length(_e8.direction - middle), 0.5 * metal::length(_e8.direction + middle)};
     float _e24 = angle_of_point(_e8.place.y, _e8.place.x);
     float around = (_e24 - turn_1) / 6.2831855;

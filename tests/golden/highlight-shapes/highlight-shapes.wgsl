@@ -93,9 +93,10 @@ fn normalize_or(v: vec3f, otherwise: vec3f) -> vec3f {
 /// 2^x: a minimax polynomial of degree 6 on [-1/2, 1/2] (relative error below 3e-9 beside
 /// rounding), scaled by a power of two. 0 below -125.5, the largest finite number above 128.
 fn exp2_stable(x: f32) -> f32 {
-    let clamped = max(x, -126.0);
+    let clamped = clamp(x, -126.0, 127.999992);
     let whole = round(clamped);
     let f = clamped - whole;
+    // Twice the power, so that half of 2^128 is a number. The bits of 2^-127 are those of 0.
     let twice = 2.0 + f * (1.386294405710424 + f * (0.4804529582723118 + f * (0.11100664941567156
         + f * (0.019236874716471952 + f * (0.0026797749114217808 + f * 0.00030706724124369897)))));
     return twice * bitcast<f32>(u32(i32(whole) + 126) << 23u);
@@ -213,6 +214,15 @@ fn angle_turned(u: Angle, t: vec2f) -> Angle {
     return Angle(turned.x, turned.y);
 }
 
+/// x where it is finite, 0 where it is NaN, the largest number of its sign (3.4028235e38) where it
+/// is infinite.
+fn bounded(x: f32) -> f32 {
+    let bits = bitcast<u32>(x);
+    let magnitude = bits & 0x7fffffffu;
+    let largest = bitcast<f32>((bits & 0x80000000u) | 0x7f7fffffu);
+    return select(select(0.0, largest, magnitude == 0x7f800000u), x, magnitude < 0x7f800000u);
+}
+
 /// The angle of the point (x, y) from the x axis, in (-pi, pi]; 0 at the origin.
 fn angle_of_point(y: f32, x: f32) -> f32 {
     let p = abs(vec2f(x, y));
@@ -248,12 +258,30 @@ struct DirectionParts {
 /// The direction and its axes, made unit; an axis without a direction does nothing, a direction
 /// without one is +z.
 fn direction_within(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
+    let d = normalize_or(direction, vec3f(0.0, 0.0, 1.0));
+    let x = normalize_or(x_axis, vec3f(0.0));
+    let y = normalize_or(y_axis, vec3f(0.0));
+    return DirectionParts(d, x, y, vec2f(dot(d, x), dot(d, y)));
+}
+
+/// The direction and its axes, made unit; an axis without a direction does nothing, a direction
+/// without one is +z.
+fn direction_within_2(direction: vec3f, x_axis: vec3f, y_axis: vec3f) -> DirectionParts {
     let y = normalize_moderate(y_axis, vec3f(0.0));
     return DirectionParts(direction, x_axis, y, vec2f(dot(direction, x_axis), dot(direction, y)));
 }
 
 /// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
 fn direction_moved(parts: DirectionParts, by: vec2f) -> vec3f {
+    // Farther than a million the direction lies along the axis.
+    let step = clamp(by, vec2f(-1e6), vec2f(1e6));
+    let moved = parts.direction + step.x * parts.x_axis + step.y * parts.y_axis;
+    // The direction of a sum of nearly 0 would be rounding's.
+    return select(parts.direction, normalize_or(moved, parts.direction), dot(moved, moved) > 1e-6);
+}
+
+/// The direction moved along its axes by `by`, and unit again; unmoved where nothing is left of it.
+fn direction_moved_2(parts: DirectionParts, by: vec2f) -> vec3f {
     let moved = parts.direction + by.x * parts.x_axis + by.y * parts.y_axis;
     return select(parts.direction, normalize_moderate(moved, parts.direction), dot(moved, moved)
         > 1e-6);
@@ -314,23 +342,26 @@ fn half_vector(light: Light, view: vec3f) -> vec3f {
 /// Cuts a highlight in two along an axis and moves the halves apart, or in four along both: window
 /// panes in an eye.
 fn split_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, x: f32, y: f32) -> vec3f {
-    let bent = direction_within(direction, x_axis, y_axis);
+    let bent = direction_within_2(direction, x_axis, y_axis);
     let side = select(vec2f(-1.0), vec2f(1.0), bent.place >= vec2f(0.0));
-    return direction_moved(bent, -vec2f(x, y) * side);
+    return direction_moved_2(bent, -vec2f(x, y) * side);
 }
 
 /// Square direction
 ///
 /// Gives a highlight corners: from round to a square whose sides lie along the axes.
-fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32, sharpness: f32)
-    -> vec3f {
+fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
+    sharpness: f32) -> vec3f {
     let bent = direction_within(direction, x_axis, y_axis);
+    // `corner` is 0 along either axis and 1 midway between them.
     let square = dot(bent.place, bent.place);
+    // The distance from midway decides, since a high sharpness multiplies that.
     let apart = abs(bent.place.x) - abs(bent.place.y);
-    let aside = min(apart * apart / max(square, 1e-20), 1.0);
-    let corner = select(0.0, exp2_stable(4.0 * LOG2_E * log1p_negative(aside)), (square > 1e-20)
-        & (aside < 1.0));
-    return direction_moved(bent, -amount * corner * bent.place);
+    let aside = clamp(apart * apart / max(square, 1e-20), 0.0, 1.0);
+    let sharp = clamp(bounded(sharpness), 1.0, 1024.0);
+    let corner = select(0.0, exp2_stable(sharp * LOG2_E * log1p_negative(aside)), square > 1e-20
+        && aside < 1.0);
+    return direction_moved(bent, -clamp(amount, 0.0, 1.0) * corner * bent.place);
 }
 
 /// Star
@@ -339,7 +370,7 @@ fn square_direction(direction: vec3f, x_axis: vec3f, y_axis: vec3f, amount: f32,
 /// instead of a disk: in between its rays the angle counts for more.
 fn star_angle(direction: vec3f, middle: vec3f, x_axis: vec3f, y_axis: vec3f, rays: i32, inner: f32,
     round: f32, turn: f32) -> Angle {
-    let bent = direction_within(direction, x_axis, y_axis);
+    let bent = direction_within_2(direction, x_axis, y_axis);
     let u = Angle(0.5 * length(bent.direction - middle), 0.5 * length(bent.direction + middle));
     let around = (angle_of_point(bent.place.y, bent.place.x) - turn) / 6.283185307179586;
     let reach = star_reach(around, 4.0, inner, 0.0);

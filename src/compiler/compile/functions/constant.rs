@@ -4,9 +4,9 @@
 use super::code::Code;
 
 /// Functions that give a number for every number.
-const TOTAL: [&str; 13] = [
-    "abs", "bool", "ceil", "clamp", "f32", "floor", "fract", "max", "min", "round", "select",
-    "sign", "trunc",
+const TOTAL: [&str; 17] = [
+    "abs", "bool", "ceil", "clamp", "cos", "f32", "floor", "fract", "i32", "max", "min", "round",
+    "select", "sign", "sin", "trunc", "u32",
 ];
 
 impl Code {
@@ -32,12 +32,38 @@ impl Code {
     /// True for a constant expression of which it is clear that it has a value.
     fn is_number_for_sure(&self) -> bool {
         match self {
-            Self::Binary(..) => self.value().is_some(),
+            // Unsigned integers wrap around.
+            Self::Binary("+" | "-" | "*", ..) => {
+                self.value().is_some() || self.is_small() || self.is_unsigned()
+            }
+            Self::Binary("/" | "%", ..) => self.value().is_some(),
             Self::BuiltIn(name, _) => {
-                name.starts_with("vec") || name.starts_with("mat") || TOTAL.contains(&&**name)
+                let is_made = ["vec", "mat", "bitcast"].iter().any(|made| name.starts_with(made));
+                is_made || TOTAL.contains(&&**name) || self.value().is_some()
             }
             _ => true,
         }
+    }
+
+    fn is_unsigned(&self) -> bool {
+        let mut found = false;
+        self.each(&mut |code| found |= matches!(code, Self::Text(text, _) if text.ends_with('u')));
+        found
+    }
+
+    /// True if all numbers in it are so small that a few sums and products of them have values.
+    fn is_small(&self) -> bool {
+        let (mut is_small, mut count) = (true, 0);
+        self.each(&mut |code| match code {
+            Self::Text(text, _) | Self::Argument(text, _) if !text.starts_with("vec") => {
+                is_small &= number(text).is_some_and(|x| x.abs() <= 1e4);
+                count += 1;
+            }
+            Self::BuiltIn(name, _) => is_small &= name.starts_with("vec"),
+            Self::Binary("+" | "-" | "*", ..) | Self::Unary(..) | Self::Member(..) => {}
+            _ => is_small = false,
+        });
+        is_small && count <= 8
     }
 
     /// The value of a constant expression of numbers, where f32 holds it.
@@ -52,6 +78,26 @@ impl Code {
                     "-" => a - b,
                     "*" => a * b,
                     "/" => a / b,
+                    _ => return None,
+                }
+            }
+            Self::BuiltIn(name, parts) => {
+                let values = parts.iter().map(Self::value).collect::<Option<Vec<f32>>>()?;
+                match (&**name, values.as_slice()) {
+                    ("sqrt", [x]) => x.sqrt(),
+                    ("inverseSqrt", [x]) => 1.0 / x.sqrt(),
+                    ("exp", [x]) => x.exp(),
+                    ("exp2", [x]) => x.exp2(),
+                    ("log", [x]) => x.ln(),
+                    ("log2", [x]) => x.log2(),
+                    ("sin", [x]) => x.sin(),
+                    ("cos", [x]) => x.cos(),
+                    ("pow", [x, y]) => x.powf(*y),
+                    ("abs", [x]) => x.abs(),
+                    ("min", [x, y]) => x.min(*y),
+                    ("max", [x, y]) => x.max(*y),
+                    ("f32" | "i32" | "u32", [x]) => *x,
+                    ("mix", [a, b, t]) => a * (1.0 - t) + b * t,
                     _ => return None,
                 }
             }
