@@ -61,7 +61,7 @@ impl Items {
     /// Asks for everything that an expression names.
     pub(super) fn want_code(&mut self, module: &Arc<NodeModule>, code: &Code) {
         let index = self.module(module);
-        self.want_names(index, code);
+        code.each(&mut |code| self.want_name(index, code));
     }
 
     fn module(&mut self, module: &Arc<NodeModule>) -> usize {
@@ -71,17 +71,17 @@ impl Items {
         })
     }
 
-    fn want_names(&mut self, module: usize, code: &Code) {
-        code.each(&mut |code| match code {
-            Code::Constant(name) | Code::Struct(name, _) => {
-                self.wanted.insert((module, name.to_string()));
-            }
-            Code::Call(Callee::Original(name), _) => {
+    /// Asks for the declaration that an expression names itself, apart from its parts.
+    fn want_name(&mut self, module: usize, code: &Code) {
+        match code {
+            Code::Constant(name)
+            | Code::Struct(name, _)
+            | Code::Call(Callee::Original(name), _) => {
                 self.wanted.insert((module, name.to_string()));
             }
             Code::Call(Callee::Made(made), _) => self.made.push((module, *made)),
             _ => {}
-        });
+        }
     }
 
     /// The functions that were written anew and are called, with what they name.
@@ -94,11 +94,7 @@ impl Items {
             }
             reached.push((module, made));
             let function = &functions.made[made];
-            let mut codes = Vec::new();
-            each_code(&function.body.lines, &mut |code| codes.push(code.clone()));
-            for code in &codes {
-                self.want_names(module, code);
-            }
+            each_code(&function.body.lines, &mut |code| self.want_name(module, code));
             let Some(found) = self.modules[module].declaration(&function.name) else { continue };
             let declaration = found.scanned;
             let types = declaration.fields.iter().map(|field| &field.ty);

@@ -34,10 +34,6 @@ pub(super) const RESERVED: &[&str] = &[
 /// Number of samples in a row of an evaluation's target; each sample takes two by two pixels.
 pub const SAMPLES_PER_ROW: u32 = 256;
 
-/// Function that normalizes what is interpolated, and its form in cheaper tiers.
-const SEEN: &str = "normalize_seen";
-const SEEN_BALANCED: &str = "normalize_seen_balanced";
-
 const VIEW: &str = "\
 struct View {
     clip_from_world: mat4x4f,
@@ -99,7 +95,7 @@ impl Emitter<'_> {
         }
         let root = &self.special.values[self.special.root].ty;
         let own = [
-            (SEEN, true),
+            (self.normalize_seen(), true),
             ("normalize_or", stage.draws_normals()),
             ("surface_texel", stage.draws_normals()),
             ("straight", *root == Type::Composite),
@@ -111,17 +107,16 @@ impl Emitter<'_> {
         let own = own.into_iter().filter(|(_, is_used)| *is_used).map(|(name, _)| name.to_owned());
         let contexts = self.needs.contexts.iter();
         own.chain(contexts.flat_map(|context| ExpressionInputs::at(*context, stage).functions))
-            .map(|name| self.of_tier(&name).to_owned())
             .collect()
     }
 
-    /// The name of a library function that the frame calls, in the cheapest tier that all nodes of
-    /// the look allow.
-    fn of_tier<'n>(&self, name: &'n str) -> &'n str {
+    /// The name of the function that normalizes what is interpolated, in the cheapest tier that all
+    /// nodes of the look allow.
+    fn normalize_seen(&self) -> &'static str {
         let nodes =
             self.calls.iter().map(|&id| self.graph.nodes[self.special.values[id].node].tier);
         let is_exact = self.options.unspecialized || nodes.min().is_none_or(|t| t == Tier::Exact);
-        if name == SEEN && !is_exact { SEEN_BALANCED } else { name }
+        if is_exact { "normalize_seen" } else { "normalize_seen_balanced" }
     }
 
     pub(super) fn write_structs(&mut self) {
@@ -307,7 +302,7 @@ impl Emitter<'_> {
             "\n@fragment\nfn fs_main(in: Varyings{front}) -> @location(0) vec4f {{"
         );
         if uses_front {
-            let normalize = self.of_tier(SEEN);
+            let normalize = self.normalize_seen();
             let _ = writeln!(self.out, "    let facing = {normalize}(in.normal);");
             self.out.push_str(if draws_normals {
                 // Slivers at outlines may be taken for backs; turned around, one of them would bend

@@ -9,7 +9,7 @@ use super::print::level;
 pub(in crate::compile) enum Callee {
     /// Function as it stands in its file.
     Original(Rc<str>),
-    /// WriteResult anew: an index into the functions that were made.
+    /// Function that is written anew: an index into the functions that were made.
     Made(usize),
 }
 

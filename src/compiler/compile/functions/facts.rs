@@ -1,6 +1,6 @@
 //! Facts about the arguments of a call, proved by their ranges.
 
-use crate::compile::intervals::{Floats, Length, Range, Ranges};
+use crate::compile::intervals::{self, Floats, Length, Ranges};
 use crate::document::Tier;
 use crate::library::{Fact, FactLimit};
 
@@ -12,10 +12,7 @@ pub(super) fn all_hold(facts: &[Fact], tier: Tier, arguments: &[Ranges]) -> bool
 /// `None` for an argument without numbers.
 fn holds(fact: &Fact, tier: Tier, arguments: &[Ranges]) -> Option<bool> {
     let floats = |parameter: usize| {
-        let ranges = arguments.get(parameter)?;
-        let floats =
-            ranges.iter().map(|range| if let Range::Float(x) = range { Some(*x) } else { None });
-        floats.collect::<Option<Vec<Floats>>>().filter(|floats| !floats.is_empty())
+        intervals::floats(arguments.get(parameter)?).filter(|floats| !floats.is_empty())
     };
     let all = |parameter: usize, holds: &dyn Fn(Floats) -> bool| {
         Some(floats(parameter)?.into_iter().all(|x| !x.nan && !x.is_none() && holds(x)))
@@ -49,8 +46,6 @@ fn holds(fact: &Fact, tier: Tier, arguments: &[Ranges]) -> Option<bool> {
             all(*parameter, &|x| x.high < most)
         }
         Fact::Within(parameter, most) => all(*parameter, &|x| x.is_within(-most, *most)),
-        Fact::Is(parameter, number) => {
-            all(*parameter, &|x| x.low <= *number && *number <= x.high && x.high - x.low <= 0.0)
-        }
+        Fact::Is(parameter, number) => all(*parameter, &|x| x.low == *number && x.high == *number),
     }
 }

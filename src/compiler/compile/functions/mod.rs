@@ -133,12 +133,7 @@ impl SpecializedFunctions {
         arguments: &[Ranges],
     ) -> CallForm {
         let module_key = std::ptr::from_ref(scope.module) as usize;
-        let bits = arguments
-            .iter()
-            .flat_map(|ranges| ranges.iter())
-            .flat_map(|range| range.bits())
-            .collect();
-        let key: CallKey = (module_key, name.into(), tier, bits);
+        let key: CallKey = (module_key, name.into(), tier, intervals::bits(arguments));
         if let Some(known) = self.by_call.get(&key) {
             return known.clone();
         }

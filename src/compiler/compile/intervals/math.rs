@@ -77,7 +77,8 @@ impl Machine<'_> {
     }
 }
 
-fn floats(ranges: &[Range]) -> Option<Vec<Floats>> {
+/// The floats of ranges that are all of floats.
+pub(in crate::compile) fn floats(ranges: &[Range]) -> Option<Vec<Floats>> {
     ranges.iter().map(|x| if let Range::Float(x) = x { Some(*x) } else { None }).collect()
 }
 

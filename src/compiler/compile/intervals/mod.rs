@@ -38,6 +38,7 @@ use crate::wgsl::{self, ValidModule};
 use machine::Machine;
 
 pub(super) use machine::Ranges;
+pub(super) use math::floats;
 pub(super) use range::{Floats, Length, Range};
 pub(super) use surroundings::context_ranges;
 pub(super) use trace::Trace;
@@ -84,14 +85,14 @@ impl Calls {
         function: &str,
         arguments: &[Ranges],
     ) -> Option<Ranges> {
-        let bits = arguments
-            .iter()
-            .flat_map(|ranges| ranges.iter())
-            .flat_map(|range| range.bits())
-            .collect();
-        let key = (std::ptr::from_ref(module) as usize, function.to_owned(), bits);
+        let key = (std::ptr::from_ref(module) as usize, function.to_owned(), bits(arguments));
         self.0.entry(key).or_insert_with(|| call(module, function, arguments)).clone()
     }
+}
+
+/// Ranges of arguments, told apart from any others, for tables.
+pub(super) fn bits(arguments: &[Ranges]) -> Vec<u64> {
+    arguments.iter().flat_map(|ranges| ranges.iter()).flat_map(|range| range.bits()).collect()
 }
 
 /// [`call`] for a module that imports the library and declares nothing that could be taken for a

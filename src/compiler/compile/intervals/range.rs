@@ -346,7 +346,7 @@ impl Range {
     }
 
     /// Told apart from any other range, for tables.
-    pub(in crate::compile) fn bits(self) -> [u64; 3] {
+    pub(super) fn bits(self) -> [u64; 3] {
         match self {
             Self::Float(x) => {
                 let flags =

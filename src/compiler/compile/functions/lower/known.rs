@@ -5,7 +5,7 @@ use naga::{Expression, Handle, TypeInner};
 use super::FunctionWriter;
 use crate::compile::emit::float_literal;
 use crate::compile::functions::code::Code;
-use crate::compile::intervals::{Floats, Range, Ranges};
+use crate::compile::intervals::{self, Floats, Ranges};
 use crate::interp::Scalar;
 
 impl FunctionWriter<'_> {
@@ -58,11 +58,7 @@ impl FunctionWriter<'_> {
     }
 
     pub(super) fn floats(&self, handle: Handle<Expression>) -> Option<Vec<Floats>> {
-        let ranges = self.ranges(handle)?;
-        ranges
-            .iter()
-            .map(|range| if let Range::Float(x) = range { Some(*x) } else { None })
-            .collect()
+        intervals::floats(&self.ranges(handle)?)
     }
 
     pub(super) fn is_all(
