@@ -112,6 +112,11 @@ impl Code {
         size
     }
 
+    /// The truth value that it is written as, if it is one.
+    pub(super) fn truth(&self) -> Option<bool> {
+        if let Self::Text(text, _) = self { text.parse().ok() } else { None }
+    }
+
     /// True if it calls a function, other than WGSL's own.
     pub(super) fn has_calls(&self) -> bool {
         let mut found = false;
@@ -205,14 +210,18 @@ impl Code {
 /// Names of a vector's components.
 pub(super) const COMPONENTS: [&str; 4] = ["x", "y", "z", "w"];
 
+/// Number of components of a vector of floats, by its type.
+pub(super) fn width_of(kind: &str) -> Option<usize> {
+    ["vec2f", "vec3f", "vec4f"].iter().position(|known| *known == kind).map(|index| index + 2)
+}
+
 /// The vector, or the first components of it, whose components a constructor lists in order.
 pub(super) fn whole(name: &str, parts: &[Code]) -> Option<Code> {
-    let count = match name {
-        "vec2f" => 2,
-        "vec3f" => 3,
-        "vec4f" => 4,
-        _ => return None,
-    };
+    let count = width_of(name)?;
+    // Of one vector, the constructor converts: its numbers may be of another kind.
+    if parts.len() < 2 {
+        return None;
+    }
     let mut of: Option<(&Code, usize)> = None;
     let mut next = 0;
     for part in parts {
@@ -240,8 +249,12 @@ pub(super) fn whole(name: &str, parts: &[Code]) -> Option<Code> {
 fn part_of_vector(of: &Code, name: &str) -> Option<Code> {
     let index = |c: char| COMPONENTS.iter().position(|known| known.starts_with(c));
     match of {
-        Code::BuiltIn(kind, parts) if matches!(&**kind, "vec2f" | "vec3f" | "vec4f") => {
-            let width = usize::from(kind.as_bytes()[3] - b'0');
+        Code::BuiltIn(kind, parts) => {
+            let width = width_of(kind)?;
+            // A conversion of a vector, as above.
+            if parts.len() == 1 && !is_scalar(&parts[0]) {
+                return None;
+            }
             let mut scalars: Vec<Code> = Vec::with_capacity(width);
             for part in parts {
                 match part {
@@ -281,7 +294,7 @@ fn part_of_vector(of: &Code, name: &str) -> Option<Code> {
 }
 
 /// True for what is surely a number, not a vector.
-fn is_scalar(code: &Code) -> bool {
+pub(super) fn is_scalar(code: &Code) -> bool {
     match code {
         Code::Text(text, _) => text.parse::<f64>().is_ok(),
         Code::Member(_, name, width) => *width > 0 && name.len() == 1,
@@ -353,6 +366,15 @@ mod tests {
         // Members of a struct, whatever their names.
         let members = vector("vec2f", &["x", "y"].map(|name| part(0, name, 0)));
         assert_eq!(members.clone().simplified(), members);
+    }
+
+    /// `vec2f(cell.xy)` of whole numbers is no part of the cell.
+    #[test]
+    fn a_conversion_stays() {
+        let converted = vector("vec2f", &[part(0, "xy", 2)]);
+        assert_eq!(converted.clone().simplified(), converted);
+        let member = Code::Member(Box::new(converted), "x".into(), 2);
+        assert_eq!(member.clone().simplified(), member);
     }
 
     #[test]

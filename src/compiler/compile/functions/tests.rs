@@ -1,5 +1,7 @@
 //! The forms of `@where` rules give what their functions give, wherever the facts hold.
 
+use chiaro_test_support::random::Random;
+
 use super::facts;
 use crate::compile::intervals::{self, Ranges};
 use crate::document::Tier;
@@ -13,59 +15,38 @@ const WANTED: usize = 200;
 /// Arguments drawn for a rule at most.
 const MOST_DRAWN: usize = 400_000;
 
-/// Splitmix64: the test draws the same arguments on every machine.
-struct Random(u64);
+/// A number of the sizes that looks have, exact in f32.
+fn number(random: &mut Random) -> f64 {
+    let x = match random.index(8) {
+        0 => *random.pick(&[0.0, 1.0, -1.0, 0.5, 2.0, 48.0]),
+        1..=3 => random.unit(),
+        4 => random.between(-0.1, 0.1),
+        5 => random.between(-2.0, 2.0),
+        6 => random.between(-100.0, 100.0),
+        _ => random.between(-5e3, 5e3),
+    };
+    f64::from(x as f32)
+}
 
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn index(&mut self, count: usize) -> usize {
-        (self.next() % count as u64) as usize
-    }
-
-    /// A number of the sizes that looks have, exact in f32.
-    fn number(&mut self) -> f64 {
-        let x = match self.index(8) {
-            0 => [0.0, 1.0, -1.0, 0.5, 2.0, 48.0][self.index(6)],
-            1..=3 => self.unit(),
-            4 => 0.2 * self.unit() - 0.1,
-            5 => 4.0 * self.unit() - 2.0,
-            6 => 200.0 * self.unit() - 100.0,
-            _ => 1e4 * (self.unit() - 0.5),
-        };
-        f64::from(x as f32)
-    }
-
-    fn vector(&mut self, size: usize) -> Value {
-        let numbers: Vec<f64> = match self.index(4) {
-            0 => vec![self.number(); size],
-            1 => {
-                let raw: Vec<f64> = (0..size).map(|_| 2.0 * self.unit() - 1.0).collect();
-                let length = raw.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
-                raw.into_iter().map(|x| f64::from((x / length) as f32)).collect()
-            }
-            _ => (0..size).map(|_| self.number()).collect(),
-        };
-        Value::vec(&numbers)
-    }
-
-    fn argument(&mut self, shape: &Shape) -> Value {
-        match shape {
-            Shape::Scalar(ScalarKind::Bool) => Value::Bool(self.index(2) == 0),
-            Shape::Scalar(_) => Value::Float(self.number()),
-            Shape::Vector { size, .. } => self.vector(*size),
-            other => panic!("no rule takes {other:?} yet"),
+fn vector(random: &mut Random, size: usize) -> Value {
+    let numbers: Vec<f64> = match random.index(4) {
+        0 => vec![number(random); size],
+        1 => {
+            let raw: Vec<f64> = (0..size).map(|_| random.between(-1.0, 1.0)).collect();
+            let length = raw.iter().map(|x| x * x).sum::<f64>().sqrt().max(1e-3);
+            raw.into_iter().map(|x| f64::from((x / length) as f32)).collect()
         }
+        _ => (0..size).map(|_| number(random)).collect(),
+    };
+    Value::vec(&numbers)
+}
+
+fn argument(random: &mut Random, shape: &Shape) -> Value {
+    match shape {
+        Shape::Scalar(ScalarKind::Bool) => Value::Bool(random.chance(0.5)),
+        Shape::Scalar(_) => Value::Float(number(random)),
+        Shape::Vector { size, .. } => vector(random, *size),
+        other => panic!("no rule takes {other:?} yet"),
     }
 }
 
@@ -119,7 +100,7 @@ impl RuleTrial<'_> {
             let arguments: Vec<Value> = whole
                 .parameters()
                 .iter()
-                .map(|parameter| random.argument(&parameter.shape))
+                .map(|parameter| argument(random, &parameter.shape))
                 .collect();
             let ranges: Vec<Ranges> = arguments.iter().map(intervals::of_value).collect();
             let holds = facts::all_hold(&self.rule.facts, Tier::Fast, &ranges);
@@ -158,7 +139,7 @@ fn forms_give_what_functions_give() {
     let mut functions: Vec<&str> = module.ruled_functions().collect();
     functions.sort_unstable();
     assert!(functions.len() > 15, "{functions:?}");
-    let mut random = Random(17);
+    let mut random = Random::new(17);
     for function in functions {
         for rule in module.rules(function) {
             let held = RuleTrial { module, function, rule }.run(&mut random);

@@ -25,12 +25,9 @@ impl FunctionWriter<'_> {
             return self.statements(if known { accept } else { reject });
         }
         let condition = self.code(condition)?;
-        match condition {
-            Code::Text(ref text, _) if &**text == "true" || &**text == "false" => {
-                self.is_changed = true;
-                return self.statements(if &**text == "true" { accept } else { reject });
-            }
-            _ => {}
+        if let Some(known) = condition.truth() {
+            self.is_changed = true;
+            return self.statements(if known { accept } else { reject });
         }
         let accept = self.block(accept)?;
         let reject = self.block(reject)?;
@@ -171,18 +168,11 @@ impl FunctionWriter<'_> {
 
 /// `&&` and `||`: as `&` and `|` where the right side costs less than a branch.
 fn logic_of(is_or: bool, left: Code, right: Code) -> Code {
-    let literal = |code: &Code| match code {
-        Code::Text(text, _) => text.parse::<bool>().ok(),
-        _ => None,
-    };
-    match (literal(&left), literal(&right)) {
-        (Some(known), _) => {
-            return if known == is_or { left } else { right };
-        }
-        (_, Some(known)) => {
-            return if known == is_or { right } else { left };
-        }
-        _ => {}
+    if let Some(known) = left.truth() {
+        return if known == is_or { left } else { right };
+    }
+    if let Some(known) = right.truth() {
+        return if known == is_or { right } else { left };
     }
     let is_cheap = !right.has_calls() && right.size() <= MOST_SELECTED;
     let operator = match (is_or, is_cheap) {

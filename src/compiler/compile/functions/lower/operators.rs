@@ -5,7 +5,7 @@ use naga::common::wgsl::TryToWgsl as _;
 use naga::{BinaryOperator as Op, Expression, Handle, TypeInner, UnaryOperator};
 
 use super::{FunctionWriter, NotWritten, WriteResult};
-use crate::compile::functions::code::Code;
+use crate::compile::functions::code::{Code, is_scalar, width_of};
 use crate::compile::functions::print::level;
 use crate::compile::intervals::Floats;
 
@@ -187,12 +187,16 @@ impl FunctionWriter<'_> {
         for &other in rest {
             parts.push(self.code(other)?);
         }
+        let is_splat = |handle: &Handle<Expression>| {
+            matches!(self.function.expressions[*handle], Expression::Splat { .. })
+        };
         if fun == Math::Mix
             && let Some(Code::BuiltIn(kind, splat)) = parts.last()
-            && splat.len() == 1
-            && matches!(&**kind, "vec2f" | "vec3f" | "vec4f")
+            && let [one] = splat.as_slice()
+            && width_of(kind).is_some()
+            && (is_scalar(one) || rest.last().is_some_and(is_splat))
         {
-            let one = splat[0].clone();
+            let one = one.clone();
             parts.pop();
             parts.push(one);
         }
@@ -203,9 +207,7 @@ impl FunctionWriter<'_> {
 /// A scalar in place of a vector of it, beside a vector that is none itself.
 fn scalars_beside(a: Code, b: Code) -> (Code, Code) {
     let splat = |code: &Code| match code {
-        Code::BuiltIn(kind, parts)
-            if parts.len() == 1 && matches!(&**kind, "vec2f" | "vec3f" | "vec4f") =>
-        {
+        Code::BuiltIn(kind, parts) if parts.len() == 1 && width_of(kind).is_some() => {
             match &parts[0] {
                 Code::Text(text, _) if text.parse::<f64>().is_ok() => Some(parts[0].clone()),
                 _ => None,
@@ -222,13 +224,14 @@ fn scalars_beside(a: Code, b: Code) -> (Code, Code) {
 
 /// The opposite of a condition.
 pub(super) fn negated(code: Code) -> Code {
+    if let Some(known) = code.truth() {
+        return Code::Text((!known).to_string().into(), level::ATOM);
+    }
     match code {
         Code::Unary("!", inner) => *inner,
         // Equality alone is the opposite of its opposite for NaN too.
         Code::Binary("==", a, b) => Code::Binary("!=", a, b),
         Code::Binary("!=", a, b) => Code::Binary("==", a, b),
-        Code::Text(text, _) if &*text == "true" => Code::Text("false".into(), level::ATOM),
-        Code::Text(text, _) if &*text == "false" => Code::Text("true".into(), level::ATOM),
         other => Code::Unary("!", Box::new(other)),
     }
 }
