@@ -343,7 +343,7 @@ fn looks(filter: &str) {
             // No two frames in a row have the same camera, or passes would be left out because
             // nothing changed.
             for _ in 0..2 {
-                setup.looks.iter_mut().for_each(|worn| worn.look.tier = tier);
+                setup.looks.iter_mut().for_each(|worn| worn.look.tier = Some(tier));
                 setup.scene.camera.target = [0.002 * plans.len() as f64, 0.0, 0.0];
                 let options = PlanOptions { size: [800, 600], samples: 1, time: 0.0 };
                 let plan =

@@ -73,9 +73,9 @@ fn modulo_floored(x: f32, y: f32) -> f32 {
 /// keeps its sign with any other, so that (-4)^0.5 is -2. 0 to a negative power is 0, as division
 /// by 0 is; 0^0 is 1.
 /// @where tier is balanced and base >= 0 and base <= 1.1 and exponent >= 1e-3 and exponent <= 500 :
-///   pow(base, exponent) ~ 2e-3
+///   pow(base, exponent) ~ 3e-4
 /// @where tier is balanced and base >= 0 and base <= 1e4 and exponent >= 1e-3 and exponent <= 8 :
-///   pow(base, exponent) ~ 2e-3
+///   pow(base, exponent) ~ 3e-4
 fn powered(base: f32, exponent: f32) -> f32 {
     let b = bounded(base);
     let e = bounded(exponent);
@@ -98,22 +98,22 @@ fn powered(base: f32, exponent: f32) -> f32 {
 
 /// [`powered`], component by component.
 /// @where tier is balanced and base >= 0 and base <= 1.1 and exponent >= 1e-3 and exponent <= 500 :
-///   pow(base, vec3f(exponent)) ~ 2e-3
+///   pow(base, vec3f(exponent)) ~ 3e-4
 /// @where tier is balanced and base >= 0 and base <= 1e4 and exponent >= 1e-3 and exponent <= 8 :
-///   pow(base, vec3f(exponent)) ~ 2e-3
+///   pow(base, vec3f(exponent)) ~ 3e-4
 fn powered_vec3(base: vec3f, exponent: f32) -> vec3f {
     return vec3f(powered(base.x, exponent), powered(base.y, exponent), powered(base.z, exponent));
 }
 
 /// e^x; 0 far below, the largest number from 88.73 on.
-/// @where tier is balanced and |x| <= 80 : exp(x) ~ 1e-3
+/// @where tier is balanced and |x| <= 80 : exp(x) ~ 3e-5
 fn exponential_of(x: f32) -> f32 {
     return exp2_stable(bounded(x * LOG2_E));
 }
 
 /// ln(x); 0 and everything below count as 1.2e-38, the smallest normal number, whose logarithm is
 /// -87.34.
-/// @where tier is balanced and x >= 1e-30 and x <= 1e30 : log(x) ~ 1e-3
+/// @where tier is balanced and x >= 1e-30 and x <= 1e30 : log(x) ~ 2e-5
 fn logarithm_of(x: f32) -> f32 {
     return log_stable(max(bounded(x), SMALLEST_NORMAL));
 }
@@ -191,7 +191,7 @@ fn length_of(v: vec3f) -> f32 {
 }
 
 /// sin(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase.
-/// @where tier is balanced and |x| <= 1e7 : sin(x) ~ 2e-3
+/// @where tier is balanced and |x| <= 300 : sin(x) ~ 5e-5
 /// @where |x| <= 3000 : sine_near(x)
 fn sine_of(x: f32) -> f32 {
     let b = bounded(x);
@@ -209,7 +209,7 @@ fn sine_near(x: f32) -> f32 {
 }
 
 /// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase.
-/// @where tier is balanced and |x| <= 1e7 : cos(x) ~ 2e-3
+/// @where tier is balanced and |x| <= 300 : cos(x) ~ 5e-5
 /// @where |x| <= 3000 : cosine_near(x)
 fn cosine_of(x: f32) -> f32 {
     let b = bounded(x);
@@ -238,7 +238,7 @@ fn sine_turned(r: f32, turns: f32) -> f32 {
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
 /// result lies in [-1, 1].
-/// @where tier is balanced and |x| <= 1000 : vec2f(sin(x), cos(x)) ~ 2e-3
+/// @where tier is balanced and |x| <= 300 : vec2f(sin(x), cos(x)) ~ 5e-5
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }

@@ -203,3 +203,17 @@ fn an_exposed_input_that_reads_its_surroundings_is_told() {
         compile(&read.value.unwrap(), Library::built_in(), &CompileOptions::default()).unwrap_err();
     assert_eq!(problems.iter().map(|problem| problem.code).collect::<Vec<_>>(), ["unset-target"]);
 }
+
+#[test]
+fn images_keep_their_names() {
+    let text = r#"{"chiaro": "look", "nodes": [
+        {"id": "one", "name": "Image 2", "kind": "image", "values": {"image": "a.png"}},
+        {"id": "two", "kind": "image", "values": {"image": "b.png", "scale": [2, 3]}},
+        {"id": "both", "kind": "add"},
+        {"id": "output", "kind": "output"}],
+        "wires": [{"from": "one.color", "to": "both.a"}, {"from": "two.color", "to": "both.b"},
+                  {"from": "both", "to": "output.color"}]}"#;
+    let read = Look::read(text, "images.json");
+    assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
+    compiled(&read.value.unwrap(), &CompileOptions::default());
+}

@@ -2,6 +2,7 @@
 
 use chiaro_test_support as support;
 
+mod automatic;
 mod cases;
 mod compile;
 mod document_format;

@@ -50,7 +50,7 @@ pub fn setup(look: HandwrittenLook) -> Setup {
 pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
     let mut setup = setup.clone();
     for look in &mut setup.looks {
-        look.look.tier = tier;
+        look.look.tier = Some(tier);
     }
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);

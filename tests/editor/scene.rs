@@ -734,7 +734,7 @@ fn while_one_look_is_edited_the_others_are_compiled_once() {
     let bytes = |draw: &Draw| draw.look_uniforms[&Stage::Draw].bytes.clone();
     assert!(bytes(&ring) != bytes(&turned) && bytes(&ball) == bytes(&same));
     // Another structure of a look is another module, of that look alone.
-    setup.looks[0].look.tier = chiaro::document::Tier::Fast;
+    setup.looks[0].look.tier = Some(chiaro::document::Tier::Fast);
     let [other, same] = picture(&setup, true);
     assert!(!Arc::ptr_eq(&ring.look, &other.look) && Arc::ptr_eq(&ball.look, &same.look));
 }

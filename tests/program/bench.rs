@@ -140,7 +140,7 @@ fn tuning_keeps_the_error_and_an_impossible_goal_is_said_to_be_missed() {
     let mut look = setups[0].looks[0].look.clone();
     for (node, tier) in tuned.tiers() {
         Variant::set_tier(&mut look, node, tier);
-        assert_eq!(look.graph.nodes[node].tier.unwrap_or(look.tier), tier);
+        assert_eq!(look.graph.nodes[node].tier.or(look.tier), Some(tier));
     }
     let goal = Goal::MaxError(1e-12);
     let missed =

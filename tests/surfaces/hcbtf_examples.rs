@@ -65,7 +65,7 @@ fn the_looks_beside_them_show_them() {
             path.display()
         );
         for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-            look.tier = tier;
+            look.tier = Some(tier);
             let compiled = compile(&look, Library::built_in(), &CompileOptions::default());
             assert!(compiled.is_ok(), "{}: {:?}", path.display(), compiled.err());
         }

@@ -113,7 +113,7 @@ fn check(cases: &[Case]) -> Vec<f64> {
     let look = profile_look();
     for (tier, more) in TIERS {
         let mut of_tier = profile_look();
-        of_tier.look.tier = tier;
+        of_tier.look.tier = Some(tier);
         for (case, tone) in cases.iter().zip(eval(&of_tier, "tone.tone", &samples)) {
             let told = || {
                 format!("n {} l {} T {} {:?}", case.normal, case.light, case.shift, case.profile)
@@ -432,7 +432,7 @@ fn case_15_curvature_without_bounds() {
     });
     for tier in [Tier::Balanced, Tier::Fast] {
         let mut of_tier = look(&serde_json::from_str(&curved.look.to_text()).expect("JSON"));
-        of_tier.look.tier = tier;
+        of_tier.look.tier = Some(tier);
         for ((kappa, slope, wanted), value) in
             cases.iter().zip(eval(&of_tier, "convexity.convexity", &samples))
         {
@@ -789,7 +789,7 @@ fn cartoon_edges(tier: Tier, most: f64, most_mean: f64) {
                     {"from": "tone", "to": "output.color"}
                 ]
             }));
-            cartoon.look.tier = tier;
+            cartoon.look.tier = Some(tier);
             let moved = DMat4::from_translation(center.extend(0.0));
             let drawn = picture(vec![(cartoon, ball(), moved)], size, 1);
             for (x, y, pixel) in pixels(&drawn) {
@@ -846,7 +846,7 @@ fn case_19_thresholds_and_bands_are_covered() {
                         {"from": "cut", "to": "output.color"}
                     ]
                 }));
-                cut.look.tier = tier;
+                cut.look.tier = Some(tier);
                 let drawn = picture(
                     vec![(cut, ball(), DMat4::from_translation(center.extend(0.0)))],
                     size,

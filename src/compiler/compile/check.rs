@@ -10,6 +10,7 @@ use petgraph::graph::{DiGraph, NodeIndex};
 
 use super::drivers::{self, TypedDriver};
 use super::flatten::{FlatGraph, FlatInput, FlatNode, GroupOutputs, Param, ParamId, flatten};
+use super::tiers;
 use super::value::{describe, expected, typed_value};
 use crate::diag::{Diagnostic, Severity, WithWarnings, bounded, has_errors};
 use crate::document::{ColorSpace, ExposedValue, Light, LightField, Look, Target, Tier, Value};
@@ -60,6 +61,8 @@ pub struct TypedNode {
     pub def: Arc<NodeDef>,
     /// The tier that the document asks for.
     pub tier: Tier,
+    /// True if the document names no tier for the node, so that it may have another.
+    pub is_automatic: bool,
     /// Index of the chosen function among those of the definition.
     pub variant: usize,
     /// In the order of the definition's inputs; `None` for inputs that the function does not take.
@@ -127,20 +130,26 @@ pub fn check(
     library: &Library,
     root: Option<&(NodePath, PortName)>,
 ) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
-    match check_all(look, library, root) {
+    let checked = check_all(look, library, root, &HashSet::new()).and_then(|checked| {
+        let seen = tiers::seen(&checked.value, look.max_error);
+        if seen.is_empty() { Ok(checked) } else { check_all(look, library, root, &seen) }
+    });
+    match checked {
         Ok(warned) => Ok(WithWarnings::new(warned.value, bounded(warned.warnings))),
         Err(problems) => Err(bounded(problems)),
     }
 }
 
-/// Check as [`check`] makes it, with as many problems as there are.
+/// Check as [`check`] makes it, with as many problems as there are. Nodes of `exact` are exact
+/// unless they name a tier.
 fn check_all(
     look: &Look,
     library: &Library,
     root: Option<&(NodePath, PortName)>,
+    exact: &HashSet<NodePath>,
 ) -> Result<WithWarnings<TypedGraph>, Vec<Diagnostic>> {
     let mut problems = Vec::new();
-    let Some(flat) = flatten(look, library, &mut problems) else { return Err(problems) };
+    let Some(flat) = flatten(look, library, exact, &mut problems) else { return Err(problems) };
     let order = order(&flat, &mut problems);
     let root = find_root(&flat, root, &mut problems);
     let mut wrong_drivers = Vec::new();
@@ -246,6 +255,7 @@ fn broken_wire(flat: &FlatGraph, reached: &[bool], root: usize) -> Diagnostic {
 fn stand_in(flat: &FlatNode) -> TypedNode {
     TypedNode {
         tier: flat.tier,
+        is_automatic: flat.is_automatic,
         path: flat.path.clone(),
         name: flat.name.clone(),
         def: flat.def.clone(),
@@ -574,6 +584,7 @@ impl<'a> Typer<'a> {
             name: flat.name.clone(),
             def: flat.def.clone(),
             tier: flat.tier,
+            is_automatic: flat.is_automatic,
             variant,
             inputs,
             choices,

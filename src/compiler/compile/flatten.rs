@@ -10,7 +10,7 @@ mod groups;
 mod tests;
 
 use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
@@ -82,6 +82,8 @@ pub(super) struct FlatNode {
     pub def: Arc<NodeDef>,
     /// Implementation that the document asks for.
     pub tier: Tier,
+    /// True if neither the node nor what is around it names a tier.
+    pub is_automatic: bool,
     /// In the order of the definition's inputs.
     pub inputs: Vec<FlatInput>,
     /// The region around the node: the outermost group, else the frame; functions are split there.
@@ -154,8 +156,9 @@ struct Scope<'a> {
     path: Option<NodePath>,
     name: String,
     region: Option<Arc<str>>,
-    /// The tier of nodes in the scope that name none of their own.
-    tier: Tier,
+    /// The tier of nodes in the scope that name none of their own; `None` for the cheapest of each
+    /// within the look's bound.
+    tier: Option<Tier>,
     parent: Option<(usize, &'a NodeId)>,
     slots: HashMap<&'a str, FlatSlot>,
     wires: HashMap<(&'a str, &'a str), &'a Wire>,
@@ -164,6 +167,8 @@ struct Scope<'a> {
 struct Flattener<'a> {
     look: &'a Look,
     library: &'a Library,
+    /// Nodes that are exact unless a tier is named for them.
+    exact: &'a HashSet<NodePath>,
     scopes: Vec<Scope<'a>>,
     /// For each flat node, its scope and document node.
     origins: Vec<(usize, &'a NodeId, &'a Node)>,
@@ -215,14 +220,16 @@ enum WireEnd<'a> {
 }
 
 /// Inlines the groups of `look`. Problems are added to `problems`; what can be made out is
-/// returned, or nothing where the look would become too large.
+/// returned, or nothing where the look would become too large. Nodes of `exact` are exact unless a
+/// tier is named for them.
 pub(super) fn flatten(
     look: &Look,
     library: &Library,
+    exact: &HashSet<NodePath>,
     problems: &mut Vec<Diagnostic>,
 ) -> Option<FlatGraph> {
     let groups = UsedGroups::of(look, library).map_err(|problem| problems.push(*problem)).ok()?;
-    let mut flattener = Flattener::new(look, library, groups);
+    let mut flattener = Flattener::new(look, library, exact, groups);
     flattener.run();
     problems.append(&mut flattener.problems);
     Some(flattener.flat)
@@ -241,10 +248,16 @@ fn broken_kinds(library: &Library) -> HashMap<&str, &Diagnostic> {
 }
 
 impl<'a> Flattener<'a> {
-    fn new(look: &'a Look, library: &'a Library, groups: UsedGroups<'a>) -> Self {
+    fn new(
+        look: &'a Look,
+        library: &'a Library,
+        exact: &'a HashSet<NodePath>,
+        groups: UsedGroups<'a>,
+    ) -> Self {
         Self {
             look,
             library,
+            exact,
             scopes: Vec::new(),
             origins: Vec::new(),
             flat: FlatGraph::default(),
@@ -291,7 +304,7 @@ impl<'a> Flattener<'a> {
         parent: Option<(usize, &'a NodeId)>,
         name: String,
         region: Option<Arc<str>>,
-        tier: Tier,
+        tier: Option<Tier>,
     ) -> usize {
         let mut wires = HashMap::with_capacity(graph.wires.len());
         for wire in &graph.wires {
@@ -363,7 +376,7 @@ impl<'a> Flattener<'a> {
         let name = join_names(&self.scopes[scope].name, &own);
         let region =
             self.scopes[scope].region.clone().or(frame).unwrap_or_else(|| own.as_str().into());
-        let tier = node.tier.unwrap_or(self.scopes[scope].tier);
+        let tier = node.tier.or(self.scopes[scope].tier);
         let inputs = &self.groups[group].inputs;
         let is_known = |port: &str| inputs.contains_key(port);
         let unknown = self.unknown_values(node, &path, is_known, || port_names(&definition.inputs));
@@ -452,8 +465,14 @@ impl<'a> Flattener<'a> {
         }));
         let index = self.flat.nodes.len();
         self.flat.by_path.insert(path.clone(), index);
-        let tier = node.tier.unwrap_or(self.scopes[scope].tier);
-        self.flat.nodes.push(FlatNode { path, name, def, tier, inputs: Vec::new(), region });
+        let asked = node.tier.or(self.scopes[scope].tier);
+        let is_automatic = asked.is_none();
+        let tier = asked.unwrap_or_else(|| match self.exact.contains(&path) {
+            true => Tier::Exact,
+            false => def.cheapest_within(self.look.max_error),
+        });
+        let inputs = Vec::new();
+        self.flat.nodes.push(FlatNode { path, name, def, tier, is_automatic, inputs, region });
         self.origins.push((scope, id, node));
         index
     }

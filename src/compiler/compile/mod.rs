@@ -17,6 +17,7 @@ mod layout;
 mod names;
 mod removal;
 mod specialize;
+mod tiers;
 mod value;
 
 use std::collections::{BTreeSet, HashMap, HashSet};

@@ -10,6 +10,9 @@ use super::value::{Interpolation, Value, Values};
 use super::word::WordChoice as _;
 use crate::ids::{DefinitionId, FrameId, LightId, NodeId, NodePath, NoteId, ObjectId, PortName};
 
+/// Greatest difference that nobody can see: a step of a screen's 8-bit channel.
+pub const MAX_ERROR: f64 = 1.0 / 255.0;
+
 /// Kind of positions on the canvas.
 const CANVAS: FieldKind = FieldKind::Numbers(2, 2, NumberBounds::new(-1e9, 1e9));
 
@@ -38,7 +41,11 @@ described! {
         color_space: ColorSpace = ColorSpace::Display, FieldKind::Word(ColorSpace::WORDS),
             by DocumentSpace;
         /// Implementation of nodes that do not name their own.
-        tier: Tier = Tier::Exact, FieldKind::Word(Tier::WORDS);
+        tier: Option<Tier> = None, FieldKind::Word(Tier::WORDS),
+            words "for each node the cheapest whose difference nobody can see";
+        /// Greatest difference from the exact picture, in numbers of a color, that is counted as
+        /// unseen where no tier is named.
+        max_error: f64 = MAX_ERROR, FieldKind::Number(NumberBounds::new(0.0, 1.0));
         /// Figures that `chiaro tune` measured when it chose tiers.
         tuned: String = String::new(), FieldKind::Text(LINE);
         /// The lights that Light nodes name, by id.
@@ -66,7 +73,7 @@ impl Look {
     /// Asks every node for a tier, also nodes with a tier of their own, and those in the look's
     /// groups.
     pub fn set_every_tier(&mut self, tier: Tier) {
-        self.tier = tier;
+        self.tier = Some(tier);
         let groups = self.definitions.values_mut().map(|definition| &mut definition.graph);
         for graph in std::iter::once(&mut self.graph).chain(groups) {
             graph.nodes.values_mut().for_each(|node| node.tier = None);

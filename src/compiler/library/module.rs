@@ -25,6 +25,8 @@ pub struct NodeModule {
     rules: HashMap<String, Vec<FormRule>>,
     parts: ModuleParts,
     programs: Mutex<HashMap<String, Result<Arc<Program>, Diagnostic>>>,
+    /// Greatest differences of balanced forms, by function.
+    form_errors: Mutex<HashMap<String, f64>>,
 }
 
 /// Parts of a module that naga sees.
@@ -83,7 +85,14 @@ impl NodeModule {
                 }
             }
         }
-        Self { linked, by_name, rules, parts, programs: Mutex::default() }
+        Self {
+            linked,
+            by_name,
+            rules,
+            parts,
+            programs: Mutex::default(),
+            form_errors: Mutex::default(),
+        }
     }
 
     /// Forms that a function comes to where facts about its arguments hold, the cheapest first.
@@ -130,6 +139,31 @@ impl NodeModule {
     pub fn operations(&self, function: &str) -> u64 {
         let count = |part: &ModulePart| part.operations.of_function(&part.valid.module, function);
         self.part(function).map_or(0, count)
+    }
+
+    /// Greatest difference that forms of the balanced tier make of a function, and of all that it
+    /// calls.
+    pub fn form_error(&self, function: &str) -> f64 {
+        let mut known = self.form_errors.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(&error) = known.get(function) {
+            return error;
+        }
+        let Ok(valid) = self.valid(function) else { return 0.0 };
+        // naga lists a function after all that it calls.
+        let mut errors: Vec<f64> = Vec::new();
+        for (_, called) in valid.module.functions.iter() {
+            let name = called.name.as_deref().unwrap_or_default();
+            let own = self.rules(name).iter().filter(|rule| rule.is_balanced());
+            let own = own.filter_map(|rule| rule.bound).fold(0.0, f64::max);
+            let inner = called.expressions.iter().filter_map(|(_, expression)| match expression {
+                naga::Expression::CallResult(callee) => errors.get(callee.index()).copied(),
+                _ => None,
+            });
+            let error = inner.fold(own, f64::max);
+            errors.push(error);
+            known.insert(name.to_owned(), error);
+        }
+        known.get(function).copied().unwrap_or_default()
     }
 
     /// Program of a function that runs on the CPU, with constants at f64; compiled on the first

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use super::Context;
 use super::module::NodeModule;
+use super::rules::MAX_FORM_ERROR;
 use super::types::Type;
 use crate::diag::Diagnostic;
-use crate::document::{Tier, Value};
+use crate::document::{Look, Node, Tier, Value};
 use crate::ids::PortName;
 
 /// Kind of node.
@@ -266,6 +267,20 @@ impl NodeDef {
         tiers.sort_unstable();
         tiers.dedup();
         tiers
+    }
+
+    /// Cheapest tier whose result differs from the exact one by at most `bound`, by what is stated
+    /// of the node and of the functions that it calls. `fast` is for artists to choose: what is
+    /// stated of it leaves out edges.
+    pub fn cheapest_within(&self, bound: f64) -> Tier {
+        let stated = self.error_of(Tier::Balanced).map_or(0.0, |error| error.bound);
+        if stated.max(MAX_FORM_ERROR) <= bound { Tier::Balanced } else { Tier::Exact }
+    }
+
+    /// Tier of a node of this kind in a look's own graph.
+    pub fn tier_in(&self, look: &Look, node: &Node) -> Tier {
+        let asked = node.tier.or(look.tier);
+        asked.unwrap_or_else(|| self.cheapest_within(look.max_error))
     }
 
     /// Difference of a tier from the exact one, where the node's file gives one.

@@ -32,6 +32,13 @@ pub struct FormRule {
     pub bound: Option<f64>,
 }
 
+impl FormRule {
+    /// True if the form stands for the function in the balanced tier and in cheaper ones alone.
+    pub fn is_balanced(&self) -> bool {
+        self.facts.contains(&Fact::Tier(Tier::Balanced))
+    }
+}
+
 /// Fact about the arguments of a call, by the parameters' indices.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
@@ -62,6 +69,9 @@ pub enum FactLimit {
     Parameter(usize),
 }
 
+/// Greatest difference that a form of the balanced tier may make.
+pub(crate) const MAX_FORM_ERROR: f64 = 2e-3;
+
 /// Tag of a rule's line.
 const TAG: &str = "@where ";
 
@@ -88,7 +98,15 @@ pub(super) fn read_rules(declaration: &Declaration) -> Result<Vec<FormRule>, Str
             parameters.join(", "),
             declaration.result.as_deref().unwrap_or_default()
         );
-        rules.push(FormRule { facts, function, text, bound });
+        let rule = FormRule { facts, function, text, bound };
+        if rule.is_balanced() && bound.is_some_and(|bound| bound > MAX_FORM_ERROR) {
+            return Err(format!(
+                "`{}`: `{TAG}{line}`: a balanced form differs by at most {MAX_FORM_ERROR:e}; one \
+                 that differs more is `tier is fast`",
+                declaration.name
+            ));
+        }
+        rules.push(rule);
     }
     Ok(rules)
 }
@@ -214,6 +232,7 @@ mod tests {
             ("x is nice : x", "`x is nice` is no fact"),
             ("x is finite", "the form are missing"),
             ("x is finite : x ~ much", "no number"),
+            ("tier is balanced : x ~ 0.1", "at most 2e-3"),
         ] {
             let text = format!("\n/// x.\n/// @where {line}\nfn f(x: f32) -> f32 {{ return x; }}");
             let linked = link(&[NamedSource { name: "f.wgsl", text: &text }]).expect("no imports");

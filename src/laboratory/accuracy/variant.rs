@@ -55,7 +55,7 @@ impl Variant {
     pub fn set_tier(look: &mut Look, node: &NodeId, tier: Tier) {
         let of_look = look.tier;
         if let Some(node) = look.graph.nodes.get_mut(node) {
-            node.tier = (tier != of_look).then_some(tier);
+            node.tier = (of_look != Some(tier)).then_some(tier);
         }
     }
 

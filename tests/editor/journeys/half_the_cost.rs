@@ -72,7 +72,7 @@ fn a_look_is_made_half_as_dear_within_1_of_255() {
         artist.wheel(plot, -30.0);
     }
     artist.press(&label);
-    assert_eq!((Some(artist.look().tier), artist.steps()), (best.tier, steps + 1));
+    assert_eq!((artist.look().tier, artist.steps()), (best.tier, steps + 1));
 
     // The comparison is asked of the panel: the picture in the adopted tier against the truth in
     // f64.

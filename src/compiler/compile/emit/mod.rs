@@ -218,6 +218,12 @@ impl<'a> Emitter<'a> {
         for name in frame::RESERVED.iter().copied().chain(maps) {
             self.names.reserve(name);
         }
+        let images = (0..self.needs.images.len()).filter(|&image| self.image_is_used(image));
+        let images: Vec<String> = images.map(|image| self.image_name(image)).collect();
+        for name in images {
+            self.names.reserve(&format!("{name}_sampler"));
+            self.names.reserve(&name);
+        }
         let items = std::mem::take(&mut self.items);
         self.collected = items.collect(&mut self.names, &self.functions);
         self.plan_host(&roots);

@@ -43,7 +43,8 @@ fn group(level: usize, nodes: &str, wires: &str) -> String {
 fn flattened(look: &Look) -> (FlatGraph, usize, Vec<Diagnostic>) {
     let mut problems = Vec::new();
     let groups = UsedGroups::of(look, Library::built_in()).unwrap();
-    let mut flattener = Flattener::new(look, Library::built_in(), groups);
+    let exact = HashSet::new();
+    let mut flattener = Flattener::new(look, Library::built_in(), &exact, groups);
     flattener.run();
     problems.append(&mut flattener.problems);
     (flattener.flat, flattener.followed.get(), problems)
@@ -51,7 +52,7 @@ fn flattened(look: &Look) -> (FlatGraph, usize, Vec<Diagnostic>) {
 
 fn refused(text: &str) -> Diagnostic {
     let mut problems = Vec::new();
-    assert!(flatten(&look(text), Library::built_in(), &mut problems).is_none());
+    assert!(flatten(&look(text), Library::built_in(), &HashSet::new(), &mut problems).is_none());
     assert_eq!(problems.len(), 1, "{problems:?}");
     problems.remove(0)
 }

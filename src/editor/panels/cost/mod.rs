@@ -45,7 +45,7 @@ struct CostSubject {
 
 impl CostSubject {
     fn of(look: &Look, mesh: &str, scene: Option<PictureRevision>) -> Self {
-        let mut look = Look { tier: Tier::Exact, ..look.clone() };
+        let mut look = Look { tier: Some(Tier::Exact), ..look.clone() };
         for node in look.graph.nodes.values_mut() {
             node.tier = None;
             node.position = [0.0; 2];
@@ -159,8 +159,8 @@ fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
     match &row.subject {
         MeasurementSubject::Whole => {
             let mut edits: Vec<Edit> = Vec::new();
-            if look.tier != tier {
-                edits.push(Edit::SetLookTier { tier });
+            if look.tier != Some(tier) {
+                edits.push(Edit::SetLookTier { tier: Some(tier) });
             }
             let own = look.graph.nodes.iter().filter(|(_, node)| node.tier.is_some());
             edits.extend(own.map(|(id, _)| set(id, None)));
@@ -172,8 +172,8 @@ fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
         }
         MeasurementSubject::Node { id, .. } => {
             let node = look.graph.nodes.get(id)?;
-            (node.tier.unwrap_or(look.tier) != tier)
-                .then(|| set(id, (tier != look.tier).then_some(tier)))
+            (node.tier.or(look.tier) != Some(tier))
+                .then(|| set(id, (look.tier != Some(tier)).then_some(tier)))
         }
         MeasurementSubject::Pass(_) => None,
     }

@@ -244,7 +244,14 @@ fn tier_row(
 fn error_of(session: &Session, kind: &NodeKind, tier: Option<Tier>) -> String {
     let def = session.project.library.nodes.get(&kind.id);
     match tier {
-        None => format!("As the look is: {}", tier_name(session.look().tier).to_lowercase()),
+        None => match session.look().tier {
+            Some(tier) => format!("As the look is: {}", tier_name(tier).to_lowercase()),
+            None => {
+                let bound = session.look().max_error;
+                let found = def.map_or(Tier::Exact, |def| def.cheapest_within(bound));
+                format!("The cheapest that nobody can see: {}", tier_name(found).to_lowercase())
+            }
+        },
         Some(Tier::Exact) => "The truth, as near as f32 comes".to_owned(),
         Some(tier) => match def.and_then(|def| def.error_of(tier)) {
             Some(error) => format!("At most {:e} off: {}", error.bound, error.help),
@@ -338,6 +345,16 @@ fn tier_name(tier: Tier) -> &'static str {
     }
 }
 
+/// Meaning of a tier that a look asks for.
+fn tier_help(tier: Option<Tier>) -> &'static str {
+    match tier {
+        None => "For each node the cheapest whose difference nobody can see",
+        Some(Tier::Exact) => "The truth, as near as 32-bit numbers come",
+        Some(Tier::Balanced) => "Errors below what is seen, where that is faster",
+        Some(Tier::Fast) => "The least time; edges and curvature may be seen to differ",
+    }
+}
+
 /// Shows a link to the lights, which have a panel of their own.
 fn lights_row(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
     row::labelled(ui, "Lights", "What shines on the look", |ui, _| {
@@ -402,11 +419,14 @@ fn show_look(ui: &mut Ui, session: &Session, out: &mut Vec<Command>) {
         "Tier",
         "Which implementation nodes have that do not say their own",
         |ui, label| {
+            let name = |tier: Option<Tier>| tier.map_or("Automatic", tier_name);
             let combo = egui::ComboBox::from_id_salt("tier")
-                .selected_text(tier_name(look.tier))
+                .selected_text(name(look.tier))
                 .show_ui(ui, |ui| {
-                    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
-                        if ui.selectable_label(look.tier == tier, tier_name(tier)).clicked() {
+                    let tiers = [None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)];
+                    for tier in tiers {
+                        let choice = ui.selectable_label(look.tier == tier, name(tier));
+                        if choice.on_hover_text(tier_help(tier)).clicked() {
                             out.push(Command::Edit(Edit::SetLookTier { tier }));
                         }
                     }

@@ -18,7 +18,7 @@ pub(super) fn look_key(
     let mut hasher = DefaultHasher::new();
     (cutout, dark).hash(&mut hasher);
     if *live == Live::All {
-        (look.color_space, look.tier).hash(&mut hasher);
+        (look.color_space, look.tier, look.max_error.to_bits()).hash(&mut hasher);
         hash_graph(&look.graph, &mut hasher);
         for (id, definition) in &look.definitions {
             (id, format!("{:?}{:?}", definition.inputs, definition.outputs)).hash(&mut hasher);

@@ -146,7 +146,8 @@ impl<'a> ProfileNode<'a> {
     }
 
     fn tier(&self) -> Tier {
-        self.node.tier.unwrap_or(self.session.look().tier)
+        let def = self.session.project.library.nodes.get(&self.node.kind);
+        def.map_or(Tier::Exact, |def| def.tier_in(self.session.look(), self.node))
     }
 
     /// Shape at each key of the set that moves the shape, with the key's index.

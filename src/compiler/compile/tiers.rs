@@ -1,0 +1,436 @@
+//! Choice of the tiers of nodes that name none: the cheapest whose difference nobody can see.
+//!
+//! Every node starts in the tier that its own stated error allows. A small error may still grow on
+//! its way to the picture, as in noise that multiplies a sine by thousands. So the graph is run, node
+//! by node in f64, for a few points of a surface, once as it is and a few times with an error as
+//! large as stated at each node; where the color at the end differs by more than the look allows,
+//! the nodes whose errors grow are found by halving, and become exact.
+//!
+//! The points and the errors are the same in every run, and no scene is asked, so that the window,
+//! a render and an export make the same choice. `chiaro tune` measures on a mesh instead.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use super::check::{TypedGraph, TypedInput, TypedNode, TypedSource};
+use super::host::conversion_program;
+use super::intervals;
+use super::value::typed_value;
+use crate::document::Tier;
+use crate::ids::NodePath;
+use crate::interp::{self, Bindings, BoundProgram, LANES, Lanes, Precision, Program};
+use crate::library::{
+    ArgumentSource, Context, ContextBounds, ContextSample, Conversion, NodeModule, SurfacePoint,
+    Type,
+};
+
+/// Number of points that a look is run at.
+const POINTS: usize = 16;
+
+/// Number of lanes at each point: one without errors, the others with errors of their own.
+const TRIALS: usize = LANES / POINTS;
+
+/// Points at which more may be seen than allowed: an edge may lie there, which moves by less than a
+/// pixel.
+const EXCEPTED: usize = 1;
+
+/// Most runs of a look in the search for nodes whose errors grow; beyond these all are exact.
+const MAX_RUNS: usize = 40;
+
+/// Numbers of a value in all lanes: a row for each scalar.
+type Rows = Vec<[f64; LANES]>;
+
+/// The nodes, among those of `graph` that name no tier, whose stated error would be seen: they are
+/// to be exact.
+pub(super) fn seen(graph: &TypedGraph, max_error: f64) -> HashSet<NodePath> {
+    let candidates: Vec<(usize, f64)> = graph
+        .order
+        .iter()
+        .map(|&index| (index, stated_error(&graph.nodes[index])))
+        .filter(|(_, error)| *error > 0.0)
+        .collect();
+    if candidates.is_empty() {
+        return HashSet::new();
+    }
+    let steps = Steps::of(graph);
+    let bound = steps.bound();
+    let seen = Trial::new(graph, &steps, &bound, max_error).search(&candidates);
+    seen.into_iter().map(|index| graph.nodes[index].path.clone()).collect()
+}
+
+/// Greatest difference from the exact tier that is stated of a node in the tier that it has, or of
+/// a function that it calls; 0 for a node that names its tier itself.
+fn stated_error(node: &TypedNode) -> f64 {
+    if !node.is_automatic {
+        return 0.0;
+    }
+    let own = node.def.error_of(node.tier).map_or(0.0, |error| error.bound);
+    match node.tier {
+        Tier::Exact => 0.0,
+        _ => own.max(node.def.module.form_error(&node.variant().function)),
+    }
+}
+
+/// Programs of a graph's functions and conversions, each once.
+struct Steps {
+    programs: Vec<Arc<Program>>,
+    by_function: HashMap<(usize, Arc<str>), usize>,
+    by_conversion: HashMap<(Type, Type), usize>,
+}
+
+impl Steps {
+    fn of(graph: &TypedGraph) -> Self {
+        let mut steps = Self {
+            programs: Vec::new(),
+            by_function: HashMap::new(),
+            by_conversion: HashMap::new(),
+        };
+        for &index in &graph.order {
+            let node = &graph.nodes[index];
+            steps.add_function(&node.def.module, &node.variant().function);
+            if let Some(prepare) = &node.def.prepare {
+                steps.add_function(&node.def.module, &prepare.function);
+            }
+            for input in node.inputs.iter().flatten() {
+                if let (Conversion::Template(_), Some(from)) =
+                    (&input.conversion, source_type(graph, &input.source))
+                    && let Some(program) = conversion_program(&from, &input.ty)
+                {
+                    let next = steps.programs.len();
+                    steps.by_conversion.entry((from, input.ty.clone())).or_insert_with(|| {
+                        steps.programs.push(program);
+                        next
+                    });
+                }
+            }
+        }
+        steps
+    }
+
+    fn add_function(&mut self, module: &Arc<NodeModule>, function: &str) {
+        let key = (Arc::as_ptr(module) as usize, Arc::from(function));
+        let next = self.programs.len();
+        if let (std::collections::hash_map::Entry::Vacant(entry), Ok(program)) =
+            (self.by_function.entry(key), module.program(function))
+        {
+            self.programs.push(program);
+            entry.insert(next);
+        }
+    }
+
+    /// The programs, ready for lanes; `None` for what reads images.
+    fn bound(&self) -> Vec<Option<BoundProgram<'_>>> {
+        let bindings = Bindings::new();
+        self.programs.iter().map(|p| p.bind(&bindings, Precision::F64).ok()).collect()
+    }
+}
+
+fn source_type(graph: &TypedGraph, source: &TypedSource) -> Option<Type> {
+    match source {
+        TypedSource::Wire { node, output } => Some(graph.nodes[*node].output_type(*output)),
+        TypedSource::Context(context) => Some(Type::from_wgsl(context.wgsl_type())),
+        TypedSource::Param(..) => None,
+    }
+}
+
+/// A graph that can be run with errors at some of its nodes.
+struct Trial<'g> {
+    graph: &'g TypedGraph,
+    steps: &'g Steps,
+    lanes: Vec<Option<Lanes<'g>>>,
+    contexts: HashMap<Context, Rows>,
+    max_error: f64,
+    runs: usize,
+}
+
+impl<'g> Trial<'g> {
+    fn new(
+        graph: &'g TypedGraph,
+        steps: &'g Steps,
+        bound: &'g [Option<BoundProgram<'g>>],
+        max_error: f64,
+    ) -> Self {
+        let lanes = bound.iter().map(|bound| bound.as_ref()?.lanes().ok()).collect();
+        Self { graph, steps, lanes, contexts: HashMap::new(), max_error, runs: 0 }
+    }
+
+    /// Nodes among the candidates without whose errors nothing is seen.
+    fn search(&mut self, candidates: &[(usize, f64)]) -> Vec<usize> {
+        if self.is_unseen(candidates, self.max_error) {
+            return Vec::new();
+        }
+        let all = || candidates.iter().map(|(index, _)| *index).collect();
+        let seen = self.halves(candidates);
+        let rest: Vec<(usize, f64)> =
+            candidates.iter().filter(|(index, _)| !seen.contains(index)).copied().collect();
+        let is_enough = self.runs < MAX_RUNS && self.is_unseen(&rest, self.max_error);
+        if is_enough { seen } else { all() }
+    }
+
+    fn halves(&mut self, candidates: &[(usize, f64)]) -> Vec<usize> {
+        // Others add their errors.
+        if self.runs >= MAX_RUNS || self.is_unseen(candidates, 0.5 * self.max_error) {
+            return Vec::new();
+        }
+        if let [(one, _)] = candidates {
+            return vec![*one];
+        }
+        let (first, second) = candidates.split_at(candidates.len() / 2);
+        let mut seen = self.halves(first);
+        seen.extend(self.halves(second));
+        seen
+    }
+
+    /// True if errors at these nodes change the picture by no more than `most`, but at a few
+    /// points.
+    fn is_unseen(&mut self, erring: &[(usize, f64)], most: f64) -> bool {
+        self.runs += 1;
+        let root = self.run(&erring.iter().copied().collect());
+        let is_seen = |point: &usize| {
+            root.iter().any(|row| {
+                let shown = |lane: usize| row[lane].clamp(0.0, 1.0);
+                let first = TRIALS * point;
+                (1..TRIALS).any(|trial| (shown(first) - shown(first + trial)).abs() > most)
+            })
+        };
+        (0..POINTS).filter(is_seen).count() <= EXCEPTED
+    }
+
+    /// Numbers of the root in all lanes.
+    fn run(&mut self, erring: &HashMap<usize, f64>) -> Rows {
+        let graph = self.graph;
+        let mut results: Vec<Rows> = vec![Rows::new(); graph.nodes.len()];
+        for &index in &graph.order {
+            let node = &graph.nodes[index];
+            let mut rows = self.node(node, &results);
+            if let Some(&error) = erring.get(&index) {
+                add_errors(&mut rows, error, &mut Random(index as u64));
+            }
+            results[index] = rows;
+        }
+        let (node, output) = graph.root;
+        output_rows(graph, &results, node, output)
+    }
+
+    fn node(&mut self, node: &TypedNode, results: &[Rows]) -> Rows {
+        let inputs: Vec<Option<Rows>> =
+            node.inputs.iter().map(|input| Some(self.input(input.as_ref()?, results))).collect();
+        let given = |input: usize| inputs.get(input).cloned().flatten().unwrap_or_default();
+        let variant = node.variant();
+        let mut arguments = Rows::new();
+        for parameter in &variant.parameters {
+            match parameter {
+                ArgumentSource::Input(input, _) => arguments.extend(given(*input)),
+                ArgumentSource::Sampler(_) => {}
+                ArgumentSource::Prepared => {
+                    let Some(prepare) = &node.def.prepare else { continue };
+                    let of_prepare: Rows =
+                        prepare.parameters.iter().flat_map(|(input, _)| given(*input)).collect();
+                    arguments.extend(self.call(node, &prepare.function, of_prepare, None));
+                }
+            }
+        }
+        let outputs = node.def.outputs.iter().map(|output| &output.ty);
+        let count = if variant.result_is_struct {
+            outputs.map(|ty| intervals::scalars_in(ty).unwrap_or(1)).sum()
+        } else {
+            intervals::scalars_in(&variant.result).unwrap_or(1)
+        };
+        self.call(node, &variant.function, arguments, Some(count))
+    }
+
+    /// Rows of a function's result. What cannot be run, because it reads an image, is taken for an
+    /// image of strong contrasts.
+    fn call(
+        &mut self,
+        node: &TypedNode,
+        function: &str,
+        arguments: Rows,
+        count: Option<usize>,
+    ) -> Rows {
+        let key = (Arc::as_ptr(&node.def.module) as usize, Arc::from(function));
+        let program = self.steps.by_function.get(&key).copied();
+        let result = program.and_then(|program| self.program(program, &arguments));
+        match (result, count) {
+            (Some(rows), None) => rows,
+            (Some(rows), Some(count)) if rows.len() == count => rows,
+            (_, count) => contrasts(&arguments, count.unwrap_or(1)),
+        }
+    }
+
+    fn input(&mut self, input: &TypedInput, results: &[Rows]) -> Rows {
+        let rows = match &input.source {
+            TypedSource::Wire { node, output } => {
+                output_rows(self.graph, results, *node, *output)
+            }
+            TypedSource::Param(..) if input.ty.is_texture() => return Rows::new(),
+            TypedSource::Param(_, value) => {
+                let value = typed_value(value, &input.ty).unwrap_or(interp::Value::Float(0.0));
+                return rows_of(&value);
+            }
+            TypedSource::Context(context) => {
+                let context = *context;
+                self.contexts.entry(context).or_insert_with(|| context_rows(context)).clone()
+            }
+        };
+        match (&input.conversion, source_type(self.graph, &input.source)) {
+            (Conversion::Template(_), Some(from)) => {
+                let program = self.steps.by_conversion.get(&(from, input.ty.clone())).copied();
+                let converted = program.and_then(|program| self.program(program, &rows));
+                converted.unwrap_or(rows)
+            }
+            _ => rows,
+        }
+    }
+
+    /// Result of a program in all lanes; `None` where it takes or gives something else than plain
+    /// numbers.
+    fn program(&mut self, program: usize, arguments: &Rows) -> Option<Rows> {
+        let code = &self.steps.programs[program];
+        let lanes = self.lanes[program].as_mut()?;
+        let ports = || {
+            let inputs = code.inputs().iter();
+            inputs.flat_map(|port| (0..port.size).map(move |component| (port, component)))
+        };
+        if ports().count() != arguments.len() {
+            return None;
+        }
+        ports().zip(arguments).for_each(|((port, part), row)| lanes.write(port, part, row));
+        lanes.run(LANES).ok()?;
+        let mut rows = Rows::new();
+        for port in code.outputs() {
+            for component in 0..port.size {
+                let mut row = [0.0; LANES];
+                lanes.read(port, component, &mut row);
+                rows.push(row);
+            }
+        }
+        Some(rows)
+    }
+}
+
+/// The part of a node's result that is one of its outputs.
+fn output_rows(graph: &TypedGraph, results: &[Rows], node: usize, output: usize) -> Rows {
+    let typed = &graph.nodes[node];
+    let rows = &results[node];
+    if !typed.variant().result_is_struct {
+        return rows.clone();
+    }
+    let width = |ty: &Type| intervals::scalars_in(ty).unwrap_or(1);
+    let before = typed.def.outputs.iter().take(output).map(|port| width(&port.ty)).sum();
+    let count = typed.def.outputs.get(output).map_or(1, |port| width(&port.ty));
+    rows.iter().skip(before).take(count).copied().collect()
+}
+
+/// Moves the numbers of all lanes but the first of each point by up to `error`, relative above 1.
+fn add_errors(rows: &mut Rows, error: f64, random: &mut Random) {
+    for row in rows {
+        for (lane, x) in row.iter_mut().enumerate() {
+            let share = 2.0 * random.unit() - 1.0;
+            // Truth values and counts are not off.
+            if lane % TRIALS != 0 && x.fract() != 0.0 {
+                *x += error * share * x.abs().max(1.0);
+            }
+        }
+    }
+}
+
+/// Numbers as an image with strong contrasts gives them, from 0 to 1.
+fn contrasts(arguments: &Rows, count: usize) -> Rows {
+    const STEEPNESS: f64 = 100.0;
+    let number = |lane: usize, part: usize| {
+        let phases = arguments.iter().enumerate().map(|(i, row)| row[lane] * (1.0 + 0.37 * i as f64));
+        (STEEPNESS * phases.sum::<f64>() + part as f64).sin().mul_add(0.5, 0.5)
+    };
+    (0..count).map(|part| std::array::from_fn(|lane| number(lane, part))).collect()
+}
+
+/// A value that is the same in all lanes.
+fn rows_of(value: &interp::Value) -> Rows {
+    fn push(value: &interp::Value, rows: &mut Rows) {
+        match value {
+            interp::Value::Vector(scalars) => {
+                rows.extend(scalars.iter().map(|scalar| [scalar.as_f64(); LANES]));
+            }
+            interp::Value::Matrix { components, .. } => {
+                rows.extend(components.iter().map(|&x| [x; LANES]));
+            }
+            interp::Value::Array(parts) | interp::Value::Struct(parts) => {
+                parts.iter().for_each(|part| push(part, rows));
+            }
+            other => rows.extend(other.as_f64().map(|x| [x; LANES])),
+        }
+    }
+    let mut rows = Rows::new();
+    push(value, &mut rows);
+    rows
+}
+
+/// A context at each point; lights and what the host knows, within their bounds.
+fn context_rows(context: Context) -> Rows {
+    let row = context.row();
+    let values: Vec<Rows> = (0..POINTS)
+        .map(|point| {
+            let mut random = Random(1 + point as u64);
+            let known = rows_of(&row.sample.value(context, &surface_point(&mut random), None));
+            let count = intervals::scalars_in(&Type::from_wgsl(context.wgsl_type()));
+            let count = count.unwrap_or(known.len());
+            if known.len() == count && !matches!(row.sample, ContextSample::None(_)) {
+                return known;
+            }
+            let mut random = Random(context.word().len() as u64 * 1000 + point as u64);
+            let direction = random.direction();
+            let number = |part: usize, random: &mut Random| match row.bounds {
+                ContextBounds::Unit if count == 3 => direction[part],
+                ContextBounds::Intensity => 1.0,
+                ContextBounds::Count => (10.0 * random.unit()).floor(),
+                _ => random.unit(),
+            };
+            (0..count).map(|part| [number(part, &mut random); LANES]).collect()
+        })
+        .collect();
+    (0..values[0].len())
+        .map(|part| std::array::from_fn(|lane| values[lane / TRIALS][part][lane]))
+        .collect()
+}
+
+fn surface_point(random: &mut Random) -> SurfacePoint {
+    let normal = DVec3::from_array(random.direction());
+    let tangent = normal.any_orthonormal_vector();
+    let view = DVec3::from_array(random.direction());
+    SurfacePoint {
+        normal,
+        tangent,
+        bitangent: normal.cross(tangent),
+        // Seen from the front.
+        view: if view.dot(normal) < 0.0 { -view } else { view },
+        position: normal * (0.5 + random.unit()),
+        uv: DVec2::new(random.unit(), random.unit()),
+        vertex_color: [random.unit(), random.unit(), random.unit(), 1.0],
+        kappa: 4.0 * random.unit() - 2.0,
+        ..SurfacePoint::default()
+    }
+}
+
+/// Pseudorandom numbers by SplitMix64 (Steele, Lea and Flood 2014), the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A direction, even on the sphere.
+    fn direction(&mut self) -> [f64; 3] {
+        let z = 2.0 * self.unit() - 1.0;
+        let turn = std::f64::consts::TAU * self.unit();
+        let radius = (1.0 - z * z).max(0.0).sqrt();
+        [radius * turn.cos(), radius * turn.sin(), z]
+    }
+}

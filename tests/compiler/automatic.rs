@@ -1,0 +1,87 @@
+//! Nodes that name no tier have the cheapest whose difference nobody can see.
+
+use chiaro_compiler::compile::check;
+use chiaro_compiler::document::{Look, Tier};
+use chiaro_compiler::library::Library;
+
+use crate::support;
+
+fn look(text: &str) -> Look {
+    let read = Look::read(text, "look.json");
+    assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
+    read.value.unwrap()
+}
+
+/// Tier of each node of a look, by its path.
+fn tiers(look: &Look) -> Vec<(String, Tier)> {
+    let typed = check(look, Library::built_in(), None).expect("it is whole").value;
+    typed.nodes.iter().map(|node| (node.path.to_string(), node.tier)).collect()
+}
+
+fn tier_of(look: &Look, node: &str) -> Tier {
+    let all = tiers(look);
+    all.iter().find(|(path, _)| path == node).unwrap_or_else(|| panic!("{node}: {all:?}")).1
+}
+
+/// A sine of the texture coordinates, times `factor`, of which the fraction is shown.
+fn fraction_of_sine(factor: f64, rest: &str) -> Look {
+    look(&format!(
+        r#"{{"chiaro": "look", {rest} "nodes": [
+            {{"id": "uv", "kind": "uv"}},
+            {{"id": "u", "kind": "separate_vector"}},
+            {{"id": "turns", "kind": "multiply", "values": {{"b": 12.9}}}},
+            {{"id": "wave", "kind": "sine"}},
+            {{"id": "large", "kind": "multiply", "values": {{"b": {factor}}}}},
+            {{"id": "part", "kind": "fraction"}},
+            {{"id": "output", "kind": "output"}}],
+            "wires": [{{"from": "uv", "to": "u.vector"}}, {{"from": "u.x", "to": "turns.a"}},
+                {{"from": "turns", "to": "wave.angle"}}, {{"from": "wave", "to": "large.a"}},
+                {{"from": "large", "to": "part.value"}}, {{"from": "part", "to": "output.color"}}]}}"#
+    ))
+}
+
+#[test]
+fn an_error_that_grows_is_not_made() {
+    assert_eq!(tier_of(&fraction_of_sine(1.0, ""), "wave"), Tier::Balanced);
+    assert_eq!(tier_of(&fraction_of_sine(43_758.545, ""), "wave"), Tier::Exact);
+    // Only the node whose error grows.
+    assert_eq!(tier_of(&fraction_of_sine(43_758.545, ""), "turns"), Tier::Balanced);
+}
+
+#[test]
+fn a_bound_and_a_tier_are_kept() {
+    for (rest, factor, wanted) in [
+        (r#""max_error": 0,"#, 1.0, Tier::Exact),
+        (r#""max_error": 1,"#, 43_758.545, Tier::Balanced),
+        (r#""tier": "exact","#, 1.0, Tier::Exact),
+        (r#""tier": "balanced","#, 43_758.545, Tier::Balanced),
+        (r#""tier": "fast","#, 1.0, Tier::Fast),
+    ] {
+        assert_eq!(tier_of(&fraction_of_sine(factor, rest), "wave"), wanted, "{rest}");
+    }
+}
+
+#[test]
+fn nodes_that_say_they_are_seen_to_differ_stay_exact() {
+    let edges = look(
+        r#"{"chiaro": "look", "nodes": [{"id": "edge", "kind": "threshold"},
+            {"id": "output", "kind": "output"}],
+            "wires": [{"from": "edge", "to": "output.color"}]}"#,
+    );
+    assert_eq!(tier_of(&edges, "edge"), Tier::Exact);
+}
+
+/// Looks of plain math: all of their work is cheap.
+#[test]
+fn plain_looks_are_cheap() {
+    let folder = support::root().join("benches/handwritten/looks");
+    for name in ["math-gooch", "math-toon", "math-layers", "math-chain"] {
+        let path = folder.join(format!("{name}.json"));
+        let loaded = Look::load(&support::chiaro_files::Disk, &path);
+        let exact: Vec<_> = tiers(&loaded.value.expect("it is whole"))
+            .into_iter()
+            .filter(|(_, tier)| *tier == Tier::Exact)
+            .collect();
+        assert!(exact.is_empty(), "{name}: {exact:?}");
+    }
+}
