@@ -11,7 +11,8 @@ use crate::compile::{
 use crate::diag::Diagnostic;
 use crate::document::{DirectionKeys, Driver, KeyDirection, Look, Values};
 use crate::frame::{
-    Draw, DroppedEffect, Effect, FramePlan, Pass, PassId, Setup, effects, structural_look,
+    Draw, DroppedEffect, Effect, FramePlan, Pass, PassId, Setup, TierCosts, effects,
+    structural_look, tier_costs,
 };
 use crate::ids::NodePath;
 use crate::library::{Context, Library, Rate, Treatment};
@@ -50,6 +51,10 @@ pub(super) struct LookReport {
     pub(super) uniforms: Vec<UniformReport>,
     pub(super) keys: Vec<KeysReport>,
     pub(super) nodes: Nodes,
+    /// Tiers of the nodes that run at each fragment, with their costs in every tier.
+    pub(super) tiers: Vec<TierCosts>,
+    /// Greatest difference that counts as unseen where no tier is named.
+    pub(super) max_error: f64,
     #[serde(skip)]
     compiled: Vec<(String, Arc<CompiledShader>)>,
 }
@@ -158,7 +163,10 @@ impl ExplainReport {
             let shown = structural_look(&setup.looks[index].look, 0.0, values);
             let typed = check(&shown, library, None)?.value;
             let keys = keys(&shown, draw);
-            looks.push((index, LookReport { keys, ..LookReport::new(&shown.name, draw, &typed) }));
+            let tiers = tier_costs(&shown, library)?;
+            let max_error = shown.max_error;
+            let report = LookReport::new(&shown.name, draw, &typed);
+            looks.push((index, LookReport { keys, tiers, max_error, ..report }));
         }
         looks.sort_by_key(|(index, _)| *index);
         Ok(Self {
@@ -248,6 +256,8 @@ impl LookReport {
                 .collect(),
             uniforms: uniforms(shader),
             keys: Vec::new(),
+            tiers: Vec::new(),
+            max_error: 0.0,
             nodes: Nodes::new(shader, &emitted, typed),
             compiled,
         }

@@ -3,8 +3,10 @@
 use std::fmt::Write as _;
 
 use super::report::{DecidingDriver, ExplainReport, LookReport, names};
-use crate::frame::{Effect, EffectCost, EffectKind, EffectState};
+use crate::document::Tier;
+use crate::frame::{Effect, EffectCost, EffectKind, EffectState, TierCosts};
 use crate::library::Rate;
+use chiaro_laboratory::accuracy::report::tier_word;
 
 pub(super) fn tell(report: &ExplainReport, document: &str) -> String {
     let mut text = format!("{document}\n\nPasses, in order\n");
@@ -91,7 +93,51 @@ fn tell_look(look: &LookReport, report: &ExplainReport) -> String {
         let path = if image.path.is_empty() { "(nothing chosen: white)" } else { &image.path };
         let _ = writeln!(text, "    {path}  for `{}`", image.node);
     }
-    text + &tell_uniforms(look) + &tell_keys(look) + &tell_nodes(look, report)
+    text + &tell_uniforms(look) + &tell_keys(look) + &tell_nodes(look, report) + &tell_tiers(look)
+}
+
+/// Tiers of the nodes, with what the next better one would cost.
+fn tell_tiers(look: &LookReport) -> String {
+    let mut text = "\n  Tiers, with operations at each fragment\n".to_owned();
+    if look.tiers.iter().any(|node| node.is_automatic) {
+        let _ = writeln!(
+            text,
+            "    where none is named, the cheapest that differs by at most {:.1e}, which nobody sees",
+            look.max_error
+        );
+    }
+    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+        let nodes: Vec<&TierCosts> = look.tiers.iter().filter(|node| node.tier == tier).collect();
+        if nodes.is_empty() {
+            continue;
+        }
+        let tell = |node: &&TierCosts| {
+            let better = node.better();
+            let cost = |tier: Tier| format!(", {} {}", tier_word(Some(tier)), node.of(tier));
+            let named = if node.is_automatic { "" } else { ", named" };
+            let better = better.map(cost).unwrap_or_default();
+            format!("{} ({}{better}{named})", node.node, node.of(tier))
+        };
+        let told: Vec<String> = nodes.iter().map(tell).collect();
+        let sum: u64 = nodes.iter().map(|node| node.of(tier)).sum();
+        let _ = writeln!(
+            text,
+            "    {} {} of {} operations: {}",
+            nodes.len(),
+            tier_word(Some(tier)),
+            sum,
+            told.join(", ")
+        );
+    }
+    let saved: i64 = look
+        .tiers
+        .iter()
+        .map(|node| node.of(Tier::Exact).cast_signed() - node.of(node.tier).cast_signed())
+        .sum();
+    if saved > 0 {
+        let _ = writeln!(text, "    exact everywhere would take {saved} operations more");
+    }
+    text
 }
 
 fn tell_uniforms(look: &LookReport) -> String {

@@ -156,6 +156,7 @@ impl Canvas {
                 out.push(Command::Tell(what.to_owned()));
             }
             GraphCommand::Minimap => self.hides_minimap = !self.hides_minimap,
+            GraphCommand::Costs => self.costs.toggle(),
             GraphCommand::GoTo(key) => self.go_to(session, key),
             GraphCommand::Remember(key) => out.push(Command::Edit(self.remember(session, key))),
             GraphCommand::LeaveGroup => {
@@ -441,6 +442,7 @@ fn changes(command: GraphCommand) -> bool {
             | GraphCommand::ShowSelected
             | GraphCommand::SnapGrid
             | GraphCommand::Minimap
+            | GraphCommand::Costs
             | GraphCommand::GoTo(_)
             | GraphCommand::SelectNext(_)
     )

@@ -7,6 +7,7 @@
 
 mod actions;
 mod arrange;
+mod costs;
 mod drag;
 mod draw;
 mod draw_items;
@@ -81,6 +82,7 @@ pub struct Canvas {
     menu_at: Option<Pos2>,
     menu_hit: Option<CanvasItem>,
     previews: preview::Previews,
+    costs: costs::Costs,
     /// Command that the command palette asked for.
     asked: Option<GraphCommand>,
     snaps_to_grid: bool,
@@ -112,6 +114,7 @@ impl Canvas {
         let latest = ui.input(|input| input.pointer.latest_pos());
         self.draw(ui, session, latest);
         self.draw_previews(ui, session);
+        self.draw_costs(ui, session);
         self.name_nodes(ui, session);
         self.minimap(ui);
         self.crumbs(ui, session, &mut commands);

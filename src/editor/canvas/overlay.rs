@@ -160,7 +160,7 @@ impl Canvas {
                     const ROWS: [&[A]; 3] = [
                         &[A::AddNode, A::Note, A::Paste],
                         &[A::SelectAll, A::Layout],
-                        &[A::ShowAll, A::Minimap, A::SnapGrid],
+                        &[A::ShowAll, A::Minimap, A::Costs, A::SnapGrid],
                     ];
                     chosen = rows(ui, &ROWS);
                     if !session.selection.open_groups().is_empty() {

@@ -332,11 +332,12 @@ impl Canvas {
 
 impl BackgroundJobs for Canvas {
     fn is_busy(&self) -> bool {
-        self.previews.is_busy()
+        self.previews.is_busy() || self.costs.is_busy()
     }
 
     fn wait(&self) {
         self.previews.wait();
+        self.costs.wait();
     }
 }
 

@@ -41,6 +41,8 @@ pub(crate) enum GraphCommand {
     Layout,
     SnapGrid,
     Minimap,
+    /// Shows or hides what nodes cost.
+    Costs,
     /// Moves the selected nodes.
     Nudge(Heading),
     SelectNext(Heading),

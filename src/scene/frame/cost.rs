@@ -7,9 +7,11 @@ use serde::Serialize;
 
 use super::plan::{Draw, PlanOptions};
 use super::screen::ScreenModule;
-use crate::compile::{CompiledShader, VertexAttribute};
+use crate::compile::{CompileOptions, CompiledShader, VertexAttribute, check, compile};
+use crate::diag::Diagnostic;
+use crate::document::{Look, Tier};
 use crate::figures;
-use crate::library::PassId;
+use crate::library::{Library, PassId};
 use crate::wgsl::{Operations, ValidModule};
 
 /// Cost of an effect; for a dropped effect, the cost that it would have.
@@ -97,4 +99,55 @@ pub(super) fn shader_operations(shader: &CompiledShader) -> (u64, BTreeMap<Strin
         }
     });
     (operations.of_entry_points(module), counted)
+}
+
+/// Tier of a node of a look, with what the node costs in every tier.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TierCosts {
+    /// Path of the node through the groups it lies in.
+    pub node: String,
+    /// Tier of the node.
+    pub tier: Tier,
+    /// True if no tier is named for the node, so that this is the cheapest whose difference nobody
+    /// can see.
+    pub is_automatic: bool,
+    /// Operations at each fragment in the exact, the balanced and the fast tier, counted in naga's
+    /// IR, where the whole look is in that tier.
+    pub operations: [u64; 3],
+}
+
+impl TierCosts {
+    /// Operations of the node in a tier.
+    pub fn of(&self, tier: Tier) -> u64 {
+        self.operations[tier as usize]
+    }
+
+    /// The next tier nearer to the truth in which the node costs something else.
+    pub fn better(&self) -> Option<Tier> {
+        let nearer = [Tier::Balanced, Tier::Exact].into_iter().filter(|tier| *tier < self.tier);
+        nearer.into_iter().find(|tier| self.of(*tier) != self.of(self.tier))
+    }
+}
+
+/// Costs of a look's nodes that run at each fragment, in every tier.
+///
+/// # Errors
+/// All errors of the look.
+pub fn tier_costs(look: &Look, library: &Library) -> Result<Vec<TierCosts>, Vec<Diagnostic>> {
+    let options = CompileOptions::default();
+    let mut of_tiers = Vec::new();
+    for tier in [Tier::Exact, Tier::Balanced, Tier::Fast] {
+        let mut look = look.clone();
+        look.set_every_tier(tier);
+        of_tiers.push(shader_operations(&compile(&look, library, &options)?.value).1);
+    }
+    let nodes = check(look, library, None)?.value.nodes;
+    let costs = nodes.iter().filter_map(|node| {
+        let path = node.path.to_string();
+        let of = |tier: usize| of_tiers[tier].get(&path).copied();
+        let operations = [of(0)?, of(1).unwrap_or_default(), of(2).unwrap_or_default()];
+        let (tier, is_automatic) = (node.tier, node.is_automatic);
+        Some(TierCosts { node: path, tier, is_automatic, operations })
+    });
+    Ok(costs.collect())
 }

@@ -104,6 +104,7 @@ fn arrangement() -> Vec<CommandRow> {
         graph(G::Layout, "Tidy up", &[(NONE, Key::L)]),
         graph(G::SnapGrid, "Snap to the grid, or not", &[(NONE, Key::G)]),
         graph(G::Minimap, "Show or hide the minimap", &[(SHIFT, Key::M)]),
+        graph(G::Costs, "Show or hide what nodes cost", &[(SHIFT, Key::C)]),
     ]
 }
 

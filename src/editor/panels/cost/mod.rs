@@ -4,6 +4,7 @@
 mod panel;
 mod plot;
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::accuracy::{
@@ -12,6 +13,7 @@ use crate::accuracy::{
 use crate::diag::Diagnostic;
 use crate::document::{Edit, GraphId, Look, Tier};
 use crate::frame::{Assets, PlanOptions};
+use crate::ids::NodeId;
 use crate::progress::{Interruption, Progress};
 use crate::render::{Gpu, Renderer};
 use crate::state::revision::{DocumentNumber, LookRevision, PictureRevision};
@@ -92,6 +94,23 @@ impl Cost {
         self.done.as_ref().and_then(|done| done.result.as_ref().ok())
     }
 
+    /// Share of the picture's time that each node takes in the tier nearest to the truth, by the
+    /// last measurement that still holds.
+    pub(crate) fn shares(&self) -> HashMap<NodeId, f64> {
+        let mut shares = HashMap::new();
+        let Some(report) = self.report().filter(|_| self.is_current.1) else { return shares };
+        let is_whole = |row: &&MeasurementRow| row.subject == MeasurementSubject::Whole;
+        let whole = report.rows.iter().find(is_whole).map_or(0.0, |row| row.time.median);
+        for row in &report.rows {
+            if let MeasurementSubject::Node { id, .. } = &row.subject
+                && whole > 0.0
+            {
+                shares.entry(id.clone()).or_insert(row.time.median.max(0.0) / whole);
+            }
+        }
+        shares
+    }
+
     fn start(&mut self, session: &Session, size: [u32; 2]) {
         self.stop();
         let wake = self.wake.clone();
@@ -151,7 +170,7 @@ impl Drop for Cost {
 /// where the row is not a choice.
 fn adopt(look: &Look, row: &MeasurementRow) -> Option<Edit> {
     let tier = row.tier?;
-    let set = |id: &crate::ids::NodeId, tier| Edit::SetTier {
+    let set = |id: &NodeId, tier| Edit::SetTier {
         graph: GraphId::Look,
         id: id.clone(),
         tier,
