@@ -4,7 +4,9 @@
 //! `cargo bench --profile dev --no-default-features --features gpu --bench frames` prints GPU times
 //! (timestamps if the device has them) as medians with their 95% confidence interval, measured in
 //! turns. docs/performance.md holds the figures. With arguments after `--` only the named parts
-//! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`.
+//! run: `looks`, `coverage`, `layers`, `lights`, `pixels`, `objects`. A size as `3840x2160` takes
+//! the place of the paper's, and other words choose the looks whose names have one of them:
+//! `-- looks figure 3840x2160`.
 #![allow(clippy::print_stdout, reason = "it is what a benchmark is for")]
 #![allow(missing_docs, reason = "a program")]
 #![allow(clippy::disallowed_methods, reason = "it asks the clock")]
@@ -34,6 +36,8 @@ use serde_json::{Value as Json, json};
 /// Picture size of the BADF paper, in pixels.
 const PAPER: [u32; 2] = [1600, 1200];
 const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
+/// Parts of the benchmark, by the words that ask for them.
+const PARTS: [&str; 6] = ["looks", "coverage", "layers", "lights", "pixels", "objects"];
 
 fn plan(setup: &Setup, size: [u32; 2]) -> FramePlan {
     let options = PlanOptions { size, samples: 1, time: 0.0 };
@@ -89,7 +93,8 @@ fn layers(count: usize, lights: usize, kind: &str) -> Json {
 
 fn told(series: &Series) -> String {
     let time = series.estimate();
-    format!("{:.1} ({:.1} to {:.1})", time.median, time.low, time.high)
+    let digits = if time.median < 1.0 { 3 } else { 1 };
+    format!("{:.digits$} ({:.digits$} to {:.digits$})", time.median, time.low, time.high)
 }
 
 /// Time that one instruction takes in one fragment of a shader that does nothing but arithmetic, in
@@ -188,47 +193,61 @@ fn limits(plan: &FramePlan, fragments: f64, price: f64, bandwidth: f64) -> [f64;
     ]
 }
 
-fn looks(renderer: &mut Renderer) {
+fn looks(renderer: &mut Renderer, size: [u32; 2], words: &[String]) {
     let price = instruction_price(renderer);
     let bandwidth = bandwidth(renderer);
-    println!("\nExample looks on the creature at 1600x1200, one sample a pixel, ms a frame");
+    let [width, height] = size;
+    println!("\nExample looks on the creature at {width}x{height}, one sample a pixel, ms a frame");
     println!(
         "(the machine: {price:.4} ns an instruction and fragment in a chain of products and sums, \
          {:.2} GB/s in copies)",
         bandwidth * 1e-9
     );
     let beside = "instructions alone, ms (times as long) | bytes alone, ms (times as long)";
-    println!("\n| look | exact | balanced | fast | exact: {beside} | fast: {beside} |");
-    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
+    println!("\n| look | exact | by default | balanced | fast | exact: {beside} | fast: {beside} |");
+    println!("| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/looks");
     let mut files: Vec<_> =
         std::fs::read_dir(folder).expect("examples").flatten().map(|entry| entry.path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "json"));
     files.sort();
+    files.retain(|path| {
+        let name = path.to_string_lossy();
+        words.is_empty() || words.iter().any(|word| name.contains(word.as_str()))
+    });
     for file in files {
         let setup = open(&file, None, &mut Assets::default())
             .unwrap_or_else(|problems| panic!("{problems:?}"))
             .value;
-        let plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), PAPER));
+        let mut plans = TIERS.map(|tier| plan(&Variant::Looks(tier).of(&setup), size)).to_vec();
+        plans.push(plan(&automatic(&setup), size));
         let series = measure(renderer, &plans, 7);
         // A picture of a quarter of the size covers a sixteenth of the pixels.
-        let fragments = 16.0 * covered(&plan(&setup, PAPER.map(|side| side / 4)));
+        let fragments = 16.0 * covered(&plan(&setup, size.map(|side| side / 4)));
         let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-        let [exact, balanced, fast] = [0, 1, 2].map(|tier| told(&series[tier]));
+        let [exact, balanced, fast, default] = [0, 1, 2, 3].map(|tier| told(&series[tier]));
         let far = |tier: usize| {
             let time = series[tier].estimate().median;
             let ends = limits(&plans[tier], fragments, price, bandwidth);
-            ends.map(|limit| format!("{limit:.1} ({:.1}x)", time / limit)).join(" | ")
+            ends.map(|limit| format!("{limit:.3} ({:.1}x)", time / limit)).join(" | ")
         };
-        println!("| {name} | {exact} | {balanced} | {fast} | {} | {} |", far(0), far(2));
+        println!("| {name} | {exact} | {default} | {balanced} | {fast} | {} | {} |", far(0), far(2));
     }
+}
+
+/// A setup in which no look names a tier.
+fn automatic(setup: &Setup) -> Setup {
+    let mut setup = Variant::Looks(Tier::Exact).of(setup);
+    setup.looks.iter_mut().for_each(|worn| worn.look.tier = None);
+    setup
 }
 
 /// Frames whose passes over the picture run everywhere, beside frames whose passes run where
 /// objects may be seen.
-fn coverage(renderer: &mut Renderer) {
+fn coverage(renderer: &mut Renderer, size: [u32; 2]) {
+    let [width, height] = size;
     println!(
-        "\nPasses over the whole picture, and where objects may be seen, 1600x1200, ms a frame"
+        "\nPasses over the whole picture, and where objects may be seen, {width}x{height}, ms a frame"
     );
     println!("\n| look, exact | everywhere | where objects may be seen | share |");
     println!("| --- | ---: | ---: | ---: |");
@@ -238,8 +257,8 @@ fn coverage(renderer: &mut Renderer) {
         let setup = open(&file, None, &mut Assets::default())
             .unwrap_or_else(|problems| panic!("{problems:?}"))
             .value;
-        let near = plan(&Variant::Looks(Tier::Exact).of(&setup), PAPER);
-        let everywhere = FramePlan { covered: PixelArea::whole(PAPER), ..near.clone() };
+        let near = plan(&Variant::Looks(Tier::Exact).of(&setup), size);
+        let everywhere = FramePlan { covered: PixelArea::whole(size), ..near.clone() };
         let series = measure(renderer, &[everywhere, near], 15);
         let share = series[1].ratio(&series[0]).median;
         println!("| {name} | {} | {} | {share:.2} |", told(&series[0]), told(&series[1]));
@@ -260,12 +279,20 @@ fn main() {
     println!("{}{software}", renderer.gpu().name());
     let asked: Vec<String> =
         std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
-    let wants = |part: &str| asked.is_empty() || asked.iter().any(|asked| asked == part);
+    let (parts, words): (Vec<String>, Vec<String>) =
+        asked.into_iter().partition(|word| PARTS.contains(&word.as_str()));
+    let size_of = |word: &String| {
+        let (width, height) = word.split_once('x')?;
+        Some([width.parse().ok()?, height.parse().ok()?])
+    };
+    let size = words.iter().find_map(size_of).unwrap_or(PAPER);
+    let words: Vec<String> = words.into_iter().filter(|word| size_of(word).is_none()).collect();
+    let wants = |part: &str| parts.is_empty() || parts.iter().any(|asked| asked == part);
     if wants("looks") {
-        looks(&mut renderer);
+        looks(&mut renderer, size, &words);
     }
     if wants("coverage") {
-        coverage(&mut renderer);
+        coverage(&mut renderer, size);
     }
     let size = [640, 480];
     let sphere = "shape:sphere";

@@ -7,7 +7,8 @@
 //! `spirv-opt -O` if that is installed), all instructions of the fragment stage's own module after
 //! `spirv-opt -O`, time of the look pass (the GPU's own clock, in turns, median with its 95%
 //! interval) and lines (without comments). After `--`, words choose the looks whose names have one
-//! of them, and `--counts` leaves out the times, and with them the GPU: `-- math --counts`.
+//! of them, a size as `1600x1200` takes the place of 800x600, and `--counts` leaves out the times,
+//! and with them the GPU: `-- math --counts`.
 #![allow(clippy::print_stdout, reason = "what it is for")]
 #![allow(missing_docs, reason = "a program")]
 
@@ -22,9 +23,9 @@ use chiaro_test_drawing::handwritten::{self, HandwrittenLook};
 use chiaro_test_drawing::spirv::{function_instructions, module_instructions, optimized};
 use chiaro_test_drawing::wait::block_on;
 
-const SIZE: [u32; 2] = [800, 600];
 const ROUNDS: usize = 41;
-const TIERS: [Tier; 3] = [Tier::Exact, Tier::Balanced, Tier::Fast];
+const TIERS: [Option<Tier>; 4] =
+    [None, Some(Tier::Exact), Some(Tier::Balanced), Some(Tier::Fast)];
 
 /// Counted sizes of a module.
 struct ModuleCounts {
@@ -83,10 +84,10 @@ fn time_cells(times: Option<(&[f64], &[f64])>) -> [String; 2] {
 }
 
 /// Prints the rows of a look; without times where there is no renderer.
-fn report(look: HandwrittenLook, renderer: Option<&mut Renderer>) {
+fn report(look: HandwrittenLook, size: [u32; 2], renderer: Option<&mut Renderer>) {
     let setup = handwritten::setup(look);
     let mut plans: Vec<FramePlan> =
-        TIERS.iter().map(|tier| handwritten::generated(&setup, *tier, SIZE)).collect();
+        TIERS.iter().map(|tier| handwritten::generated(&setup, *tier, size)).collect();
     let by_hand = handwritten::by_hand(&setup, look, &plans[0]);
     plans.push(by_hand);
     let series = renderer.map(|renderer| {
@@ -103,8 +104,9 @@ fn report(look: HandwrittenLook, renderer: Option<&mut Renderer>) {
             .map(|series| (look_pass(&series[index]), look_pass(&series[TIERS.len()])));
         let [pass, by_hand] = time_cells(times);
         println!(
-            "| {} | {tier:?} | {naga} | {optimized} | {fragment} | {pass} | {by_hand} | {lines} |",
-            look.name
+            "| {} | {} | {naga} | {optimized} | {fragment} | {pass} | {by_hand} | {lines} |",
+            look.name,
+            tier.map_or("by default".to_owned(), |tier| format!("{tier:?}").to_lowercase()),
         );
     }
 }
@@ -112,13 +114,19 @@ fn report(look: HandwrittenLook, renderer: Option<&mut Renderer>) {
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&String> = arguments.iter().filter(|word| !word.starts_with('-')).collect();
+    let size_of = |word: &&String| {
+        let (width, height) = word.split_once('x')?;
+        Some([width.parse().ok()?, height.parse().ok()?])
+    };
+    let size: [u32; 2] = words.iter().find_map(size_of).unwrap_or([800, 600]);
+    let words: Vec<&String> = words.into_iter().filter(|word| size_of(word).is_none()).collect();
     let is_asked = |look: &HandwrittenLook| {
         words.is_empty() || words.iter().any(|word| look.name.contains(word.as_str()))
     };
     let are_timed = !arguments.iter().any(|argument| argument == "--counts");
     let mut renderer = are_timed.then(|| {
         let gpu = block_on(Gpu::headless()).expect("a GPU, a software one for one");
-        println!("{}, {}x{}, one sample a pixel\n", gpu.name(), SIZE[0], SIZE[1]);
+        println!("{}, {}x{}, one sample a pixel\n", gpu.name(), size[0], size[1]);
         Renderer::new(gpu)
     });
     println!(
@@ -127,6 +135,6 @@ fn main() {
     );
     println!("| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: |");
     for look in handwritten::LOOKS.into_iter().filter(is_asked) {
-        report(look, renderer.as_mut());
+        report(look, size, renderer.as_mut());
     }
 }

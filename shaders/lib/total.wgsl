@@ -190,8 +190,9 @@ fn length_of(v: vec3f) -> f32 {
     return bounded(largest * length(w / largest));
 }
 
-/// sin(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase.
-/// @where tier is balanced and |x| <= 300 : sin(x) ~ 5e-5
+/// sin(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
+/// the balanced tier takes x as off by a rounding or two, which far from 0 is more than its bound.
+/// @where tier is balanced and |x| <= 1e7 : sin(x) ~ 5e-5
 /// @where |x| <= 3000 : sine_near(x)
 fn sine_of(x: f32) -> f32 {
     let b = bounded(x);
@@ -208,8 +209,9 @@ fn sine_near(x: f32) -> f32 {
     return sine_turned((x - turns * 3.140625) - turns * 0.000967653589793238463, turns);
 }
 
-/// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase.
-/// @where tier is balanced and |x| <= 300 : cos(x) ~ 5e-5
+/// cos(x) for every x, in [-1, 1]; beyond 100,000 rounding leaves nothing of the phase. The form of
+/// the balanced tier is that of [`sine_of`].
+/// @where tier is balanced and |x| <= 1e7 : cos(x) ~ 5e-5
 /// @where |x| <= 3000 : cosine_near(x)
 fn cosine_of(x: f32) -> f32 {
     let b = bounded(x);
@@ -238,7 +240,7 @@ fn sine_turned(r: f32, turns: f32) -> f32 {
 
 /// sin(x) and cos(x) for every x; beyond 100,000 rounding leaves nothing of the phase, and the
 /// result lies in [-1, 1].
-/// @where tier is balanced and |x| <= 300 : vec2f(sin(x), cos(x)) ~ 5e-5
+/// @where tier is balanced and |x| <= 1000 : vec2f(sin(x), cos(x)) ~ 5e-5
 fn sin_cos_of(x: f32) -> vec2f {
     return clamp(sin_cos(bounded(x)), vec2f(-1.0), vec2f(1.0));
 }

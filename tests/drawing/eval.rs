@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 
 use chiaro_compiler::compile::{CompileOptions, Live};
-use chiaro_compiler::document::{Look, Scene};
+use chiaro_compiler::document::{Look, Scene, Tier};
 use chiaro_compiler::library::{Library, Type};
 use chiaro_language::diag::Diagnostic;
 use chiaro_language::ids::{NodePath, ObjectId, PortName};
@@ -35,14 +35,16 @@ pub fn renderer() -> MutexGuard<'static, Renderer> {
     RENDERERS[0].get_or_init(make).lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A look of JSON, read without any diagnostic.
+/// A look of JSON, read without any diagnostic; exact, if it names no tier.
 pub fn look(json: &serde_json::Value) -> SetupLook {
     let text = serde_json::to_string_pretty(json).expect("JSON");
     let loaded = Look::read(&text, "test.json");
     let problems: Vec<String> = loaded.diagnostics.iter().map(ToString::to_string).collect();
     assert!(problems.is_empty(), "{}\n{text}", problems.join("\n"));
+    let mut look = loaded.value.expect("a look");
+    look.tier.get_or_insert(Tier::Exact);
     SetupLook {
-        look: loaded.value.expect("a look"),
+        look,
         source: loaded.source.into(),
         folder: PathBuf::new(),
     }

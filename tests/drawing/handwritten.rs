@@ -46,11 +46,12 @@ pub fn setup(look: HandwrittenLook) -> Setup {
         .value
 }
 
-/// The frame plan with the compiler's module, every node in one tier, one sample a pixel.
-pub fn generated(setup: &Setup, tier: Tier, size: [u32; 2]) -> FramePlan {
+/// The frame plan with the compiler's module, every node in one tier, or where none is given in the
+/// cheapest that nobody can see, one sample a pixel.
+pub fn generated(setup: &Setup, tier: Option<Tier>, size: [u32; 2]) -> FramePlan {
     let mut setup = setup.clone();
     for look in &mut setup.looks {
-        look.look.tier = Some(tier);
+        look.look.tier = tier;
     }
     let options = PlanOptions { size, samples: 1, time: 0.0 };
     let plan = Planner::default().plan(&setup, Library::built_in(), &Live::Keyed, &options);

@@ -17,7 +17,7 @@ use chiaro::render::Renderer;
 fn handwritten_modules_draw_what_generated_ones_draw() {
     for look in LOOKS {
         let setup = setup(look);
-        let plan = generated(&setup, Tier::Exact, [400, 300]);
+        let plan = generated(&setup, Some(Tier::Exact), [400, 300]);
         let hand = by_hand(&setup, look, &plan);
         let gpu = renderer().gpu().precise();
         let mut renderer = Renderer::new(gpu);

@@ -19,7 +19,7 @@ use crate::support::report::Errors;
 use crate::support::{halved, stacks};
 use chiaro::compile::{CompileOptions, Live, compile};
 use chiaro::diag::Diagnostic;
-use chiaro::document::{Node, Value};
+use chiaro::document::{MAX_ERROR, Node, Tier, Value};
 use chiaro::frame::{Assets, SetupLook, eval_batches};
 use chiaro::interp::Precision;
 use chiaro::library::Library;
@@ -50,7 +50,8 @@ fn evaluate(
 /// Two ways of compiling a look that are compared, and the difference that they may have.
 struct Comparison {
     name: &'static str,
-    ways: [CompileOptions; 2],
+    /// Tier of a look that names none, and the options.
+    ways: [(Option<Tier>, CompileOptions); 2],
     precision: Precision,
     bound: f64,
 }
@@ -59,7 +60,9 @@ impl Comparison {
     /// The largest difference, as a proof for the ledger.
     fn proof(&self, look: &SetupLook, library: &Library) -> Result<f64, String> {
         let mut errors = Errors::new(self.name, self.bound);
-        let [a, b] = self.ways.each_ref().map(|way| evaluate(look, library, way, self.precision));
+        let [a, b] = self.ways.each_ref().map(|(tier, options)| {
+            evaluate(&in_tier(look, *tier), library, options, self.precision)
+        });
         for (index, (a, b)) in a.iter().flatten().zip(b.iter().flatten()).enumerate() {
             let place =
                 || format!("{}, sample {}\n{}", look.look.name, index / 4, look.look.to_text());
@@ -74,8 +77,9 @@ impl Comparison {
     fn key(&self, look: &SetupLook, library: &Library) -> ProofKey {
         let mut key = ProofKey::of_judges(&["tests/truth/pruned.rs"])
             .with(format!("{:?} {:e}", self.precision, self.bound).as_bytes());
-        for way in &self.ways {
-            content(look, library, way, &samples(5, 400), &mut |bytes| key.add(bytes));
+        for (tier, options) in &self.ways {
+            let look = in_tier(look, *tier);
+            content(&look, library, options, &samples(5, 400), &mut |bytes| key.add(bytes));
         }
         key
     }
@@ -86,12 +90,20 @@ impl Comparison {
     }
 }
 
-fn unspecialized(live: Live) -> CompileOptions {
-    CompileOptions { live, unspecialized: true, ..CompileOptions::default() }
+/// The look in a tier, if it names none.
+fn in_tier(look: &SetupLook, tier: Option<Tier>) -> SetupLook {
+    let mut look = look.clone();
+    look.look.tier = look.look.tier.or(tier);
+    look
 }
 
-fn specialized(live: Live) -> CompileOptions {
-    CompileOptions { live, ..CompileOptions::default() }
+fn unspecialized(live: Live) -> (Option<Tier>, CompileOptions) {
+    let options = CompileOptions { live, unspecialized: true, ..CompileOptions::default() };
+    (Some(Tier::Exact), options)
+}
+
+fn specialized(live: Live) -> (Option<Tier>, CompileOptions) {
+    (Some(Tier::Exact), CompileOptions { live, ..CompileOptions::default() })
 }
 
 /// Example looks, and 40 random stacks.
@@ -130,6 +142,22 @@ fn what_is_removed_or_takes_another_form_changes_nothing_in_f64() {
     ledger.close();
 }
 
+/// Without a tier, a look differs from the exact one by no more than it allows.
+#[test]
+fn nobody_sees_the_tiers_that_are_chosen() {
+    let comparison = Comparison {
+        name: "f64: as chosen against exact",
+        ways: [(None, specialized(Live::Keyed).1), specialized(Live::Keyed)],
+        precision: Precision::F64,
+        bound: MAX_ERROR,
+    };
+    let mut ledger = Ledger::open("chosen-tiers");
+    for (case, look) in looks() {
+        comparison.prove(&mut ledger, &case, &look);
+    }
+    ledger.close();
+}
+
 fn baked_against_live(bound: f64) -> Comparison {
     Comparison {
         name: "f32: baked against live",
@@ -146,7 +174,7 @@ fn what_is_folded_or_removed_changes_last_digits_alone_in_f32() {
     for (case, look) in looks_and_stacks() {
         let look = in_64ths(look);
         let comparison = baked_against_live(8.0 * f64::from(f32::EPSILON) * steepness(&case));
-        removed += compile(&look.look, Library::built_in(), &comparison.ways[0])
+        removed += compile(&look.look, Library::built_in(), &comparison.ways[0].1)
             .expect("it compiles")
             .value
             .removed

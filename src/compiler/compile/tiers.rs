@@ -228,7 +228,7 @@ impl<'g> Trial<'g> {
                     let Some(prepare) = &node.def.prepare else { continue };
                     let of_prepare: Rows =
                         prepare.parameters.iter().flat_map(|(input, _)| given(*input)).collect();
-                    arguments.extend(self.call(node, &prepare.function, of_prepare, None));
+                    arguments.extend(self.call(node, &prepare.function, &of_prepare, None));
                 }
             }
         }
@@ -238,7 +238,7 @@ impl<'g> Trial<'g> {
         } else {
             intervals::scalars_in(&variant.result).unwrap_or(1)
         };
-        self.call(node, &variant.function, arguments, Some(count))
+        self.call(node, &variant.function, &arguments, Some(count))
     }
 
     /// Rows of a function's result. What cannot be run, because it reads an image, is taken for an
@@ -247,16 +247,16 @@ impl<'g> Trial<'g> {
         &mut self,
         node: &TypedNode,
         function: &str,
-        arguments: Rows,
+        arguments: &[[f64; LANES]],
         count: Option<usize>,
     ) -> Rows {
         let key = (Arc::as_ptr(&node.def.module) as usize, Arc::from(function));
         let program = self.steps.by_function.get(&key).copied();
-        let result = program.and_then(|program| self.program(program, &arguments));
+        let result = program.and_then(|program| self.program(program, arguments));
         match (result, count) {
             (Some(rows), None) => rows,
             (Some(rows), Some(count)) if rows.len() == count => rows,
-            (_, count) => contrasts(&arguments, count.unwrap_or(1)),
+            (_, count) => contrasts(arguments, count.unwrap_or(1)),
         }
     }
 
@@ -287,7 +287,7 @@ impl<'g> Trial<'g> {
 
     /// Result of a program in all lanes; `None` where it takes or gives something else than plain
     /// numbers.
-    fn program(&mut self, program: usize, arguments: &Rows) -> Option<Rows> {
+    fn program(&mut self, program: usize, arguments: &[[f64; LANES]]) -> Option<Rows> {
         let code = &self.steps.programs[program];
         let lanes = self.lanes[program].as_mut()?;
         let ports = || {
@@ -338,7 +338,7 @@ fn add_errors(rows: &mut Rows, error: f64, random: &mut Random) {
 }
 
 /// Numbers as an image with strong contrasts gives them, from 0 to 1.
-fn contrasts(arguments: &Rows, count: usize) -> Rows {
+fn contrasts(arguments: &[[f64; LANES]], count: usize) -> Rows {
     const STEEPNESS: f64 = 100.0;
     let number = |lane: usize, part: usize| {
         let phases = arguments.iter().enumerate().map(|(i, row)| row[lane] * (1.0 + 0.37 * i as f64));
